@@ -1,0 +1,111 @@
+package org.cellgauge.cell;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.cellgauge.geometry.PinholeCamera;
+
+/** A robot cell as its cell file describes it; immutable. References and objects keep the order of the file. */
+public final class Cell {
+    private final PinholeCamera camera;
+    private final MarkerFamily family;
+    private final List<Reference> references;
+    private final List<ObjectMarker> objects;
+    private final OptionalDouble pixelStdPx;
+    private final OptionalDouble targetStdMm;
+
+    /**
+     * A cell.
+     *
+     * @param camera intrinsics of the camera
+     * @param family marker family that all markers are of
+     * @param references markers with a known place, at least one; ids differ from each other and from the objects'
+     * @param objects markers on objects; may be empty
+     * @param pixelStdPx standard deviation of each corner coordinate in px, positive; empty: estimate it ("auto")
+     * @param targetStdMm largest standard deviation allowed on any axis of any object and gripping point in mm,
+     *     positive; empty: no target
+     * @throws IllegalArgumentException if there is no reference, an id stands twice or a deviation is not positive
+     */
+    public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
+            OptionalDouble pixelStdPx, OptionalDouble targetStdMm) {
+        if (references.isEmpty()) {
+            throw new IllegalArgumentException("a cell needs at least one reference");
+        }
+        if (pixelStdPx.isPresent() && !(pixelStdPx.getAsDouble() > 0)) {
+            throw new IllegalArgumentException("pixel deviation must be positive");
+        }
+        if (targetStdMm.isPresent() && !(targetStdMm.getAsDouble() > 0)) {
+            throw new IllegalArgumentException("target deviation must be positive");
+        }
+        java.util.Set<Integer> ids = new java.util.HashSet<>();
+        references.forEach(r -> addOnce(ids, r.id()));
+        objects.forEach(o -> addOnce(ids, o.id()));
+        this.camera = camera;
+        this.family = family;
+        this.references = Collections.unmodifiableList(new ArrayList<>(references));
+        this.objects = Collections.unmodifiableList(new ArrayList<>(objects));
+        this.pixelStdPx = pixelStdPx;
+        this.targetStdMm = targetStdMm;
+    }
+
+    private static void addOnce(java.util.Set<Integer> ids, int id) {
+        if (!ids.add(id)) {
+            throw new IllegalArgumentException("marker " + id + " stands twice in the cell");
+        }
+    }
+
+    /**
+     * The camera.
+     *
+     * @return intrinsics and image size
+     */
+    public PinholeCamera camera() {
+        return camera;
+    }
+
+    /**
+     * The marker family.
+     *
+     * @return the family that all ids belong to
+     */
+    public MarkerFamily family() {
+        return family;
+    }
+
+    /**
+     * Markers with a known place.
+     *
+     * @return unmodifiable, in the order of the file, not empty
+     */
+    public List<Reference> references() {
+        return references;
+    }
+
+    /**
+     * Markers on objects.
+     *
+     * @return unmodifiable, in the order of the file
+     */
+    public List<ObjectMarker> objects() {
+        return objects;
+    }
+
+    /**
+     * Standard deviation of each corner coordinate.
+     *
+     * @return px, or empty where it is to be estimated
+     */
+    public OptionalDouble pixelStdPx() {
+        return pixelStdPx;
+    }
+
+    /**
+     * Largest standard deviation allowed on any axis of any object and gripping point.
+     *
+     * @return mm, or empty where no target is set
+     */
+    public OptionalDouble targetStdMm() {
+        return targetStdMm;
+    }
+}

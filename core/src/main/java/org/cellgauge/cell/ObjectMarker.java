@@ -1,0 +1,60 @@
+package org.cellgauge.cell;
+
+/** A marker on an object that the robot will grip, with its gripping point where one is given; immutable. */
+public final class ObjectMarker {
+    private final int id;
+    private final double sizeMm;
+    private final double[] gripMm;
+
+    /**
+     * An object marker.
+     *
+     * @param id marker id
+     * @param sizeMm outer edge of the black border, mm, positive
+     * @param gripMm gripping point in the marker's frame, 3 values, mm, or null where none is given; copied
+     */
+    public ObjectMarker(int id, double sizeMm, double[] gripMm) {
+        if (!(sizeMm > 0)) {
+            throw new IllegalArgumentException("marker " + id + ": size must be positive, not " + sizeMm);
+        }
+        this.id = id;
+        this.sizeMm = sizeMm;
+        this.gripMm = gripMm == null ? null : gripMm.clone();
+    }
+
+    /**
+     * Marker id.
+     *
+     * @return the id within the cell's family
+     */
+    public int id() {
+        return id;
+    }
+
+    /**
+     * Outer edge of the black border.
+     *
+     * @return mm
+     */
+    public double sizeMm() {
+        return sizeMm;
+    }
+
+    /**
+     * Whether a gripping point is given.
+     *
+     * @return true if {@link #gripMm()} is not null
+     */
+    public boolean hasGrip() {
+        return gripMm != null;
+    }
+
+    /**
+     * Gripping point in the marker's frame.
+     *
+     * @return a copy of its 3 coordinates, mm, or null where none is given
+     */
+    public double[] gripMm() {
+        return gripMm == null ? null : gripMm.clone();
+    }
+}

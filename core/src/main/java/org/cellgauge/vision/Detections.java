@@ -1,0 +1,79 @@
+package org.cellgauge.vision;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/** All markers seen in one image, with the image's name and size; immutable. */
+public final class Detections {
+    private final String imageName;
+    private final int widthPx;
+    private final int heightPx;
+    private final List<MarkerObservation> markers;
+
+    /**
+     * Detections of one image.
+     *
+     * @param imageName name of the image for messages and results
+     * @param widthPx image width
+     * @param heightPx image height
+     * @param markers one observation per marker id
+     */
+    public Detections(String imageName, int widthPx, int heightPx, List<MarkerObservation> markers) {
+        this.imageName = imageName;
+        this.widthPx = widthPx;
+        this.heightPx = heightPx;
+        this.markers = Collections.unmodifiableList(new ArrayList<>(markers));
+    }
+
+    /**
+     * Name of the image.
+     *
+     * @return for messages and results
+     */
+    public String imageName() {
+        return imageName;
+    }
+
+    /**
+     * Image width.
+     *
+     * @return px
+     */
+    public int widthPx() {
+        return widthPx;
+    }
+
+    /**
+     * Image height.
+     *
+     * @return px
+     */
+    public int heightPx() {
+        return heightPx;
+    }
+
+    /**
+     * The markers.
+     *
+     * @return unmodifiable
+     */
+    public List<MarkerObservation> markers() {
+        return markers;
+    }
+
+    /**
+     * The observation of one marker.
+     *
+     * @param id marker id
+     * @return its observation, or null where it was not seen
+     */
+    public MarkerObservation find(int id) {
+        for (MarkerObservation m : markers) {
+            if (m.id() == id) {
+                return m;
+            }
+        }
+        return null;
+    }
+}

@@ -1,0 +1,2 @@
+/** Markers found in an image or read from a detections file, as plain data, and the detector that finds them. */
+package org.cellgauge.vision;
