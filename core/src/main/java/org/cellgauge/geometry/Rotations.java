@@ -171,6 +171,37 @@ public final class Rotations {
     }
 
     /**
+     * Inverse of the left Jacobian of SO(3): {@code log(exp(d) exp(w)) = w + J d} for small d.
+     *
+     * <p>{@code J = I - [w]/2 + (1/|w|² - (1 + cos|w|) / (2 |w| sin|w|)) [w]²} (Chirikjian 2011, section 10.6).
+     *
+     * @param wx x of the rotation vector, rad
+     * @param wy y of the rotation vector, rad
+     * @param wz z of the rotation vector, rad; |w| less than 2 pi
+     * @param out J, 9 values row by row
+     */
+    public static void inverseLeftJacobian(double wx, double wy, double wz, double[] out) {
+        double squared = wx * wx + wy * wy + wz * wz;
+        double c;
+        if (squared < SMALL_ANGLE * SMALL_ANGLE) {
+            c = 1.0 / 12;
+        } else {
+            double half = Math.sqrt(squared) / 2;
+            // (1 + cos a) / (2 a sin a) = cot(a/2) / (2 a)
+            c = (1 - half * Math.cos(half) / Math.sin(half)) / squared;
+        }
+        out[0] = 1 - c * (wy * wy + wz * wz);
+        out[1] = c * wx * wy + wz / 2;
+        out[2] = c * wx * wz - wy / 2;
+        out[3] = c * wx * wy - wz / 2;
+        out[4] = 1 - c * (wx * wx + wz * wz);
+        out[5] = c * wy * wz + wx / 2;
+        out[6] = c * wx * wz + wy / 2;
+        out[7] = c * wy * wz - wx / 2;
+        out[8] = 1 - c * (wx * wx + wy * wy);
+    }
+
+    /**
      * Product of two 3x3 matrices.
      *
      * @param a left factor, 9 values row by row

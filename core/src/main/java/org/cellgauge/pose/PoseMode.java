@@ -1,0 +1,156 @@
+package org.cellgauge.pose;
+
+import org.cellgauge.geometry.Cholesky;
+
+/**
+ * A mode of a pose posterior with what Laplace's approximation needs: where it is, its Fisher information, and the
+ * derivative of its whitened residuals; immutable.
+ *
+ * <p>Order of all matrices: (dp x, y, z in mm; w x, y, z in rad, both of the centred chart in the camera frame; then the
+ * unknown intrinsics in the order of {@link IntrinsicsPrior}).
+ */
+public final class PoseMode {
+    private final CameraState state;
+    private final double[] jacobian;
+    private final double[] residuals;
+    private final double[] whitening;
+    private final double[] covariance;
+    private final int columns;
+    private final int markers;
+    private final double halfChiSquare;
+    private final double logWeight;
+
+    /**
+     * Reads a mode off a converged fit.
+     *
+     * @param fit evaluated with derivatives at the state
+     * @param state where the fit converged; copied
+     * @param halfChiSquare half the sum of squares there
+     * @param markers number of markers fitted
+     * @return the mode, or null where its information is singular
+     */
+    static PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare, int markers) {
+        double[] covariance = Cholesky.inverse(fit.information(), fit.columns());
+        return covariance == null ? null : new PoseMode(fit, state, halfChiSquare, markers, covariance);
+    }
+
+    private PoseMode(ReprojectionFit fit, CameraState state, double halfChiSquare, int markers, double[] covariance) {
+        this.state = new CameraState().copyFrom(state);
+        this.jacobian = fit.jacobian().clone();
+        this.residuals = fit.residuals().clone();
+        this.whitening = fit.whitening().clone();
+        this.covariance = covariance;
+        this.columns = fit.columns();
+        this.markers = markers;
+        this.halfChiSquare = halfChiSquare;
+        double[] factor = covariance.clone();
+        Cholesky.factor(factor, columns);
+        double logWhitening = 0;
+        for (int m = 0; m < markers; m++) {
+            for (int i = 0; i < 8; i++) {
+                logWhitening += Math.log(whitening[64 * m + 9 * i]);
+            }
+        }
+        logWeight = logWhitening - halfChiSquare + Cholesky.halfLogDeterminant(factor, columns);
+    }
+
+    /**
+     * Where the mode is.
+     *
+     * @return a copy of the state
+     */
+    public CameraState state() {
+        return new CameraState().copyFrom(state);
+    }
+
+    /**
+     * Number of unknowns.
+     *
+     * @return 6 and one per unknown intrinsic
+     */
+    public int dimension() {
+        return columns;
+    }
+
+    /**
+     * Laplace covariance: the inverse of the Fisher information.
+     *
+     * @return a copy, dimension x dimension row by row; mm, rad and the intrinsics' units
+     */
+    public double[] covariance() {
+        return covariance.clone();
+    }
+
+    /**
+     * Half the sum of squared whitened residuals, priors included.
+     *
+     * @return not negative
+     */
+    public double halfChiSquare() {
+        return halfChiSquare;
+    }
+
+    /**
+     * Sum of squared whitened residuals of one marker.
+     *
+     * @param marker index of the marker
+     * @return chi-square of its 8 coordinates
+     */
+    public double chiSquareOf(int marker) {
+        double sum = 0;
+        for (int i = 0; i < 8; i++) {
+            sum += residuals[8 * marker + i] * residuals[8 * marker + i];
+        }
+        return sum;
+    }
+
+    /**
+     * Logarithm of the posterior mass around this mode by Laplace's method, up to a constant shared by the modes of one
+     * posterior (Tierney and Kadane, "Accurate approximations for posterior moments and marginal densities", 1986).
+     *
+     * @return the logarithm
+     */
+    public double logWeight() {
+        return logWeight;
+    }
+
+    /**
+     * Whitening matrices frozen at this mode.
+     *
+     * @return a copy, 64 values per marker, lower triangular 8x8 row by row, 1/px
+     */
+    public double[] whitening() {
+        return whitening.clone();
+    }
+
+    /**
+     * How the estimate answers to the image corners of one marker: the gain {@code C J_m^T W_m} of the linearised fit.
+     *
+     * @param marker index of the marker
+     * @return dimension x 8 row by row: change of the estimate by change of each residual, per px
+     */
+    public double[] gain(int marker) {
+        double[] gain = new double[columns * 8];
+        for (int c = 0; c < columns; c++) {
+            for (int i = 0; i < 8; i++) {
+                double s = 0;
+                for (int k = 0; k < columns; k++) {
+                    s += covariance[c * columns + k] * jacobian[(8 * marker + i) * columns + k];
+                }
+                for (int j = 0; j <= i; j++) {
+                    gain[8 * c + j] += s * whitening[64 * marker + 8 * i + j];
+                }
+            }
+        }
+        return gain;
+    }
+
+    /**
+     * Number of markers the fit rests on.
+     *
+     * @return at least 1
+     */
+    public int markers() {
+        return markers;
+    }
+}

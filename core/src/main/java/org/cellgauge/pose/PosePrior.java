@@ -1,0 +1,98 @@
+package org.cellgauge.pose;
+
+import org.cellgauge.geometry.Rotations;
+
+/**
+ * A weak proper prior on the camera pose, Gaussian in the centred chart about a given pose; immutable but for its base,
+ * which is never changed.
+ *
+ * <p>With two references and large placement errors the data alone leave directions open; a result that rests on this
+ * prior says so.
+ */
+public final class PosePrior {
+    private final CameraState base;
+    private final double stdMm;
+    private final double stdRad;
+
+    /**
+     * A prior.
+     *
+     * @param base centre of the prior
+     * @param stdMm standard deviation of each component of the position of the references' centroid in the camera
+     *     frame, mm, positive
+     * @param stdRad standard deviation of each component of the rotation vector, rad, positive
+     */
+    public PosePrior(CameraState base, double stdMm, double stdRad) {
+        if (!(stdMm > 0 && stdRad > 0)) {
+            throw new IllegalArgumentException("prior deviations must be positive");
+        }
+        this.base = new CameraState().copyFrom(base);
+        this.stdMm = stdMm;
+        this.stdRad = stdRad;
+    }
+
+    /**
+     * Standard deviation of each position component.
+     *
+     * @return mm
+     */
+    public double stdMm() {
+        return stdMm;
+    }
+
+    /**
+     * Standard deviation of each rotation component.
+     *
+     * @return rad
+     */
+    public double stdRad() {
+        return stdRad;
+    }
+
+    /**
+     * Logarithm of the density by (dp, w) at a state, up to a constant. Allocates nothing.
+     *
+     * @param state where
+     * @param scratch9 9 values of scratch
+     * @param scratch3 3 values of scratch
+     * @return the logarithm
+     */
+    public double logDensity(CameraState state, double[] scratch9, double[] scratch3) {
+        double sum = 0;
+        for (int i = 0; i < 3; i++) {
+            double d = (state.offset[i] - base.offset[i]) / stdMm;
+            sum += d * d;
+        }
+        Rotations.multiplyTransposed(state.rotation, base.rotation, scratch9);
+        Rotations.log(scratch9, scratch3, 0);
+        for (int i = 0; i < 3; i++) {
+            double d = scratch3[i] / stdRad;
+            sum += d * d;
+        }
+        return -0.5 * sum;
+    }
+
+    /** Whitened residuals (6) and their derivative by a step of the chart (6 x columns), appended to a fit's rows. */
+    void rows(CameraState state, double[] residuals, double[] jacobian, int firstRow, int columns) {
+        double[] step = state.stepFrom(base);
+        double[] byTurn = new double[9];
+        Rotations.inverseLeftJacobian(step[3], step[4], step[5], byTurn);
+        for (int i = 0; i < 6; i++) {
+            residuals[firstRow + i] = step[i] / (i < 3 ? stdMm : stdRad);
+        }
+        if (jacobian == null) {
+            return;
+        }
+        for (int i = 0; i < 6; i++) {
+            int row = (firstRow + i) * columns;
+            java.util.Arrays.fill(jacobian, row, row + columns, 0);
+            if (i < 3) {
+                jacobian[row + i] = 1 / stdMm;
+            } else {
+                for (int j = 0; j < 3; j++) {
+                    jacobian[row + 3 + j] = byTurn[3 * (i - 3) + j] / stdRad;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,101 @@
+package org.cellgauge.pose;
+
+import java.util.Arrays;
+import org.cellgauge.cell.Placement;
+import org.cellgauge.geometry.Projection;
+
+/**
+ * Residual covariance of rigidly misplaced references: {@code J S J^T + sigma² I} with S the covariance of the placement
+ * error (translation along the world axes, rotation about the marker's own centre) and J the 8x6 derivative of the
+ * projected corners by it. It is what remains when six Gaussian nuisance parameters per reference are integrated out of
+ * a linearised model (Gelman et al., "Bayesian Data Analysis", 3rd ed. 2013, section 14.2).
+ *
+ * <p>Not thread-safe: it holds scratch arrays.
+ */
+public final class RigidMarkerNoise implements ReferenceNoise {
+    private final ReferenceView view;
+    private final double pixelStdPx;
+    private final double[] uv = new double[2];
+    private final double[] byPoint = new double[6];
+    private final double[] jacobian = new double[48];
+
+    /**
+     * The noise of a view.
+     *
+     * @param view references with their placement precision
+     * @param pixelStdPx standard deviation of each corner coordinate, px, positive
+     * @throws IllegalArgumentException if the deviation is not positive
+     */
+    public RigidMarkerNoise(ReferenceView view, double pixelStdPx) {
+        if (!(pixelStdPx > 0)) {
+            throw new IllegalArgumentException("pixel deviation must be positive, not " + pixelStdPx);
+        }
+        this.view = view;
+        this.pixelStdPx = pixelStdPx;
+    }
+
+    @Override
+    public boolean covariance(CameraState state, int marker, double[] placementPx2, double[] pixelPx2) {
+        if (!jacobian(state, marker, jacobian)) {
+            return false;
+        }
+        Placement placement = view.references().get(marker).placement();
+        for (int i = 0; i < 8; i++) {
+            for (int j = 0; j <= i; j++) {
+                double s = 0;
+                for (int k = 0; k < 6; k++) {
+                    double std = k < 3 ? placement.stdMm(k) : placement.stdRad();
+                    s += jacobian[6 * i + k] * jacobian[6 * j + k] * std * std;
+                }
+                placementPx2[8 * i + j] = s;
+                placementPx2[8 * j + i] = s;
+            }
+        }
+        Arrays.fill(pixelPx2, 0);
+        for (int i = 0; i < 8; i++) {
+            pixelPx2[9 * i] = pixelStdPx * pixelStdPx;
+        }
+        return true;
+    }
+
+    /**
+     * Derivative of the projected corners of one reference by its placement error.
+     *
+     * @param state pose and intrinsics
+     * @param marker index of the reference
+     * @param out 8x6 row by row: (u, v) of each corner by (translation along world x, y, z in mm; rotation vector about
+     *     the marker's centre in world axes, rad)
+     * @return false if a corner is not in front of the camera
+     */
+    public boolean jacobian(CameraState state, int marker, double[] out) {
+        double[] r = state.rotation;
+        double[] points = view.points();
+        double[] arms = view.arms();
+        for (int k = 0; k < 4; k++) {
+            int at = 12 * marker + 3 * k;
+            double x = points[at];
+            double y = points[at + 1];
+            double z = points[at + 2];
+            if (!Projection.projectWithDerivatives(state.intrinsics, r[0] * x + r[1] * y + r[2] * z + state.offset[0],
+                    r[3] * x + r[4] * y + r[5] * z + state.offset[1], r[6] * x + r[7] * y + r[8] * z + state.offset[2],
+                    uv, byPoint, null)) {
+                return false;
+            }
+            for (int row = 0; row < 2; row++) {
+                int b = 3 * row;
+                int o = 6 * (2 * k + row);
+                double gx = byPoint[b] * r[0] + byPoint[b + 1] * r[3] + byPoint[b + 2] * r[6];
+                double gy = byPoint[b] * r[1] + byPoint[b + 1] * r[4] + byPoint[b + 2] * r[7];
+                double gz = byPoint[b] * r[2] + byPoint[b + 1] * r[5] + byPoint[b + 2] * r[8];
+                out[o] = gx;
+                out[o + 1] = gy;
+                out[o + 2] = gz;
+                // a small rotation e moves the corner by e x arm, so its derivative is arm x gradient
+                out[o + 3] = arms[at + 1] * gz - arms[at + 2] * gy;
+                out[o + 4] = arms[at + 2] * gx - arms[at] * gz;
+                out[o + 5] = arms[at] * gy - arms[at + 1] * gx;
+            }
+        }
+        return true;
+    }
+}
