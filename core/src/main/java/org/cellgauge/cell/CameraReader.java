@@ -1,0 +1,201 @@
+package org.cellgauge.cell;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.Projection;
+
+/**
+ * Reads and judges BoofCV's calibration files (YAML) of the models {@code pinhole} and
+ * {@code pinhole_radial_tangential}; the same keys may stand in a cell file.
+ *
+ * <p>{@code skew}, the radial coefficients (up to 3) and {@code t1}, {@code t2} are 0 where they are left out.
+ */
+public final class CameraReader {
+    /** Largest camera file that is read, bytes. */
+    public static final int MAX_BYTES = 1 << 20;
+
+    private static final String WHAT = "camera file";
+    private static final String PINHOLE_EXAMPLE =
+            "pinhole: {fx: 581, fy: 581, cx: 640, cy: 360, width: 1280, height: 720}";
+    private static final String EXAMPLE = "the keys of a BoofCV calibration file: model: pinhole_radial_tangential, "
+            + PINHOLE_EXAMPLE;
+    private static final String WITH_DISTORTION = "pinhole_radial_tangential";
+    private static final String WITHOUT_DISTORTION = "pinhole";
+    private static final int MAX_SIDE_PX = 30_000;
+    // 0.05 image widths is a field of view of 169 degrees, 1000 one of 0.06 degrees: no lens of this model is outside
+    private static final double MIN_FOCAL_PER_SIDE = 0.05;
+    private static final double MAX_FOCAL_PER_SIDE = 1000;
+    private static final double MAX_FOCAL_RATIO = 3;
+    private static final int BORDER_POINTS = 16;
+    private static final int STEPS_FROM_CENTRE = 32;
+
+    private CameraReader() {
+    }
+
+    /**
+     * Reads a camera file.
+     *
+     * @param file BoofCV calibration file
+     * @return the camera
+     * @throws InputRefusedException if it is missing, not readable, of another model or contradicts itself
+     */
+    public static PinholeCamera read(Path file) {
+        return read(InputFiles.text(file, WHAT, MAX_BYTES), file.toString());
+    }
+
+    /**
+     * Reads a camera file's text.
+     *
+     * @param text YAML
+     * @param displayName the name that messages give it
+     * @return the camera
+     * @throws InputRefusedException if it is of another model or contradicts itself
+     */
+    public static PinholeCamera read(String text, String displayName) {
+        return of(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+    }
+
+    /** The camera of a mapping with a calibration file's keys. */
+    static PinholeCamera of(YamlValue value) {
+        YamlMapping file = value.mapping(EXAMPLE);
+        if (file.optional("cellgauge") != null) {
+            throw file.optional("cellgauge").refused("this is a cell file; name a camera file here");
+        }
+        String model = file.required("model", "model: " + WITH_DISTORTION).text("model: " + WITH_DISTORTION);
+        boolean distorted = model.equals(WITH_DISTORTION);
+        if (!distorted && !model.equals(WITHOUT_DISTORTION)) {
+            throw file.optional("model").refused("the camera model \"" + model
+                    + "\" cannot be used; calibrate with the model " + WITH_DISTORTION + " or " + WITHOUT_DISTORTION);
+        }
+        file.refuseUnknown(Arrays.asList("model", "pinhole", "radial_tangential", "version"));
+        YamlValue version = file.optional("version");
+        if (version != null) {
+            version.whole(0, 0, "version: 0, or calibrate with a BoofCV of that version");
+        }
+
+        YamlMapping pinhole = file.required("pinhole", PINHOLE_EXAMPLE)
+                .mapping(PINHOLE_EXAMPLE, "fx", "fy", "cx", "cy", "width", "height", "skew");
+        double[] k = new double[PinholeCamera.INTRINSICS];
+        k[PinholeCamera.FX] = pinhole.required("fx", "the focal length in px").positive("the focal length in px");
+        k[PinholeCamera.FY] = pinhole.required("fy", "the focal length in px").positive("the focal length in px");
+        k[PinholeCamera.CX] = pinhole.required("cx", "the principal point in px").number("the principal point in px");
+        k[PinholeCamera.CY] = pinhole.required("cy", "the principal point in px").number("the principal point in px");
+        YamlValue skew = pinhole.optional("skew");
+        k[PinholeCamera.SKEW] = skew == null ? 0 : skew.number("the skew in px, mostly 0");
+        int width = pinhole.required("width", "the image width in px")
+                .whole(1, MAX_SIDE_PX, "the width in px of the images that the camera was calibrated with");
+        int height = pinhole.required("height", "the image height in px")
+                .whole(1, MAX_SIDE_PX, "the height in px of the images that the camera was calibrated with");
+        judgePinhole(pinhole, k, width, height);
+
+        YamlValue block = file.optional("radial_tangential");
+        if (block != null && !block.isEmpty()) {
+            if (!distorted) {
+                throw block.refused("lens distortion contradicts model: pinhole; write model: " + WITH_DISTORTION
+                        + " or delete this block");
+            }
+            readDistortion(block, k);
+        }
+        PinholeCamera camera = PinholeCamera.of(width, height, k);
+        if (camera.hasDistortion()) {
+            judgeDistortion(block, camera);
+        }
+        return camera;
+    }
+
+    private static void readDistortion(YamlValue block, double[] k) {
+        YamlMapping distortion = block.mapping("{radial: [k1, k2], t1: 0, t2: 0}", "radial", "t1", "t2");
+        YamlValue radial = distortion.optional("radial");
+        if (radial != null && !radial.isEmpty()) {
+            List<YamlValue> coefficients = radial.items();
+            if (coefficients.size() > 3) {
+                throw radial.refused("expected at most 3 coefficients, got " + coefficients.size()
+                        + "; calibrate with 2 or 3 radial coefficients");
+            }
+            for (int i = 0; i < coefficients.size(); i++) {
+                k[PinholeCamera.K1 + i] = coefficients.get(i).number("a radial coefficient");
+            }
+        }
+        YamlValue t1 = distortion.optional("t1");
+        YamlValue t2 = distortion.optional("t2");
+        k[PinholeCamera.P1] = t1 == null ? 0 : t1.number("a tangential coefficient, mostly 0");
+        k[PinholeCamera.P2] = t2 == null ? 0 : t2.number("a tangential coefficient, mostly 0");
+    }
+
+    private static void judgePinhole(YamlMapping pinhole, double[] k, int width, int height) {
+        int side = Math.max(width, height);
+        for (String key : new String[] {"fx", "fy"}) {
+            double f = k[key.equals("fx") ? PinholeCamera.FX : PinholeCamera.FY];
+            if (!(f >= MIN_FOCAL_PER_SIDE * side && f <= MAX_FOCAL_PER_SIDE * side)) {
+                throw pinhole.optional(key).refused("a focal length of " + plain(f) + " px does not go with an image "
+                        + "of " + width + " x " + height + " px; write it in px (not in mm), or calibrate again");
+            }
+        }
+        double ratio = k[PinholeCamera.FX] / k[PinholeCamera.FY];
+        if (!(ratio <= MAX_FOCAL_RATIO && ratio >= 1 / MAX_FOCAL_RATIO)) {
+            throw pinhole.optional("fy").refused("fx " + plain(k[PinholeCamera.FX]) + " and fy "
+                    + plain(k[PinholeCamera.FY]) + " contradict each other; they are nearly equal for real cameras, "
+                    + "check both");
+        }
+        judgePrincipalPoint(pinhole, "cx", k[PinholeCamera.CX], width, "width");
+        judgePrincipalPoint(pinhole, "cy", k[PinholeCamera.CY], height, "height");
+        if (k[PinholeCamera.CX] == 0 && k[PinholeCamera.CY] == 0) {
+            throw pinhole.optional("cx").refused("the principal point (0, 0) is the image's corner; write the "
+                    + "calibrated point, which is near the image's middle");
+        }
+        if (Math.abs(k[PinholeCamera.SKEW]) > 0.5 * k[PinholeCamera.FX]) {
+            throw pinhole.optional("skew").refused("a skew of " + plain(k[PinholeCamera.SKEW])
+                    + " px is no camera's; write the calibrated value, mostly 0");
+        }
+    }
+
+    private static void judgePrincipalPoint(YamlMapping pinhole, String key, double c, int side, String name) {
+        // a part cut out of a larger image may have its principal point outside, but not by more than its own size
+        if (!(c >= -side && c <= 2.0 * side)) {
+            throw pinhole.optional(key).refused("the principal point " + plain(c) + " px lies far outside of the "
+                    + "image, whose " + name + " is " + side + " px; check both");
+        }
+    }
+
+    /** Refuses a distortion that shows two directions at one pixel of the image: such a lens model has no inverse. */
+    private static void judgeDistortion(YamlValue block, PinholeCamera camera) {
+        double[] point = new double[2];
+        for (int i = 0; i < BORDER_POINTS; i++) {
+            double s = i / (double) BORDER_POINTS;
+            double w = camera.widthPx();
+            double h = camera.heightPx();
+            double[][] border = {{s * w, 0}, {w, s * h}, {w - s * w, h}, {0, h - s * h}};
+            for (double[] uv : border) {
+                if (!camera.toNormalised(uv[0], uv[1], point) || foldsBefore(camera, point)) {
+                    throw block.refused("this lens distortion folds the image over near pixel (" + Math.round(uv[0])
+                            + ", " + Math.round(uv[1]) + "), so the coefficients cannot be right; calibrate again with "
+                            + "the target also near the image's borders, or with fewer coefficients");
+                }
+            }
+        }
+    }
+
+    private static boolean foldsBefore(PinholeCamera camera, double[] point) {
+        double[] uv = new double[2];
+        double[] d = new double[6];
+        for (int i = 1; i <= STEPS_FROM_CENTRE; i++) {
+            double s = i / (double) STEPS_FROM_CENTRE;
+            Projection.projectWithDerivatives(camera.intrinsics(), s * point[0], s * point[1], 1, uv, d, null);
+            // rows of the 2x3 derivative; at z = 1 the first two columns are those by the normalised point
+            if (!(d[0] * d[4] - d[1] * d[3] > 0)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** A number as a person would write it. */
+    static String plain(double value) {
+        if (value == Math.rint(value) && Math.abs(value) < 1e15) {
+            return String.valueOf((long) value);
+        }
+        return String.valueOf(value);
+    }
+}

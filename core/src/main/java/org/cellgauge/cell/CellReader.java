@@ -1,0 +1,367 @@
+package org.cellgauge.cell;
+
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+
+/**
+ * Reads and judges cell files (YAML, version 1).
+ *
+ * <p>Lengths are mm, angles degrees as in the file. Left out, {@code rotation_deg} is [0, 0, 0], {@code pixel_std_px}
+ * is {@code auto}, {@code objects} and {@code target} are none. {@code placement} may be left out where every reference
+ * states its own; a reference's {@code placement} and a reference's or object's {@code size_mm} replace only what they
+ * state. Every refusal names file, line, key and remedy.
+ */
+public final class CellReader {
+    /** Largest cell file that is read, bytes. */
+    public static final int MAX_BYTES = 1 << 20;
+    /** Version of the format that is read. */
+    public static final int VERSION = 1;
+
+    private static final String WHAT = "cell file";
+    private static final String PLACEMENT_EXAMPLE = "placement: {std_mm: [5, 5, 5], std_deg: 0.5}";
+    private static final String MARKERS_EXAMPLE = "markers: {family: square-binary, size_mm: 47}";
+    private static final String CAMERA_EXAMPLE = "camera: camera.yaml (a BoofCV calibration file)";
+    private static final String REFERENCES_EXAMPLE =
+            "references:, and below it at least one line such as \"944: {position_mm: [492, 380, 0]}\"";
+    private static final String POSITION_EXAMPLE = "[x, y, z] in mm";
+    private static final double MIN_SIZE_MM = 0.5;
+    private static final double MAX_LENGTH_MM = 1e6;
+    private static final double MAX_STD_DEG = 90;
+    private static final double MAX_ANGLE_DEG = 360;
+    private static final double SAME_PLANE_COSINE = Math.cos(Math.toRadians(30));
+
+    private final CameraSource cameras;
+    private final Path folder;
+    private MarkerFamily family;
+    private YamlValue generalSize;
+
+    private CellReader(CameraSource cameras, Path folder) {
+        this.cameras = cameras;
+        this.folder = folder;
+    }
+
+    /**
+     * Reads a cell file and the camera file it names.
+     *
+     * @param file the cell file; a camera file's path is relative to its folder
+     * @return the cell
+     * @throws InputRefusedException if one of the two is missing or faulty
+     */
+    public static Cell read(Path file) {
+        String text = InputFiles.text(file, WHAT, MAX_BYTES);
+        return new CellReader(null, file).cell(YamlValue.parse(text, file.toString(), WHAT, MAX_BYTES));
+    }
+
+    /**
+     * Reads a cell file's text.
+     *
+     * @param text YAML
+     * @param displayName the name that messages give it
+     * @param cameras gives the camera file that the text may name
+     * @return the cell
+     * @throws InputRefusedException if the cell or the camera is missing or faulty
+     */
+    public static Cell read(String text, String displayName, CameraSource cameras) {
+        return new CellReader(cameras, null).cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+    }
+
+    private Cell cell(YamlValue top) {
+        YamlMapping file = top.mapping("a cell file, which begins with cellgauge: 1");
+        YamlValue version = file.optional("cellgauge");
+        if (version == null) {
+            if (file.optional("pinhole") != null) {
+                throw top.refused("this is a camera file; name a cell file and refer to this one under camera:");
+            }
+            if (file.optional("corners_px") != null || file.optional("image") != null) {
+                throw top.refused("this is a detections file; name a cell file, and this one after --detections");
+            }
+            throw file.missing("cellgauge", "is missing; add the line cellgauge: " + VERSION);
+        }
+        version.whole(VERSION, VERSION, "cellgauge: " + VERSION + ", the format of this program");
+        file.refuseUnknown(Arrays.asList("cellgauge", "camera", "markers", "placement", "pixel_std_px",
+                "references", "objects", "target"));
+        PinholeCamera camera = camera(file.required("camera", CAMERA_EXAMPLE));
+        YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm");
+        family = family(markers.required("family", "family: square-binary"));
+        generalSize = markers.optional("size_mm");
+        if (generalSize != null) {
+            size(generalSize);
+        }
+        YamlMapping placement = file.optional("placement") == null ? null : placement(file.optional("placement"));
+        OptionalDouble pixelStdPx = pixelStd(file.optional("pixel_std_px"));
+
+        Map<Integer, YamlValue> lines = new HashMap<>();
+        List<Reference> references = references(file, markers, placement, lines);
+        List<ObjectMarker> objects = objects(file.optional("objects"), markers, lines);
+        OptionalDouble target = OptionalDouble.empty();
+        if (file.optional("target") != null) {
+            target = OptionalDouble.of(file.optional("target").mapping("{std_mm: 1.0}, or delete it", "std_mm")
+                    .required("std_mm", "std_mm: 1.0").positive("the largest deviation allowed, in mm"));
+        }
+        return new Cell(camera, family, references, objects, pixelStdPx, target);
+    }
+
+    private PinholeCamera camera(YamlValue value) {
+        if (value.isMapping()) {
+            return CameraReader.of(value);
+        }
+        String name = value.text(CAMERA_EXAMPLE);
+        if (folder == null) {
+            String text;
+            try {
+                text = cameras.read(name);
+            } catch (IOException e) {
+                throw noCamera(value, name, e);
+            }
+            return CameraReader.read(text, name);
+        }
+        Path path;
+        try {
+            path = folder.resolveSibling(name);
+        } catch (InvalidPathException e) {
+            throw value.refused("\"" + name + "\" is no file name; write " + CAMERA_EXAMPLE);
+        }
+        if (!Files.exists(path)) {
+            throw noCamera(value, path.toString(), new FileNotFoundException());
+        }
+        String text;
+        try {
+            text = InputFiles.text(path, "camera file", CameraReader.MAX_BYTES);
+        } catch (InputRefusedException e) {
+            throw new InputRefusedException(value.refused(e.getMessage()).getMessage(), e);
+        }
+        return CameraReader.read(text, path.toString());
+    }
+
+    private static InputRefusedException noCamera(YamlValue value, String name, IOException e) {
+        String reason = e instanceof FileNotFoundException || e instanceof NoSuchFileException
+                ? "there is no file \"" + name + "\"; write the camera file's path relative to this file, or make one "
+                        + "with cellgauge calibrate"
+                : "\"" + name + "\": " + InputFiles.reason(e, "camera file");
+        return new InputRefusedException(value.refused(reason).getMessage(), e);
+    }
+
+    private static MarkerFamily family(YamlValue value) {
+        try {
+            return MarkerFamily.of(value.text("family: square-binary"));
+        } catch (IllegalArgumentException e) {
+            throw value.refused(e.getMessage());
+        }
+    }
+
+    private static double size(YamlValue value) {
+        double size = value.positive("the outer edge of the black border in mm");
+        if (size < MIN_SIZE_MM) {
+            throw value.refused("a marker of " + CameraReader.plain(size) + " mm is too small to be seen; write the "
+                    + "outer edge of the black border in mm, not in m");
+        }
+        return bounded(value, size, "the outer edge of the black border in mm");
+    }
+
+    private static double bounded(YamlValue value, double lengthMm, String remedy) {
+        if (!(Math.abs(lengthMm) <= MAX_LENGTH_MM)) {
+            throw value.refused(CameraReader.plain(lengthMm) + " mm is more than a kilometre; write " + remedy);
+        }
+        return lengthMm;
+    }
+
+    private static double[] point(YamlValue value) {
+        double[] point = value.numbers(3, POSITION_EXAMPLE);
+        for (double v : point) {
+            bounded(value, v, POSITION_EXAMPLE);
+        }
+        return point;
+    }
+
+    /** A placement whose parts are judged, so that a fault is reported where it stands and not where it is inherited. */
+    private static YamlMapping placement(YamlValue value) {
+        YamlMapping placement = value.mapping("{std_mm: [5, 5, 5], std_deg: 0.5}", "std_mm", "std_deg");
+        if (placement.optional("std_mm") != null) {
+            placementStdMm(placement.optional("std_mm"));
+        }
+        if (placement.optional("std_deg") != null) {
+            placementStdDeg(placement.optional("std_deg"));
+        }
+        return placement;
+    }
+
+    private static double[] placementStdMm(YamlValue value) {
+        String remedy = "[x, y, z] in mm, each greater than 0, such as [5, 5, 5]";
+        double[] std = value.numbers(3, remedy);
+        for (YamlValue item : value.items()) {
+            bounded(item, item.positive("a deviation in mm; for an exactly placed marker a small one such as 0.01"),
+                    remedy);
+        }
+        return std;
+    }
+
+    private static double placementStdDeg(YamlValue value) {
+        double std = value.positive("a deviation in degrees; for an exactly turned marker a small one such as 0.01");
+        if (std > MAX_STD_DEG) {
+            throw value.refused("a deviation of " + CameraReader.plain(std) + " degrees leaves the direction unknown; "
+                    + "write at most " + CameraReader.plain(MAX_STD_DEG));
+        }
+        return std;
+    }
+
+    private static OptionalDouble pixelStd(YamlValue value) {
+        if (value == null || value.is("auto")) {
+            return OptionalDouble.empty();
+        }
+        return OptionalDouble.of(value.positive("the deviation of a corner in px, such as 0.3, or auto"));
+    }
+
+    private List<Reference> references(YamlMapping file, YamlMapping markers, YamlMapping general,
+            Map<Integer, YamlValue> lines) {
+        YamlValue value = file.required("references", REFERENCES_EXAMPLE);
+        if (value.isEmpty()) {
+            throw value.refused("no reference stands here; add " + REFERENCES_EXAMPLE);
+        }
+        YamlMapping mapping = value.mapping(REFERENCES_EXAMPLE);
+        if (mapping.keys().isEmpty()) {
+            throw value.refused("no reference stands here; add " + REFERENCES_EXAMPLE);
+        }
+        List<Reference> references = new ArrayList<>();
+        for (Map.Entry<String, YamlValue> e : mapping.values().entrySet()) {
+            int id = id(e.getKey(), e.getValue(), lines);
+            YamlMapping entry = e.getValue().mapping("{position_mm: [x, y, z], rotation_deg: [psi, theta, phi]}",
+                    "position_mm", "rotation_deg", "placement", "size_mm");
+            YamlValue positionValue = entry.required("position_mm", "position_mm: " + POSITION_EXAMPLE);
+            double[] position = point(positionValue);
+            double[] rotation = rotation(entry.optional("rotation_deg"));
+            RigidTransform worldFromMarker = RigidTransform.ofEuler(position[0], position[1], position[2],
+                    Math.toRadians(rotation[0]), Math.toRadians(rotation[1]), Math.toRadians(rotation[2]));
+            Reference reference = new Reference(id, size(entry, markers), worldFromMarker,
+                    placement(file, entry, general));
+            for (Reference other : references) {
+                refuseSamePlace(reference, positionValue, other, lines.get(other.id()));
+            }
+            references.add(reference);
+        }
+        return references;
+    }
+
+    private static double[] rotation(YamlValue value) {
+        if (value == null) {
+            return new double[3];
+        }
+        String remedy = "[psi, theta, phi] in degrees, from -360 to 360";
+        double[] rotation = value.numbers(3, remedy);
+        for (double angle : rotation) {
+            if (!(Math.abs(angle) <= MAX_ANGLE_DEG)) {
+                throw value.refused("an angle of " + CameraReader.plain(angle) + " degrees is more than a full turn; "
+                        + "write " + remedy);
+            }
+        }
+        return rotation;
+    }
+
+    private static Placement placement(YamlMapping file, YamlMapping entry, YamlMapping general) {
+        YamlMapping own = entry.optional("placement") == null ? null : placement(entry.optional("placement"));
+        if (general == null && own == null) {
+            throw file.missing("placement", "is missing, and " + entry.self().path() + " (line " + entry.self().line()
+                    + ") states none of its own; add " + PLACEMENT_EXAMPLE);
+        }
+        double[] stdMm = placementStdMm(stated("std_mm", own, general));
+        return new Placement(stdMm[0], stdMm[1], stdMm[2],
+                Math.toRadians(placementStdDeg(stated("std_deg", own, general))));
+    }
+
+    private static YamlValue stated(String key, YamlMapping own, YamlMapping general) {
+        if (own != null && own.optional(key) != null) {
+            return own.optional(key);
+        }
+        if (general != null && general.optional(key) != null) {
+            return general.optional(key);
+        }
+        YamlMapping where = general == null ? own : general;
+        throw where.missing(key, "is missing; add "
+                + (key.equals("std_mm") ? "std_mm: [5, 5, 5]" : "std_deg: 0.5"));
+    }
+
+    private double size(YamlMapping entry, YamlMapping markers) {
+        YamlValue own = entry.optional("size_mm");
+        if (own == null && generalSize == null) {
+            throw markers.missing("size_mm", "is missing, and " + entry.self().path() + " (line " + entry.self().line()
+                    + ") states none of its own; add size_mm: 47 (outer edge of the black border)");
+        }
+        return size(own == null ? generalSize : own);
+    }
+
+    private List<ObjectMarker> objects(YamlValue value, YamlMapping markers, Map<Integer, YamlValue> lines) {
+        List<ObjectMarker> objects = new ArrayList<>();
+        if (value == null || value.isEmpty()) {
+            return objects;
+        }
+        for (Map.Entry<String, YamlValue> e : value.mapping("lines such as \"5: {}\" below objects:").values()
+                .entrySet()) {
+            int id = id(e.getKey(), e.getValue(), lines);
+            double[] grip = null;
+            double size;
+            if (e.getValue().isEmpty()) {
+                // "5:" says the same as "5: {}"
+                if (generalSize == null) {
+                    throw markers.missing("size_mm", "is missing, and " + e.getValue().path() + " (line "
+                            + e.getValue().line() + ") states none of its own; add size_mm: 47");
+                }
+                size = size(generalSize);
+            } else {
+                YamlMapping entry = e.getValue().mapping("{} or {grip_mm: [x, y, z]}", "grip_mm", "size_mm");
+                grip = entry.optional("grip_mm") == null ? null : point(entry.optional("grip_mm"));
+                size = size(entry, markers);
+            }
+            objects.add(new ObjectMarker(id, size, grip));
+        }
+        return objects;
+    }
+
+    private int id(String key, YamlValue value, Map<Integer, YamlValue> lines) {
+        if (!key.matches("0|[1-9]\\d{0,8}")) {
+            throw value.refused("\"" + key + "\" is no marker id; write a whole number from 0 to " + (family.size() - 1)
+                    + " without leading zeros");
+        }
+        int id = Integer.parseInt(key);
+        if (!family.has(id)) {
+            throw value.refused(family + " has no marker " + id + "; its ids run from 0 to " + (family.size() - 1));
+        }
+        if (family.isAmbiguous(id)) {
+            throw value.refused("marker " + id + " of " + family + " looks like another marker or like itself turned; "
+                    + "choose another id");
+        }
+        YamlValue earlier = lines.putIfAbsent(id, value);
+        if (earlier != null) {
+            throw value.refused("marker " + id + " already stands on line " + earlier.line() + " as " + earlier.path()
+                    + "; a marker is either a reference or an object, so delete one of the two");
+        }
+        return id;
+    }
+
+    private static void refuseSamePlace(Reference reference, YamlValue position, Reference other, YamlValue otherLine) {
+        double[] a = reference.worldFromMarker().translationMm();
+        double[] b = other.worldFromMarker().translationMm();
+        double distance = Math.sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])
+                + (a[2] - b[2]) * (a[2] - b[2]));
+        double[] ra = reference.worldFromMarker().rotation();
+        double[] rb = other.worldFromMarker().rotation();
+        double cosine = ra[2] * rb[2] + ra[5] * rb[5] + ra[8] * rb[8];
+        // two faces of a thin plate lie at one place too, but look away from each other
+        if (distance < 0.5 * Math.max(reference.sizeMm(), other.sizeMm()) && cosine > SAME_PLANE_COSINE) {
+            throw position.refused("references " + other.id() + " (line " + otherLine.line() + ") and " + reference.id()
+                    + " would lie on each other, " + String.format(Locale.ROOT, "%.1f", distance)
+                    + " mm apart; correct one of the two positions");
+        }
+    }
+}

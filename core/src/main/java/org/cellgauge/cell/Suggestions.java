@@ -1,0 +1,59 @@
+package org.cellgauge.cell;
+
+import java.util.Collection;
+import java.util.Locale;
+
+/** Finds what a mistyped word was meant to be. */
+final class Suggestions {
+    private Suggestions() {
+    }
+
+    /**
+     * The remedy for an unknown word.
+     *
+     * @param word what stands in the file
+     * @param known what could stand there
+     * @return "did you mean "x"?" where one is near, else the list of all
+     */
+    static String remedy(String word, Collection<String> known) {
+        String best = null;
+        int bestDistance = Integer.MAX_VALUE;
+        String given = normalise(word);
+        for (String k : known) {
+            int d = distance(given, normalise(k));
+            if (d < bestDistance) {
+                bestDistance = d;
+                best = k;
+            }
+        }
+        // a third of the letters may differ: beyond that a suggestion misleads more often than it helps
+        if (best != null && bestDistance <= Math.max(1, Math.max(given.length(), best.length()) / 3)) {
+            return "did you mean \"" + best + "\"?";
+        }
+        return "known here: " + String.join(", ", known);
+    }
+
+    private static String normalise(String word) {
+        return word.toLowerCase(Locale.ROOT).replace('-', '_').replace(' ', '_');
+    }
+
+    /** Edit distance (insertions, deletions, replacements) of V. I. Levenshtein, 1966, by dynamic programming. */
+    static int distance(String a, String b) {
+        int[] previous = new int[b.length() + 1];
+        int[] current = new int[b.length() + 1];
+        for (int j = 0; j <= b.length(); j++) {
+            previous[j] = j;
+        }
+        for (int i = 1; i <= a.length(); i++) {
+            current[0] = i;
+            for (int j = 1; j <= b.length(); j++) {
+                int replaced = previous[j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
+                current[j] = Math.min(replaced, 1 + Math.min(previous[j], current[j - 1]));
+            }
+            int[] swap = previous;
+            previous = current;
+            current = swap;
+        }
+        return previous[b.length()];
+    }
+}

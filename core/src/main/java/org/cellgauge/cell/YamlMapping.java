@@ -1,0 +1,88 @@
+package org.cellgauge.cell;
+
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import org.yaml.snakeyaml.nodes.MappingNode;
+import org.yaml.snakeyaml.nodes.Node;
+import org.yaml.snakeyaml.nodes.NodeTuple;
+import org.yaml.snakeyaml.nodes.ScalarNode;
+import org.yaml.snakeyaml.nodes.Tag;
+
+/** A mapping of a YAML file in the order of the file; each key stands once. */
+final class YamlMapping {
+    private final YamlValue self;
+    private final Map<String, YamlValue> values = new LinkedHashMap<>();
+
+    YamlMapping(YamlValue self, MappingNode node) {
+        this.self = self;
+        for (NodeTuple tuple : node.getValue()) {
+            Node keyNode = tuple.getKeyNode();
+            int line = keyNode.getStartMark().getLine() + 1;
+            if (!(keyNode instanceof ScalarNode)) {
+                throw YamlValue.refused(self.file(), line, self.path(),
+                        "a key must be one word or number; write key: value");
+            }
+            String key = ((ScalarNode) keyNode).getValue();
+            String path = self.path().isEmpty() ? key : self.path() + "." + key;
+            if (Tag.MERGE.equals(keyNode.getTag())) {
+                throw YamlValue.refused(self.file(), line, path,
+                        "merge keys are not understood; write the keys out");
+            }
+            YamlValue value = new YamlValue(self.file(), path, line, tuple.getValueNode());
+            YamlValue earlier = values.putIfAbsent(key, value);
+            if (earlier != null) {
+                throw value.refused("stands twice, first on line " + earlier.line() + "; keep one of the two");
+            }
+        }
+    }
+
+    void refuseUnknown(Collection<String> known) {
+        for (Map.Entry<String, YamlValue> e : values.entrySet()) {
+            if (!known.contains(e.getKey())) {
+                // {size_mm: 47,5} reads as the keys size_mm and 5
+                String comma = e.getKey().matches("\\d+") && e.getValue().isEmpty()
+                        ? " (decimal numbers take a point, not a comma)" : "";
+                throw e.getValue().refused("unknown key; " + Suggestions.remedy(e.getKey(), known) + comma);
+            }
+        }
+    }
+
+    YamlValue self() {
+        return self;
+    }
+
+    Set<String> keys() {
+        return Collections.unmodifiableSet(values.keySet());
+    }
+
+    Map<String, YamlValue> values() {
+        return Collections.unmodifiableMap(values);
+    }
+
+    /** The value of a key, or null where the key does not stand there. */
+    YamlValue optional(String key) {
+        return values.get(key);
+    }
+
+    /**
+     * The value of a key that must stand there.
+     *
+     * @param remedy how to write it, for the message
+     */
+    YamlValue required(String key, String remedy) {
+        YamlValue value = values.get(key);
+        if (value == null) {
+            throw missing(key, "is missing; add " + remedy);
+        }
+        return value;
+    }
+
+    /** A refusal for a key that does not stand there, on the mapping's own line. */
+    InputRefusedException missing(String key, String problem) {
+        String path = self.path().isEmpty() ? key : self.path() + "." + key;
+        return YamlValue.refused(self.file(), self.line(), path, problem);
+    }
+}
