@@ -186,7 +186,7 @@ public final class CellReader {
         return point;
     }
 
-    /** A placement whose parts are judged, so that a fault is reported where it stands and not where it is inherited. */
+    /** A placement, its parts judged: a fault is reported where it stands and not where it is inherited. */
     private static YamlMapping placement(YamlValue value) {
         YamlMapping placement = value.mapping("{std_mm: [5, 5, 5], std_deg: 0.5}", "std_mm", "std_deg");
         if (placement.optional("std_mm") != null) {
