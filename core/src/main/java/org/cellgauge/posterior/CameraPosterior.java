@@ -1,0 +1,67 @@
+package org.cellgauge.posterior;
+
+import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.PosePrior;
+
+/** Posterior of the camera pose and unknown intrinsics in the coordinates of a chart. Not thread-safe. */
+public final class CameraPosterior implements LogDensity {
+    private final CameraChart chart;
+    private final CameraLikelihood likelihood;
+    private final RotationPrior rotationPrior;
+    private final IntrinsicsPrior intrinsicsPrior;
+    private final PosePrior posePrior;
+    private final CameraState state = new CameraState();
+    private final double[] scratch9 = new double[9];
+    private final double[] scratch3 = new double[3];
+
+    /**
+     * A posterior.
+     *
+     * @param chart coordinates
+     * @param likelihood of the references' corners
+     * @param rotationPrior prior over rotations; position is flat
+     * @param intrinsicsPrior prior of the unknown intrinsics
+     * @param posePrior weak prior of the pose on top, or null
+     */
+    public CameraPosterior(CameraChart chart, CameraLikelihood likelihood, RotationPrior rotationPrior,
+            IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+        this.chart = chart;
+        this.likelihood = likelihood;
+        this.rotationPrior = rotationPrior;
+        this.intrinsicsPrior = intrinsicsPrior;
+        this.posePrior = posePrior;
+    }
+
+    @Override
+    public int dimension() {
+        return chart.dimension();
+    }
+
+    @Override
+    public double at(double[] x) {
+        double prior = chart.logMeasure(x);
+        if (!(prior > Double.NEGATIVE_INFINITY)) {
+            return Double.NEGATIVE_INFINITY;
+        }
+        chart.decode(x, state);
+        prior += rotationPrior.logDensity(state) + intrinsicsPrior.logDensity(state.intrinsics);
+        if (posePrior != null) {
+            prior += posePrior.logDensity(state, scratch9, scratch3);
+        }
+        if (!(prior > Double.NEGATIVE_INFINITY)) {
+            return Double.NEGATIVE_INFINITY;
+        }
+        double value = prior + likelihood.at(state);
+        return value == value ? value : Double.NEGATIVE_INFINITY;
+    }
+
+    /**
+     * The chart of the coordinates.
+     *
+     * @return shared with this posterior: not thread-safe
+     */
+    public CameraChart chart() {
+        return chart;
+    }
+}

@@ -1,0 +1,103 @@
+package org.cellgauge.posterior;
+
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.Projection;
+import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.ReferenceView;
+
+/**
+ * Likelihood of rigidly misplaced references: the residuals of each reference are Gaussian with the covariance of
+ * {@link org.cellgauge.pose.RigidMarkerNoise}, frozen at the posterior's own mode.
+ *
+ * <p>{@code log L = sum_m [ sum_i log W_m,ii - |W_m r_m|² / 2 ]}, W_m the whitening matrix of reference m; the
+ * log-determinant is kept, so that modes with different frozen covariances can be compared.
+ *
+ * <p>Whitened once and never factored in the loop; allocates nothing; not thread-safe.
+ */
+public final class RigidMarkerLikelihood implements CameraLikelihood {
+    private static final int PACKED = 36;
+
+    private final double[] points;
+    private final double[] observed;
+    private final double[] packed;
+    private final double logDeterminant;
+    private final double[] residuals = new double[8];
+    private final double[] uv = new double[2];
+
+    /**
+     * A likelihood.
+     *
+     * @param view references and their observed corners
+     * @param whitening 64 values per reference, lower triangular 8x8 row by row, 1/px; copied
+     */
+    public RigidMarkerLikelihood(ReferenceView view, double[] whitening) {
+        points = view.pointsMm();
+        observed = view.observedPx();
+        int markers = view.size();
+        if (whitening.length != 64 * markers) {
+            throw new IllegalArgumentException("needs 64 whitening values per reference");
+        }
+        packed = new double[PACKED * markers];
+        double sum = 0;
+        for (int m = 0; m < markers; m++) {
+            int at = PACKED * m;
+            for (int i = 0; i < 8; i++) {
+                for (int j = 0; j <= i; j++) {
+                    packed[at++] = whitening[64 * m + 8 * i + j];
+                }
+                sum += Math.log(whitening[64 * m + 9 * i]);
+            }
+        }
+        logDeterminant = sum;
+    }
+
+    @Override
+    public double at(CameraState state) {
+        double[] r = state.rotation;
+        double[] intrinsics = state.intrinsics;
+        double tx = state.offset[0];
+        double ty = state.offset[1];
+        double tz = state.offset[2];
+        boolean distorted = intrinsics[PinholeCamera.K1] != 0 || intrinsics[PinholeCamera.K2] != 0
+                || intrinsics[PinholeCamera.K3] != 0 || intrinsics[PinholeCamera.P1] != 0
+                || intrinsics[PinholeCamera.P2] != 0 || intrinsics[PinholeCamera.SKEW] != 0;
+        double fx = intrinsics[PinholeCamera.FX];
+        double fy = intrinsics[PinholeCamera.FY];
+        double cx = intrinsics[PinholeCamera.CX];
+        double cy = intrinsics[PinholeCamera.CY];
+        double squares = 0;
+        for (int p = 0, o = 0, w = 0; p < points.length; o += 8) {
+            for (int k = 0; k < 8; k += 2, p += 3) {
+                double px = points[p];
+                double py = points[p + 1];
+                double pz = points[p + 2];
+                double x = r[0] * px + r[1] * py + r[2] * pz + tx;
+                double y = r[3] * px + r[4] * py + r[5] * pz + ty;
+                double z = r[6] * px + r[7] * py + r[8] * pz + tz;
+                if (distorted) {
+                    if (!Projection.project(intrinsics, x, y, z, uv, 0)) {
+                        return Double.NEGATIVE_INFINITY;
+                    }
+                    residuals[k] = uv[0] - observed[o + k];
+                    residuals[k + 1] = uv[1] - observed[o + k + 1];
+                } else {
+                    if (!(z > 0)) {
+                        return Double.NEGATIVE_INFINITY;
+                    }
+                    double inverseZ = 1 / z;
+                    residuals[k] = fx * x * inverseZ + cx - observed[o + k];
+                    residuals[k + 1] = fy * y * inverseZ + cy - observed[o + k + 1];
+                }
+            }
+            for (int i = 0; i < 8; i++) {
+                double s = 0;
+                for (int j = 0; j <= i; j++) {
+                    s += packed[w++] * residuals[j];
+                }
+                squares += s * s;
+            }
+        }
+        double value = logDeterminant - 0.5 * squares;
+        return value == value ? value : Double.NEGATIVE_INFINITY;
+    }
+}
