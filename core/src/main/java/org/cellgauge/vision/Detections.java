@@ -4,12 +4,25 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** All markers seen in one image, with the image's name and size; immutable. */
+/** All markers seen in one image, with the image's name and size and what the detector has to say; immutable. */
 public final class Detections {
     private final String imageName;
     private final int widthPx;
     private final int heightPx;
     private final List<MarkerObservation> markers;
+    private final List<String> warnings;
+
+    /**
+     * Detections of one image without warnings.
+     *
+     * @param imageName name of the image for messages and results
+     * @param widthPx image width
+     * @param heightPx image height
+     * @param markers one observation per marker id
+     */
+    public Detections(String imageName, int widthPx, int heightPx, List<MarkerObservation> markers) {
+        this(imageName, widthPx, heightPx, markers, Collections.emptyList());
+    }
 
     /**
      * Detections of one image.
@@ -18,12 +31,15 @@ public final class Detections {
      * @param widthPx image width
      * @param heightPx image height
      * @param markers one observation per marker id
+     * @param warnings one sentence or two each, for the user
      */
-    public Detections(String imageName, int widthPx, int heightPx, List<MarkerObservation> markers) {
+    public Detections(String imageName, int widthPx, int heightPx, List<MarkerObservation> markers,
+            List<String> warnings) {
         this.imageName = imageName;
         this.widthPx = widthPx;
         this.heightPx = heightPx;
         this.markers = Collections.unmodifiableList(new ArrayList<>(markers));
+        this.warnings = Collections.unmodifiableList(new ArrayList<>(warnings));
     }
 
     /**
@@ -60,6 +76,15 @@ public final class Detections {
      */
     public List<MarkerObservation> markers() {
         return markers;
+    }
+
+    /**
+     * What was left out and why, and what is doubtful about what was found.
+     *
+     * @return unmodifiable; empty where there is nothing to say
+     */
+    public List<String> warnings() {
+        return warnings;
     }
 
     /**

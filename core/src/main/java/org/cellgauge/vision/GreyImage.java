@@ -1,0 +1,121 @@
+package org.cellgauge.vision;
+
+/**
+ * A grey image as the detector reads it: one byte of luminance per pixel in an array that may be somebody else's.
+ *
+ * <p>The array is wrapped, never copied, and rows may be further apart than they are wide, so that the luminance plane
+ * of a camera frame goes in as it is. The image is a view: whoever owns the array must leave it alone while the image
+ * is in use. Values are unsigned, 0 black to 255 white; pixel (x, y) covers [x, x+1) by [y, y+1), y downwards.
+ */
+public final class GreyImage {
+    private final byte[] luminance;
+    private final int offset;
+    private final int rowStride;
+    private final int widthPx;
+    private final int heightPx;
+
+    private GreyImage(byte[] luminance, int offset, int rowStride, int widthPx, int heightPx) {
+        this.luminance = luminance;
+        this.offset = offset;
+        this.rowStride = rowStride;
+        this.widthPx = widthPx;
+        this.heightPx = heightPx;
+    }
+
+    /**
+     * An image over part of an array, without copying.
+     *
+     * @param luminance unsigned bytes; kept, not copied
+     * @param offset index of pixel (0, 0), at least 0
+     * @param rowStride indices from one row to the next, at least the width
+     * @param widthPx image width, at least 1
+     * @param heightPx image height, at least 1
+     * @return the view
+     * @throws IllegalArgumentException if a size is not positive, the stride is below the width or the array too short
+     */
+    public static GreyImage wrap(byte[] luminance, int offset, int rowStride, int widthPx, int heightPx) {
+        if (widthPx < 1 || heightPx < 1) {
+            throw new IllegalArgumentException("image size must be positive: " + widthPx + " x " + heightPx);
+        }
+        if (offset < 0 || rowStride < widthPx) {
+            throw new IllegalArgumentException("offset " + offset + " or row stride " + rowStride
+                    + " does not fit a width of " + widthPx);
+        }
+        // the last row ends where its pixels end: planes of cameras often stop short of a full stride there
+        long end = offset + (long) rowStride * (heightPx - 1) + widthPx;
+        if (end > luminance.length) {
+            throw new IllegalArgumentException(widthPx + " x " + heightPx + " px with row stride " + rowStride
+                    + " take " + end + " bytes, the array has " + luminance.length);
+        }
+        return new GreyImage(luminance, offset, rowStride, widthPx, heightPx);
+    }
+
+    /**
+     * An image over an array that holds its rows one after the other, without copying.
+     *
+     * @param luminance unsigned bytes, at least width times height; kept, not copied
+     * @param widthPx image width, at least 1
+     * @param heightPx image height, at least 1
+     * @return the view
+     * @throws IllegalArgumentException as {@link #wrap}
+     */
+    public static GreyImage packed(byte[] luminance, int widthPx, int heightPx) {
+        return wrap(luminance, 0, widthPx, widthPx, heightPx);
+    }
+
+    /**
+     * Image width.
+     *
+     * @return px
+     */
+    public int widthPx() {
+        return widthPx;
+    }
+
+    /**
+     * Image height.
+     *
+     * @return px
+     */
+    public int heightPx() {
+        return heightPx;
+    }
+
+    /**
+     * The array behind the image.
+     *
+     * @return the array itself, not a copy
+     */
+    public byte[] luminance() {
+        return luminance;
+    }
+
+    /**
+     * Index of pixel (0, 0).
+     *
+     * @return index into {@link #luminance()}
+     */
+    public int offset() {
+        return offset;
+    }
+
+    /**
+     * Indices from one row to the next.
+     *
+     * @return at least the width
+     */
+    public int rowStride() {
+        return rowStride;
+    }
+
+    /**
+     * One pixel.
+     *
+     * @param x column, 0 to width - 1; not checked
+     * @param y row, 0 to height - 1; not checked
+     * @return 0 to 255
+     */
+    public int get(int x, int y) {
+        return luminance[offset + y * rowStride + x] & 0xFF;
+    }
+}

@@ -1,0 +1,175 @@
+package org.cellgauge.vision;
+
+import boofcv.abst.geo.Estimate1ofPnP;
+import boofcv.factory.geo.EnumPNP;
+import boofcv.factory.geo.FactoryMultiView;
+import boofcv.struct.geo.Point2D3D;
+import georegression.struct.se.Se3_F64;
+import java.util.ArrayList;
+import java.util.List;
+import org.cellgauge.geometry.MarkerGeometry;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.Projection;
+import org.cellgauge.geometry.Rotations;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.interfaces.linsol.LinearSolverDense;
+
+/**
+ * How far four corners are from being the image of any square: what remains after the best pose.
+ *
+ * <p>Any four points in general position are the image of a square under some homography, so a quadrilateral alone
+ * refutes nothing. Under a known camera only a pose is free: 8 coordinates less 6 degrees of freedom leave 2 residuals,
+ * and those tell a marker from a quadrilateral that merely carries its pattern. The size of the square does not enter:
+ * it scales the distance alone. The pose starts at IPPE (Collins and Bartoli, "Infinitesimal plane-based pose
+ * estimation", IJCV 2014) and is then refined by damped Gauss-Newton on the distorted pixels. Not thread-safe.
+ */
+final class SquareResidual {
+    private static final int POSE = 6;
+    private static final int RESIDUALS = 8;
+    private static final int DEGREES_OF_FREEDOM = RESIDUALS - POSE;
+    private static final int MAX_STEPS = 30;
+    /** Relative decrease of the sum of squares below which a step no longer matters to a gate. */
+    private static final double ENOUGH = 1e-6;
+    private static final double SIDE = 2;
+
+    private final PinholeCamera camera;
+    private final double[] intrinsics;
+    private final double[] square = MarkerGeometry.cornersMm(SIDE);
+    private final Estimate1ofPnP ippe = FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0);
+    private final List<Point2D3D> correspondences = new ArrayList<>();
+    private final Se3_F64 cameraFromSquare = new Se3_F64();
+    private final LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.symmPosDef(POSE);
+    private final DMatrixRMaj normal = new DMatrixRMaj(POSE, POSE);
+    private final DMatrixRMaj damped = new DMatrixRMaj(POSE, POSE);
+    private final DMatrixRMaj gradient = new DMatrixRMaj(POSE, 1);
+    private final DMatrixRMaj step = new DMatrixRMaj(POSE, 1);
+    private final double[] normalised = new double[2];
+    private final double[] uv = new double[2];
+    private final double[] byPoint = new double[6];
+    private final double[] row = new double[POSE];
+
+    SquareResidual(PinholeCamera camera) {
+        this.camera = camera;
+        this.intrinsics = camera.intrinsics();
+        for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
+            correspondences.add(new Point2D3D());
+        }
+    }
+
+    /**
+     * The residual of four corners as the pixel deviation it would take to explain it.
+     *
+     * @param cornersPx 8 values in the order of {@link MarkerObservation}, distorted px
+     * @return square root of the sum of squared residuals over its 2 degrees of freedom, px: the usual estimate of the
+     *     deviation of one corner coordinate; infinite where no pose puts a square in front of the camera
+     */
+    double impliedStdPx(double[] cornersPx) {
+        for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
+            if (!camera.toNormalised(cornersPx[2 * i], cornersPx[2 * i + 1], normalised)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            correspondences.get(i).setTo(normalised[0], normalised[1], square[3 * i], square[3 * i + 1],
+                    square[3 * i + 2]);
+        }
+        if (!ippe.process(correspondences, cameraFromSquare)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double[] rotation = cameraFromSquare.R.data.clone();
+        double[] translation = {cameraFromSquare.T.x, cameraFromSquare.T.y, cameraFromSquare.T.z};
+        double sum = refine(cornersPx, rotation, translation);
+        return Math.sqrt(sum / DEGREES_OF_FREEDOM);
+    }
+
+    private double refine(double[] cornersPx, double[] rotation, double[] translation) {
+        double damping = 1e-3;
+        double sum = linearise(cornersPx, rotation, translation);
+        double[] update = new double[9];
+        double[] trialRotation = new double[9];
+        double[] trialTranslation = new double[3];
+        for (int i = 0; i < MAX_STEPS && Double.isFinite(sum); i++) {
+            damped.setTo(normal);
+            for (int k = 0; k < POSE; k++) {
+                damped.set(k, k, normal.get(k, k) * (1 + damping));
+            }
+            if (!solver.setA(damped)) {
+                return sum;
+            }
+            solver.solve(gradient, step);
+            Rotations.exp(-step.get(0), -step.get(1), -step.get(2), update);
+            Rotations.multiply(update, rotation, trialRotation);
+            for (int k = 0; k < 3; k++) {
+                trialTranslation[k] = translation[k] - step.get(3 + k);
+            }
+            double trial = sumOfSquares(cornersPx, trialRotation, trialTranslation);
+            if (trial < sum) {
+                boolean settled = sum - trial < ENOUGH * sum;
+                System.arraycopy(trialRotation, 0, rotation, 0, 9);
+                System.arraycopy(trialTranslation, 0, translation, 0, 3);
+                damping /= 10;
+                sum = linearise(cornersPx, rotation, translation);
+                if (settled) {
+                    return sum;
+                }
+            } else {
+                damping *= 10;
+                if (damping > 1e6) {
+                    return sum;
+                }
+            }
+        }
+        return sum;
+    }
+
+    private double sumOfSquares(double[] cornersPx, double[] r, double[] t) {
+        double sum = 0;
+        for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
+            double x = r[0] * square[3 * i] + r[1] * square[3 * i + 1] + t[0];
+            double y = r[3] * square[3 * i] + r[4] * square[3 * i + 1] + t[1];
+            double z = r[6] * square[3 * i] + r[7] * square[3 * i + 1] + t[2];
+            if (!Projection.project(intrinsics, x, y, z, uv, 0)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double du = uv[0] - cornersPx[2 * i];
+            double dv = uv[1] - cornersPx[2 * i + 1];
+            sum += du * du + dv * dv;
+        }
+        return sum;
+    }
+
+    /** Fills the normal equations at a pose, rotation vector (in the camera frame) before translation. */
+    private double linearise(double[] cornersPx, double[] r, double[] t) {
+        normal.zero();
+        gradient.zero();
+        double sum = 0;
+        for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
+            double px = r[0] * square[3 * i] + r[1] * square[3 * i + 1];
+            double py = r[3] * square[3 * i] + r[4] * square[3 * i + 1];
+            double pz = r[6] * square[3 * i] + r[7] * square[3 * i + 1];
+            if (!Projection.projectWithDerivatives(intrinsics, px + t[0], py + t[1], pz + t[2], uv, byPoint, null)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            for (int k = 0; k < 2; k++) {
+                double a = byPoint[3 * k];
+                double b = byPoint[3 * k + 1];
+                double c = byPoint[3 * k + 2];
+                // a small rotation w moves the point by w x p
+                row[0] = c * py - b * pz;
+                row[1] = a * pz - c * px;
+                row[2] = b * px - a * py;
+                row[3] = a;
+                row[4] = b;
+                row[5] = c;
+                double residual = uv[k] - cornersPx[2 * i + k];
+                sum += residual * residual;
+                for (int m = 0; m < POSE; m++) {
+                    gradient.add(m, 0, row[m] * residual);
+                    for (int n = 0; n < POSE; n++) {
+                        normal.add(m, n, row[m] * row[n]);
+                    }
+                }
+            }
+        }
+        return sum;
+    }
+}
