@@ -18,10 +18,10 @@ import org.apache.commons.math3.transform.TransformType;
  *   <li>Every chain is split into its first and its last half; of an odd number of draws the middle one is left out.
  *       One chain is therefore enough for R-hat, though it cannot show what the chain never visited.
  *   <li>Ranks run over all halves together, ties share their average rank, and rank r of S becomes the normal quantile
- *       of (r - 3/8) / (S + 1/4) (V eq. 14).
- *   <li>Folded draws are the absolute deviations from the median of all draws, taken before the split (V eq. 15); with
+ *       of (r - 3/8) / (S + 1/4) (V section 4.1).
+ *   <li>Folded draws are the absolute deviations from the median of all draws, taken before the split (V section 4.2); with
  *       an even number of draws the order does not matter.
- *   <li>Effective sample sizes combine the chains' autocovariances (V eq. 10) over Geyer's initial positive and
+ *   <li>Effective sample sizes combine the chains' autocovariances (V section 3.2) over Geyer's initial positive and
  *       initial monotone sequences (Geyer 1992, "Practical Markov chain Monte Carlo", Statistical Science 7(4)), with
  *       the term that lessens the variance for antithetic chains. Such chains may have more effective draws than draws;
  *       the size is capped at S log10(S).
@@ -200,7 +200,7 @@ public final class ChainDiagnostics {
     }
 
     /**
-     * Rank-normalised split R-hat: the larger of {@link #rHatBulk()} and {@link #rHatFolded()} (V section 4.1).
+     * Rank-normalised split R-hat: the larger of {@link #rHatBulk()} and {@link #rHatFolded()} (V section 4.2).
      *
      * @return R-hat; infinite if every half of a chain stands still at a place of its own; NaN without {@link Status#OK}
      */
@@ -227,7 +227,7 @@ public final class ChainDiagnostics {
     }
 
     /**
-     * Bulk effective sample size: that of the rank-normalised draws (V section 4.2).
+     * Bulk effective sample size: that of the rank-normalised draws (V section 4.1).
      *
      * @return the size in draws, all chains together; NaN where it does not exist
      */
@@ -460,7 +460,7 @@ public final class ChainDiagnostics {
         return low;
     }
 
-    /** V eq. 1 to 4, over chains that are already split. NaN if no half moves and all stand at the same place. */
+    /** V section 3.1, over chains that are already split. NaN if no half moves and all stand at the same place. */
     private static double rHat(double[][] halves) {
         int n = halves[0].length;
         RunningMoments means = new RunningMoments(1);
@@ -491,7 +491,7 @@ public final class ChainDiagnostics {
         return effectiveSize(split(indicator));
     }
 
-    /** V eq. 10 to 13 over chains that are already split. */
+    /** V section 3.2, over chains that are already split. */
     private static double effectiveSize(double[][] halves) {
         int n = halves[0].length;
         int m = halves.length;

@@ -4,7 +4,7 @@ package org.cellgauge.statistics;
  * The word that stands beside every figure computed from chains.
  *
  * <p>Thresholds of Vehtari, Gelman, Simpson, Carpenter &amp; B&uuml;rkner 2021, "Rank-normalization, folding, and
- * localization: an improved R-hat for assessing convergence of MCMC", Bayesian Analysis 16(2), section 4.3: R-hat below
+ * localization: an improved R-hat for assessing convergence of MCMC", Bayesian Analysis 16(2), section 4: R-hat below
  * 1.01, and effective sample sizes of at least 400 over four chains. The wider bound of 1.05 for doubtful results is
  * this library's. The constants are ordered from best to worst.
  */

@@ -29,8 +29,8 @@ class ChainDiagnosticsTest {
 
     /** Draws and values were written by make_reference.py, with ArviZ. */
     @ParameterizedTest
-    @ValueSource(strings = {"normal", "autoregressive", "antithetic", "capped", "cauchy", "shifted", "scaled", "rounded",
-        "odd", "single", "sticky", "offset", "trend"})
+    @ValueSource(strings = {"normal", "autoregressive", "antithetic", "capped", "cauchy", "shifted", "scaled",
+        "rounded", "odd", "single", "sticky", "offset", "trend"})
     void agreesWithArviz(String name) throws IOException {
         ChainDiagnostics d = ChainDiagnostics.of(draws(name));
         assertEquals(Status.OK, d.status());
