@@ -20,7 +20,8 @@ final class Suggestions {
         int bestDistance = Integer.MAX_VALUE;
         String given = normalise(word);
         for (String k : known) {
-            int d = distance(given, normalise(k));
+            // "grip" for "grip_mm": a forgotten unit is one fault, however many letters it has
+            int d = normalise(k).startsWith(given + "_") ? 1 : distance(given, normalise(k));
             if (d < bestDistance) {
                 bestDistance = d;
                 best = k;

@@ -1,0 +1,126 @@
+package org.cellgauge.cell;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.util.stream.Stream;
+import org.cellgauge.geometry.PinholeCamera;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** BoofCV's calibration files are read as they are, and refused where they cannot be true. */
+class CameraReaderTest {
+    private static final String FILE = "# Pinhole camera model with radial and tangential distortion\n"
+            + "pinhole:\n"
+            + "  fx: 529.0\n"
+            + "  fy: 528.5\n"
+            + "  cx: 316.5\n"
+            + "  cy: 226.75\n"
+            + "  width: 640\n"
+            + "  height: 480\n"
+            + "  skew: 0.25\n"
+            + "model: pinhole_radial_tangential\n"
+            + "radial_tangential:\n"
+            + "  radial:\n"
+            + "  - 0.05\n"
+            + "  - -0.16\n"
+            + "  t1: 1.0E-4\n"
+            + "  t2: -2.0E-4\n"
+            + "version: 0\n";
+
+    @Test
+    void everyValueIsReadAsWritten() {
+        PinholeCamera camera = CameraReader.read(FILE, "camera.yaml");
+        assertArrayEquals(new double[] {529, 528.5, 316.5, 226.75, 0.25, 0.05, -0.16, 0, 1e-4, -2e-4},
+                camera.intrinsics());
+        assertEquals(640, camera.widthPx());
+        assertEquals(480, camera.heightPx());
+    }
+
+    @Test
+    void modelWithoutDistortionNeedsNoBlock() {
+        String text = FILE.substring(0, FILE.indexOf("model:")) + "model: pinhole\nversion: 0\n";
+        assertFalse(CameraReader.read(text, "camera.yaml").hasDistortion());
+    }
+
+    @Test
+    void distortionMayBeLeftOutOrHalfStated() {
+        assertFalse(CameraReader.read(FILE.substring(0, FILE.indexOf("radial_tangential:\n")), "c").hasDistortion());
+        PinholeCamera tangential = CameraReader.read(FILE.replace("  radial:\n  - 0.05\n  - -0.16\n", ""), "c");
+        assertEquals(0, tangential.get(PinholeCamera.K1));
+        assertEquals(1e-4, tangential.get(PinholeCamera.P1));
+    }
+
+    @Test
+    void thirdRadialCoefficientIsRead() {
+        PinholeCamera camera = CameraReader.read(FILE.replace("  - -0.16\n", "  - -0.16\n  - 0.01\n"), "c");
+        assertEquals(0.01, camera.get(PinholeCamera.K3));
+    }
+
+    static Stream<Arguments> faults() {
+        return Stream.of(
+            fault("fish-eye model", "pinhole_radial_tangential", "kannala_brandt", "camera.yaml, line 10, model: ",
+                    "kannala_brandt", "pinhole_radial_tangential"),
+            fault("omnidirectional model", "pinhole_radial_tangential", "omnidirectional_universal",
+                    "line 10, model: "),
+            fault("missing model", "model: pinhole_radial_tangential\n", "", "model: is missing"),
+            fault("missing focal length", "  fy: 528.5\n", "", "camera.yaml, line 2, pinhole.fy: is missing"),
+            fault("missing width", "  width: 640\n", "", "pinhole.width: is missing", "px"),
+            fault("negative focal length", "fx: 529.0", "fx: -529.0", "line 3, pinhole.fx: ", "greater than 0"),
+            fault("focal length in mm", "fx: 529.0", "fx: 4.2", "line 3, pinhole.fx: ", "not in mm"),
+            fault("focal lengths that contradict", "fy: 528.5", "fy: 52.85", "line 4, pinhole.fy: ", "contradict"),
+            fault("focal length not a number", "fx: 529.0", "fx: .NaN", "line 3, pinhole.fx: ", "finite"),
+            fault("principal point far away", "cx: 316.5", "cx: 3165", "line 5, pinhole.cx: ", "far outside", "640"),
+            fault("width of 0", "width: 640", "width: 0", "line 7, pinhole.width: ", "from 1 to 30000"),
+            fault("fraction of a pixel", "height: 480", "height: 480.5", "line 8, pinhole.height: ", "whole number"),
+            fault("mistyped key", "  skew:", "  skw:", "line 9, pinhole.skw: ", "did you mean \"skew\"?"),
+            fault("four radial coefficients", "  - 0.05\n", "  - 0.05\n  - 0\n  - 0\n",
+                    "line 12, radial_tangential.radial: ", "at most 3", "got 4"),
+            fault("radial coefficient as a number", "  radial:\n  - 0.05\n  - -0.16\n", "  radial: 0.05\n",
+                    "line 12, radial_tangential.radial: ", "a list"),
+            fault("distortion against the model", "model: pinhole_radial_tangential", "model: pinhole",
+                    "line 11, radial_tangential: ", "contradicts", "delete"),
+            fault("other version", "version: 0", "version: 3", "line 17, version: "),
+            // r (1 - 0.9 r^2) is never above 0.41, but the corner is at 0.75
+            fault("distortion that folds over", "  - 0.05\n  - -0.16\n", "  - -0.9\n", "line 11, radial_tangential: ",
+                    "folds the image over near pixel (", "calibrate again"),
+            fault("cell file in its place", "version: 0", "cellgauge: 1", "line 17, cellgauge: ", "cell file"));
+    }
+
+    private static Arguments fault(String name, String from, String to, String... parts) {
+        return arguments(name, from, to, parts);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("faults")
+    void faultIsRefusedWithItsPlaceAndRemedy(String name, String from, String to, String[] parts) {
+        assertTrue(FILE.contains(from), "the faultless file holds what is replaced");
+        String message = assertThrows(InputRefusedException.class,
+                () -> CameraReader.read(FILE.replaceFirst(from, to), "camera.yaml")).getMessage();
+        CellFaultsTest.assertHolds(message, parts);
+    }
+
+    @Test
+    void foldIsFoundAlsoWhereTheLensModelTurnsTwice() {
+        // r (1 - 1.5 r^2 + 0.9 r^4) falls between r = 0.58 and 0.82 and rises beyond: the corner's pixel has a
+        // source on the outer branch, but others nearer to the centre have three
+        assertThrows(InputRefusedException.class,
+                () -> CameraReader.read(FILE.replace("- 0.05", "- -1.5").replace("- -0.16", "- 0.9"), "camera.yaml"));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({"fiducial_binary, 640, 480", "calibration_sony_chess, 640, 480", "aruco_25h7, 800, 450"})
+    void publishedCalibrationIsRead(String folder, int width, int height) {
+        PinholeCamera camera = CameraReader.read(SharedData.file("boofcv/" + folder + "/intrinsic.yaml"));
+        assertEquals(width, camera.widthPx());
+        assertEquals(height, camera.heightPx());
+        assertTrue(camera.hasDistortion());
+    }
+}
