@@ -9,7 +9,8 @@ import picocli.CommandLine.IVersionProvider;
 
 /** Entry point of the command {@code cellgauge}. */
 @Command(name = "cellgauge", mixinStandardHelpOptions = true, versionProvider = Main.Version.class,
-        description = "Honest uncertainties of camera and object poses in a robot cell.")
+        description = "Honest uncertainties of camera and object poses in a robot cell.",
+        subcommands = {SimulateCommand.class})
 public final class Main implements Runnable {
 
     /** Prints the usage: the program needs a command to do anything. */

@@ -4,8 +4,8 @@ package org.cellgauge.cli.render;
  * The wall or table behind the markers: the reflectance of the plane z = 0 of the world; immutable.
  *
  * <p>The texture is value noise in five octaves: a hash of each lattice point, interpolated by the quintic
- * {@code 6t⁵ - 15t⁴ + 10t³} (K. Perlin, "Improving noise", 2002, for the polynomial). It depends on nothing but the place
- * on the wall and the seed, so the same wall can be seen by several cameras.
+ * {@code 6t⁵ - 15t⁴ + 10t³} (K. Perlin, "Improving noise", 2002, for the polynomial). It depends on nothing but the
+ * place on the wall and the seed, so the same wall can be seen by several cameras.
  */
 public final class Backdrop {
     /** Mean reflectance of the wall. */
@@ -51,8 +51,8 @@ public final class Backdrop {
      *
      * @param xMm world x, mm
      * @param yMm world y, mm
-     * @param softnessMm standard deviation of the Gaussian over which it is averaged, mm, at least 0: each octave fades by
-     *     the Gaussian's transfer function at its wavelength, which stands in for the true average
+     * @param softnessMm standard deviation of the Gaussian over which it is averaged, mm, at least 0: each octave fades
+     *     by the Gaussian's transfer function at its wavelength, which stands in for the true average
      * @return between 0 and 1
      */
     public double reflectance(double xMm, double yMm, double softnessMm) {

@@ -53,7 +53,7 @@ public final class MarkerPattern {
         } else {
             ConfigHammingMarker dictionary = ConfigHammingMarker.loadDictionary(dictionary(familyName));
             requireId(familyName, id, dictionary.encoding.size);
-            // the border is a whole number of cells in every predefined dictionary (of one cell, at the time of writing)
+            // the border of every predefined dictionary is a whole number of cells: one
             cells = (int) Math.round(dictionary.gridWidth / (1 - 2 * dictionary.borderWidthFraction));
             int width = cells * PIXELS_PER_CELL;
             engine.configure(0, width);

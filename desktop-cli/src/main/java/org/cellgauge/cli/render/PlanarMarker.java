@@ -8,8 +8,8 @@ import org.cellgauge.geometry.RigidTransform;
  * A marker with its paper as one camera sees it: the map from a ray to a place on the paper, and the colours there.
  *
  * <p>With the marker's axes r0, r1 and its centre t in the camera frame, a ray (x, y, 1) meets the marker's plane at
- * (X, Y) where {@code [r0 r1 t] (X, Y, 1)^T = depth (x, y, 1)^T}; the inverse of that matrix is a homography (Hartley and
- * Zisserman, "Multiple View Geometry", 2nd edition, section 8.1.1) whose third row gives 1/depth.
+ * (X, Y) where {@code [r0 r1 t] (X, Y, 1)^T = depth (x, y, 1)^T}; the inverse of that matrix is a homography (Hartley
+ * and Zisserman, "Multiple View Geometry", 2nd edition, section 8.1.1) whose third row gives 1/depth.
  */
 final class PlanarMarker {
     /** No paper here: the ray goes on to what lies behind. */

@@ -8,7 +8,8 @@ import org.cellgauge.geometry.RigidTransform;
 
 /**
  * What a rendered photo shows: printed markers on white paper in front of a wall (or on a table) in the plane z = 0 of
- * the world, and the camera that sees them; immutable. Nearer markers hide what lies behind them. Nothing casts a shadow.
+ * the world, and the camera that sees them; immutable. Nearer markers hide what lies behind them. Nothing casts a
+ * shadow.
  */
 public final class Scene {
     /** Width of the white paper around a marker that is used where none is given, as a share of the marker's size. */

@@ -12,13 +12,14 @@ import org.cellgauge.geometry.RigidTransform;
  *
  * <p>Light is averaged over areas: where paper is near, every pixel is cut into 4x4 parts; a part that one colour fills
  * takes it, any other averages 55 rays on a Fibonacci lattice (I. H. Sloan and S. Joe, "Lattice Methods for Multiple
- * Integration", 1994, section 4.6), each sent through the exact inverse of the lens model. A straight edge so lies within
- * 0.0023 px of its place in each part (parallel to the pixel grid, the worst case) and far closer on average. The point
- * spread function then acts on the parts, not on whole pixels: blurring whole pixels would make an edge's profile depend
- * on where it falls within its pixel. Order: area and blur in linear light, light fall-off, shot noise, tone curve,
- * additive noise, rounding to 8 bits.
+ * Integration", 1994, section 4.6), each sent through the exact inverse of the lens model. A straight edge so lies
+ * within 0.0023 px of its place in each part (parallel to the pixel grid, the worst case) and far closer on average.
+ * The point spread function then acts on the parts, not on whole pixels: blurring whole pixels would make an edge's
+ * profile depend on where it falls within its pixel. Order: area and blur in linear light, light fall-off, shot noise,
+ * tone curve, additive noise, rounding to 8 bits.
  *
- * <p>The result does not depend on the number of threads: tiles share nothing, and noise is drawn in the order of pixels.
+ * <p>The result does not depend on the number of threads: tiles share nothing, and noise is drawn in the order of
+ * pixels.
  */
 public final class SceneRenderer {
     private static final int PARTS = 4;
@@ -226,7 +227,10 @@ public final class SceneRenderer {
             return colour == PlanarMarker.NOTHING ? backdrop(true, x, y, 0) : colour;
         }
 
-        /** Reflectance of the plane z = 0 where the ray meets it; the mean where it does not or the lens sees nothing. */
+        /**
+         * Reflectance of the plane z = 0 where the ray meets it; the mean where it does not or the lens sees
+         * nothing.
+         */
         private double backdrop(boolean seen, double x, double y, double softnessPx) {
             double fall = rotation[6] * x + rotation[7] * y + rotation[8];
             double depth = -centre[2] / fall;
@@ -277,7 +281,10 @@ public final class SceneRenderer {
         }
     }
 
-    /** Weights of the parts from {@code margin} pixels before a pixel to as many after it: Gaussian times pixel area. */
+    /**
+     * Weights of the parts from {@code margin} pixels before a pixel to as many after it: Gaussian times pixel
+     * area.
+     */
     private static double[] pixelKernel(double blurPx, int margin) {
         double[] kernel = new double[(2 * margin + 1) * PARTS];
         double total = 0;

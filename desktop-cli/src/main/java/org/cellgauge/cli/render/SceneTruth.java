@@ -18,8 +18,8 @@ public final class SceneTruth {
      * A marker in the image.
      *
      * @param id marker id
-     * @param cornersPx its four corners, top-left, top-right, bottom-right, bottom-left of its own frame, each u, v in px;
-     *     null where one of them has no image
+     * @param cornersPx its four corners, top-left, top-right, bottom-right, bottom-left of its own frame, each u, v in
+     *     px; null where one of them has no image
      * @param whollyInside whether it shows its face and all corners lie within the image
      * @param visibleShare share of its face that is in the image and not hidden by another marker's paper, 0 to 1
      */
@@ -45,7 +45,8 @@ public final class SceneTruth {
         return out;
     }
 
-    private static MarkerInImage inImage(Scene scene, RigidTransform cameraFromWorld, List<PlanarMarker> papers, int m) {
+    private static MarkerInImage inImage(Scene scene, RigidTransform cameraFromWorld, List<PlanarMarker> papers,
+            int m) {
         SceneMarker marker = scene.markers().get(m);
         RigidTransform cameraFromMarker = cameraFromWorld.compose(marker.worldFromMarker());
         double[] r = cameraFromMarker.rotation();

@@ -3,15 +3,15 @@ package org.cellgauge.cli.render;
 /**
  * How a scene becomes a picture: blur of the lens, fall-off of the light, noise and tone curve of the sensor.
  *
- * @param blurPx standard deviation of the Gaussian point spread function, px, 0 to 20; it acts on linear light, beside the
- *     averaging over each pixel's area
+ * @param blurPx standard deviation of the Gaussian point spread function, px, 0 to 20; it acts on linear light, beside
+ *     the averaging over each pixel's area
  * @param noiseGrey standard deviation of the additive noise, grey levels, at least 0
  * @param fullWellElectrons electrons at full scale, which give shot noise of standard deviation {@code sqrt(electrons)}
  *     (Poisson's, in its normal approximation); 0: no shot noise
  * @param gamma tone curve: grey = 255 light^(1/gamma), positive; 1 is a linear sensor
  * @param vignetting share of the light lost in the corners of the image against its centre, 0 to 0.9 (quadratic)
- * @param gradient change of the light from the left edge of the image to the right as a share of its mean, -1 to 1; half
- *     as much from top to bottom
+ * @param gradient change of the light from the left edge of the image to the right as a share of its mean, -1 to 1;
+ *     half as much from top to bottom
  */
 public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, double gamma, double vignetting,
         double gradient) {

@@ -1,0 +1,305 @@
+package org.cellgauge.cli;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cli.render.Backdrop;
+import org.cellgauge.cli.render.CellSimulation;
+import org.cellgauge.cli.render.GreyImage;
+import org.cellgauge.cli.render.Scene;
+import org.cellgauge.cli.render.SceneTruth;
+import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.cli.render.TruthFile;
+import org.cellgauge.geometry.RigidTransform;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code cellgauge simulate}: renders photos of a cell with known truth. */
+@Command(name = "simulate", mixinStandardHelpOptions = true, sortOptions = false,
+        versionProvider = Main.Version.class,
+        description = "Renders photos of a cell with known truth: NAME.png and, beside it, NAME.truth.json.",
+        footer = {"", "Example:",
+            "  cellgauge simulate --cell cell.yaml --object 5=370,295,0,0,0,20 \\",
+            "      --camera-pose 418,106,1070,3.08rad,0.10rad,0.02rad --out photos",
+            "",
+            "Angles are in degrees, as in the cell file, unless they end in 'rad';",
+            "psi, theta, phi turn about x, y, z: R = Rz(phi) Ry(theta) Rx(psi).",
+            "The written files are named on standard output.",
+            "Exit codes: 0 done, 1 internal error, 2 usage, 3 input refused."})
+public final class SimulateCommand implements Callable<Integer> {
+    private static final int INTERNAL_ERROR = 1;
+    private static final int INPUT_REFUSED = 3;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--cell", required = true, paramLabel = "CELL", description = "The cell file.")
+    private Path cellFile;
+
+    @Option(names = "--out", required = true, paramLabel = "DIR",
+            description = "Folder for the photos; made if it is missing. Files of the same names are replaced.")
+    private Path out;
+
+    @Option(names = "--object", paramLabel = "ID=X,Y,Z[,PSI,THETA,PHI]",
+            description = "Pose of an object of the cell in the world, mm and degrees. Repeat it for every object "
+                    + "to be seen; the others stay out of the photo.")
+    private List<String> objects = new ArrayList<>();
+
+    @Option(names = "--camera-pose", paramLabel = "X,Y,Z,PSI,THETA,PHI", converter = PoseArgument.Converter.class,
+            description = "Pose of the camera in the world, mm and degrees. Without it the camera looks straight at "
+                    + "the plane z = 0, from where all markers fit.")
+    private PoseArgument cameraPose;
+
+    @Option(names = "--camera-jitter", paramLabel = "MM,DEG", defaultValue = "0,0",
+            description = "Standard deviation of the camera's pose from photo to photo: position per axis in mm, "
+                    + "rotation per axis in degrees (${DEFAULT-VALUE}).")
+    private String cameraJitter;
+
+    @Option(names = "--placement-errors", paramLabel = "none|draw", defaultValue = "none",
+            description = "'draw': every photo has its references off their nominal places by a draw from the "
+                    + "placement that the cell file states. 'none': they stand exactly there "
+                    + "(${DEFAULT-VALUE}).")
+    private String placementErrors;
+
+    @Option(names = "--count", paramLabel = "N", defaultValue = "1",
+            description = "Number of photos, 1 to 100000 (${DEFAULT-VALUE}).")
+    private int count;
+
+    @Option(names = "--seed", paramLabel = "SEED", defaultValue = "1",
+            description = "Seed of everything random; the same seed gives the same bytes (${DEFAULT-VALUE}).")
+    private long seed;
+
+    @Option(names = "--name", paramLabel = "NAME", defaultValue = "photo",
+            description = "Base name of the files; with several photos -1, -2, ... is added (${DEFAULT-VALUE}).")
+    private String name;
+
+    @Option(names = "--blur-px", paramLabel = "PX", defaultValue = "0.7",
+            description = "Standard deviation of the Gaussian blur, px (${DEFAULT-VALUE}).")
+    private double blurPx;
+
+    @Option(names = "--noise", paramLabel = "GREY", defaultValue = "2",
+            description = "Standard deviation of the noise in grey levels of 255 (${DEFAULT-VALUE}).")
+    private double noiseGrey;
+
+    @Option(names = "--shot-noise", paramLabel = "ELECTRONS", defaultValue = "0",
+            description = "Adds shot noise: electrons at full scale, for instance 10000; 0 is none (${DEFAULT-VALUE}).")
+    private double fullWellElectrons;
+
+    @Option(names = "--gamma", paramLabel = "GAMMA", defaultValue = "1",
+            description = "Tone curve: grey = 255 light^(1/gamma); 1 is a linear sensor (${DEFAULT-VALUE}).")
+    private double gamma;
+
+    @Option(names = "--vignetting", paramLabel = "SHARE", defaultValue = "0.15",
+            description = "Share of the light that the image's corners lose (${DEFAULT-VALUE}).")
+    private double vignetting;
+
+    @Option(names = "--gradient", paramLabel = "SHARE", defaultValue = "0.1",
+            description = "Change of the light from left to right (${DEFAULT-VALUE}).")
+    private double gradient;
+
+    @Option(names = "--texture", paramLabel = "CONTRAST", defaultValue = "0.08",
+            description = "Contrast of the wall's texture, 0 to 0.4; 0 is plain grey (${DEFAULT-VALUE}).")
+    private double texture;
+
+    @Option(names = "--quiet-zone", paramLabel = "SHARE", defaultValue = "" + Scene.DEFAULT_QUIET_ZONE,
+            description = "White paper on each side of a marker as a share of its size (${DEFAULT-VALUE}).")
+    private double quietZone;
+
+    /**
+     * Renders the photos.
+     *
+     * @return the exit code
+     */
+    @Override
+    public Integer call() {
+        Sensor sensor = sensor();
+        CellSimulation.Settings settings = settings();
+        if (count < 1 || count > 100_000) {
+            throw usage("--count: must be between 1 and 100000, not " + count);
+        }
+        if (name.isEmpty() || name.startsWith(".") || name.contains("/") || name.contains("\\")) {
+            throw usage("--name: '" + name + "' is no file name; folders go to --out");
+        }
+        Map<Integer, RigidTransform> poses = objectPoses();
+        PrintWriter err = spec.commandLine().getErr();
+        try {
+            Cell cell = CellReader.read(cellFile);
+            requireObjects(cell, poses);
+            RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
+            makeFolder();
+            run(cell, new CellSimulation(cell, camera, poses, settings), poses, sensor);
+            return CommandLine.ExitCode.OK;
+        } catch (InputRefusedException e) {
+            err.println(e.getMessage());
+            return INPUT_REFUSED;
+        } catch (IOException e) {
+            err.println("Cannot write to " + out + ": " + e.getMessage());
+            return INTERNAL_ERROR;
+        }
+    }
+
+    private void run(Cell cell, CellSimulation simulation, Map<Integer, RigidTransform> poses, Sensor sensor)
+            throws IOException {
+        PrintWriter err = spec.commandLine().getErr();
+        PrintWriter stdout = spec.commandLine().getOut();
+        int digits = Integer.toString(count).length();
+        for (int i = 0; i < count; i++) {
+            String base = count == 1 ? name : name + String.format(Locale.ROOT, "-%0" + digits + "d", i + 1);
+            CellSimulation.Photo photo = simulation.photo(i, sensor);
+            String truth = TruthFile.json(cell, photo, base + ".png", seed, i, settingsByName(photo), command());
+            Map<Path, byte[]> files = new LinkedHashMap<>();
+            files.put(out.resolve(base + ".truth.json"), truth.getBytes(StandardCharsets.UTF_8));
+            files.put(out.resolve(base + ".png"), png(photo.image()));
+            WholeFiles.write(files);
+            files.keySet().forEach(stdout::println);
+            stdout.flush();
+            for (SceneTruth.MarkerInImage marker : SceneTruth.of(photo.scene())) {
+                if (!marker.whollyInside()) {
+                    err.println(base + ": marker " + marker.id() + " is not wholly inside the image.");
+                } else if (marker.visibleShare() < 1) {
+                    err.println(base + ": marker " + marker.id() + " is partly hidden.");
+                }
+            }
+        }
+        for (ObjectMarker object : cell.objects()) {
+            if (!poses.containsKey(object.id())) {
+                err.println("Object " + object.id() + " is not in the photos: no --object " + object.id()
+                        + "=... given.");
+            }
+        }
+        err.flush();
+    }
+
+    private Sensor sensor() {
+        try {
+            return new Sensor(blurPx, noiseGrey, fullWellElectrons, gamma, vignetting, gradient);
+        } catch (IllegalArgumentException e) {
+            throw usage(e.getMessage());
+        }
+    }
+
+    private CellSimulation.Settings settings() {
+        if (!placementErrors.equals("none") && !placementErrors.equals("draw")) {
+            throw usage("--placement-errors: must be 'none' or 'draw', not '" + placementErrors + "'");
+        }
+        if (!(quietZone >= 0 && quietZone <= 10)) {
+            throw usage("--quiet-zone: must be between 0 and 10, not " + quietZone);
+        }
+        try {
+            Backdrop.textured(texture, seed);
+        } catch (IllegalArgumentException e) {
+            throw usage("--texture: " + e.getMessage());
+        }
+        String[] jitter = cameraJitter.split(",", -1);
+        try {
+            double mm = Double.parseDouble(jitter[0].trim());
+            double degrees = Double.parseDouble(jitter[jitter.length - 1].trim());
+            if (jitter.length == 2 && mm >= 0 && degrees >= 0 && Double.isFinite(mm + degrees)) {
+                return new CellSimulation.Settings(seed, placementErrors.equals("draw"), mm, Math.toRadians(degrees),
+                        texture, quietZone);
+            }
+        } catch (NumberFormatException e) {
+            // said below, as for negative values
+        }
+        throw usage("--camera-jitter: '" + cameraJitter + "' is not MM,DEG with two values of at least 0, as in 5,0.5");
+    }
+
+    private Map<Integer, RigidTransform> objectPoses() {
+        Map<Integer, RigidTransform> poses = new LinkedHashMap<>();
+        for (String text : objects) {
+            int equals = text.indexOf('=');
+            int id;
+            try {
+                id = Integer.parseInt(text.substring(0, Math.max(0, equals)).trim());
+            } catch (NumberFormatException e) {
+                throw usage("--object: '" + text + "' does not start with a marker id and '=', as in 5=370,295,0");
+            }
+            try {
+                if (poses.put(id, PoseArgument.parse(text.substring(equals + 1)).pose()) != null) {
+                    throw usage("--object: marker " + id + " is given twice");
+                }
+            } catch (CommandLine.TypeConversionException e) {
+                throw usage("--object: " + e.getMessage());
+            }
+        }
+        return poses;
+    }
+
+    private void requireObjects(Cell cell, Map<Integer, RigidTransform> poses) {
+        List<Integer> known = cell.objects().stream().map(ObjectMarker::id).toList();
+        for (int id : poses.keySet()) {
+            if (!known.contains(id)) {
+                throw usage("--object: " + cellFile + " has no object " + id + "; its objects are "
+                        + (known.isEmpty() ? "none" : known));
+            }
+        }
+    }
+
+    private void makeFolder() throws IOException {
+        if (Files.exists(out) && !Files.isDirectory(out)) {
+            throw usage("--out: " + out + " is a file, not a folder");
+        }
+        Files.createDirectories(out);
+    }
+
+    private Map<String, Object> settingsByName(CellSimulation.Photo photo) {
+        Map<String, Object> settings = new LinkedHashMap<>();
+        settings.put("placement_errors", placementErrors);
+        settings.put("camera_jitter_mm_deg", cameraJitter);
+        settings.put("blur_px", blurPx);
+        settings.put("noise_grey", noiseGrey);
+        settings.put("full_well_electrons", fullWellElectrons);
+        settings.put("gamma", gamma);
+        settings.put("vignetting", vignetting);
+        settings.put("gradient", gradient);
+        settings.put("texture_contrast", texture);
+        settings.put("quiet_zone", photo.scene().quietZone());
+        return settings;
+    }
+
+    private List<String> command() {
+        List<String> command = new ArrayList<>(List.of("cellgauge"));
+        // of a command within the program the arguments it was given begin with its name
+        CommandLine root = spec.root().commandLine();
+        if (root == spec.commandLine()) {
+            command.add(spec.name());
+        }
+        command.addAll(root.getParseResult().originalArgs());
+        return command;
+    }
+
+    private static byte[] png(GreyImage image) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        // a stream of its own: on a plain output stream ImageIO would put a cache file on the disk
+        try (ImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {
+            if (!ImageIO.write(image.toBufferedImage(), "png", stream)) {
+                throw new IOException("this Java has no PNG writer");
+            }
+        }
+        return bytes.toByteArray();
+    }
+
+    private ParameterException usage(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}

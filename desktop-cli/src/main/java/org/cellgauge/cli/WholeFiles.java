@@ -1,0 +1,57 @@
+package org.cellgauge.cli;
+
+import java.io.IOException;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Files that appear whole or not at all: written beside their place under another name, then moved. */
+public final class WholeFiles {
+    private WholeFiles() {
+    }
+
+    /**
+     * Writes files that belong together. All are complete on the disk before the first takes its name, so an error
+     * while writing (a full disk, say) leaves the old files untouched and nothing behind.
+     *
+     * @param contents bytes by file, moved in this order; the folders must exist
+     * @throws IOException if a file cannot be written
+     */
+    public static void write(Map<Path, byte[]> contents) throws IOException {
+        Map<Path, Path> waiting = new LinkedHashMap<>();
+        try {
+            for (Map.Entry<Path, byte[]> entry : contents.entrySet()) {
+                Path place = entry.getKey();
+                // not createTempFile: that hides the file from everyone but its owner, and the rights stay on moving
+                Path temporary = place.resolveSibling("." + place.getFileName() + "." + ProcessHandle.current().pid()
+                        + ".part");
+                waiting.put(place, temporary);
+                Files.write(temporary, entry.getValue());
+            }
+            List<Path> done = new ArrayList<>();
+            for (Map.Entry<Path, Path> entry : waiting.entrySet()) {
+                move(entry.getValue(), entry.getKey());
+                done.add(entry.getKey());
+            }
+            done.forEach(waiting::remove);
+        } finally {
+            for (Path temporary : waiting.values()) {
+                Files.deleteIfExists(temporary);
+            }
+        }
+    }
+
+    private static void move(Path from, Path to) throws IOException {
+        try {
+            Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException e) {
+            // some network drives cannot; within one folder the plain move is the next best
+            Files.move(from, to, StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+}
