@@ -1,6 +1,5 @@
 package org.cellgauge.cli;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
@@ -12,16 +11,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import javax.imageio.ImageIO;
-import javax.imageio.stream.ImageOutputStream;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cli.render.Backdrop;
 import org.cellgauge.cli.render.CellSimulation;
-import org.cellgauge.cli.render.GreyImage;
+import org.cellgauge.cli.render.GreyPng;
 import org.cellgauge.cli.render.Scene;
 import org.cellgauge.cli.render.SceneTruth;
 import org.cellgauge.cli.render.Sensor;
@@ -169,7 +165,7 @@ public final class SimulateCommand implements Callable<Integer> {
             String truth = TruthFile.json(cell, photo, base + ".png", seed, i, settingsByName(photo), command());
             Map<Path, byte[]> files = new LinkedHashMap<>();
             files.put(out.resolve(base + ".truth.json"), truth.getBytes(StandardCharsets.UTF_8));
-            files.put(out.resolve(base + ".png"), png(photo.image()));
+            files.put(out.resolve(base + ".png"), GreyPng.encode(photo.image()));
             WholeFiles.write(files);
             files.keySet().forEach(stdout::println);
             stdout.flush();
@@ -286,17 +282,6 @@ public final class SimulateCommand implements Callable<Integer> {
         }
         command.addAll(root.getParseResult().originalArgs());
         return command;
-    }
-
-    private static byte[] png(GreyImage image) throws IOException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        // a stream of its own: on a plain output stream ImageIO would put a cache file on the disk
-        try (ImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {
-            if (!ImageIO.write(image.toBufferedImage(), "png", stream)) {
-                throw new IOException("this Java has no PNG writer");
-            }
-        }
-        return bytes.toByteArray();
     }
 
     private ParameterException usage(String message) {

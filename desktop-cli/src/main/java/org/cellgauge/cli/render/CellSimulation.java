@@ -10,6 +10,7 @@ import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.vision.GreyImage;
 
 /**
  * Photos of a cell with a known truth. Photo i of a seed is always the same one, whichever others are taken; what is

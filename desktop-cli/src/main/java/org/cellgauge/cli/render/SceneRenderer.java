@@ -6,6 +6,7 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.Projection;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.vision.GreyImage;
 
 /**
  * Renders a {@link Scene} as a {@link Sensor} sees it.
@@ -61,7 +62,7 @@ public final class SceneRenderer {
             }
             grey[i] = (byte) Math.min(255, Math.max(0, Math.round(level)));
         }
-        return new GreyImage(width, height, grey);
+        return GreyImage.packed(grey, width, height);
     }
 
     /**

@@ -4,7 +4,7 @@
  *
  * <p>A {@link org.cellgauge.cli.render.Scene} says what stands where, a {@link org.cellgauge.cli.render.Sensor} how the
  * picture is taken; {@link org.cellgauge.cli.render.SceneRenderer} makes the
- * {@link org.cellgauge.cli.render.GreyImage}, and {@link org.cellgauge.cli.render.SceneTruth} says where the corners
+ * {@link org.cellgauge.vision.GreyImage}, and {@link org.cellgauge.cli.render.SceneTruth} says where the corners
  * really are. Frames, units and the pixel convention are those of {@code org.cellgauge.geometry}.
  */
 package org.cellgauge.cli.render;
