@@ -227,7 +227,7 @@ public final class CellReader {
     private List<Reference> references(YamlMapping file, YamlMapping markers, YamlMapping general,
             Map<Integer, YamlValue> lines) {
         YamlValue value = file.required("references", REFERENCES_EXAMPLE);
-        if (value.isEmpty()) {
+        if (value.isEmpty() || value.isList() && value.items().isEmpty()) {
             throw value.refused("no reference stands here; add " + REFERENCES_EXAMPLE);
         }
         YamlMapping mapping = value.mapping(REFERENCES_EXAMPLE);

@@ -4,7 +4,7 @@ package org.cellgauge.cell;
  * An input cannot be used: the message names the file, the place in it and the remedy, in words for the user.
  *
  * <p>It is the one exception by which every package refuses files, images and detections; a program that meets it shows
- * its message and nothing else.
+ * its message and nothing else. Control characters that the message repeats from a file are shown as spaces.
  */
 public final class InputRefusedException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -15,7 +15,7 @@ public final class InputRefusedException extends RuntimeException {
      * @param message one sentence or two: file, place, what is wrong, remedy
      */
     public InputRefusedException(String message) {
-        super(message);
+        super(printable(message));
     }
 
     /**
@@ -25,6 +25,11 @@ public final class InputRefusedException extends RuntimeException {
      * @param cause the error behind it
      */
     public InputRefusedException(String message, Throwable cause) {
-        super(message, cause);
+        super(printable(message), cause);
+    }
+
+    /** Messages repeat what stands in files; a control character there must not reach a terminal. */
+    private static String printable(String message) {
+        return message.replaceAll("\\p{Cntrl}", " ");
     }
 }

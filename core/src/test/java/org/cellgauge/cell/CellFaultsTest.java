@@ -1,10 +1,12 @@
 package org.cellgauge.cell;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import java.io.ByteArrayInputStream;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -110,6 +112,10 @@ class CellFaultsTest {
                     "no file \"nowhere.yaml\"", "relative to this file"),
             fault("references left empty", CellReaderTest.CELL.substring(CellReaderTest.CELL.indexOf("  944:"),
                     CellReaderTest.CELL.indexOf("objects:")), "", "line 6, references: ", "no reference", "944"),
+            fault("references as an empty list", CellReaderTest.CELL.substring(
+                    CellReaderTest.CELL.indexOf("references:"), CellReaderTest.CELL.indexOf("objects:")),
+                    "references: []\n", "line 6, references: ",
+                    "no reference", "944"),
             fault("references at one place", "[0, -36, 165], rotation_deg: [0, 0, 0]",
                     "[490, 380, 10], rotation_deg: [5, 0, 90]", "line 8, references.22.position_mm: ", "944 (line 7)",
                     "10.2 mm apart", "correct one"),
@@ -180,6 +186,23 @@ class CellFaultsTest {
         Path file = folder.resolve("cell.yaml");
         Files.write(file, new byte[CellReader.MAX_BYTES + 1]);
         assertHolds(refusal(file), "cell.yaml: ", "larger than 1024 KiB");
+    }
+
+    @Test
+    void streamIsReadAndJudgedAsAFileIs() {
+        byte[] text = "\uFEFFcellgauge: 1\n".getBytes(StandardCharsets.UTF_8);
+        assertEquals("cellgauge: 1\n",
+                InputFiles.text(new ByteArrayInputStream(text), "cell.yaml", "cell file", text.length));
+        assertHolds(assertThrows(InputRefusedException.class, () -> InputFiles.text(new ByteArrayInputStream(text),
+                "cell.yaml", "cell file", text.length - 1)).getMessage(), "cell.yaml: ", "larger than");
+    }
+
+    @Test
+    void controlCharactersOfAFileDoNotReachTheMessage() {
+        String message = assertThrows(InputRefusedException.class, () -> CellReaderTest.read(
+                CellReaderTest.CELL.replace("target:", "\"\\e[31mtar\\nget\":"))).getMessage();
+        assertHolds(message, "line 12", "unknown key");
+        assertEquals(-1, message.indexOf('\u001b'));
     }
 
     @Test
