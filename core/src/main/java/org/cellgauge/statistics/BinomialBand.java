@@ -7,8 +7,8 @@ import org.apache.commons.math3.distribution.BinomialDistribution;
  * The counts that n independent trials of known success probability give with a stated confidence: is a count of hits
  * of claimed coverage regions one that an honest claim would give?
  *
- * <p>Exact, from the binomial distribution: each tail outside the band holds at most half of what the confidence leaves.
- * Because counts are whole, the band usually holds more than the confidence; {@link #coverage()} says how much.
+ * <p>Exact, from the binomial distribution: each tail outside the band holds at most half of what the confidence
+ * leaves. Because counts are whole, the band usually holds more than the confidence; {@link #coverage()} says how much.
  *
  * <p>Immutable.
  */

@@ -19,8 +19,8 @@ import org.apache.commons.math3.transform.TransformType;
  *       One chain is therefore enough for R-hat, though it cannot show what the chain never visited.
  *   <li>Ranks run over all halves together, ties share their average rank, and rank r of S becomes the normal quantile
  *       of (r - 3/8) / (S + 1/4) (V section 4.1).
- *   <li>Folded draws are the absolute deviations from the median of all draws, taken before the split (V section 4.2); with
- *       an even number of draws the order does not matter.
+ *   <li>Folded draws are the absolute deviations from the median of all draws, taken before the split (V section 4.2);
+ *       with an even number of draws the order does not matter.
  *   <li>Effective sample sizes combine the chains' autocovariances (V section 3.2) over Geyer's initial positive and
  *       initial monotone sequences (Geyer 1992, "Practical Markov chain Monte Carlo", Statistical Science 7(4)), with
  *       the term that lessens the variance for antithetic chains. Such chains may have more effective draws than draws;
@@ -32,12 +32,12 @@ import org.apache.commons.math3.transform.TransformType;
  *       squared deviation. Earlier versions assumed normal draws.
  * </ul>
  *
- * <p>A chain that is constant, holds a non-finite draw or is too short has no R-hat: {@link #status()} says so and every
- * diagnostic is NaN. Never is 1 returned for lack of evidence. One stuck chain among several is enough for
+ * <p>A chain that is constant, holds a non-finite draw or is too short has no R-hat: {@link #status()} says so and
+ * every diagnostic is NaN. Never is 1 returned for lack of evidence. One stuck chain among several is enough for
  * {@link Status#CONSTANT}.
  *
- * <p>Effective sample sizes need halves of at least {@value #MIN_HALF_FOR_ESS} draws, because Geyer's sequence cannot be
- * judged on fewer lags; below, they are NaN while R-hat exists.
+ * <p>Effective sample sizes need chains of at least {@value #MIN_DRAWS_FOR_ESS} draws, because Geyer's sequence cannot
+ * be judged on fewer lags; below, they are NaN while R-hat exists.
  *
  * <p>Immutable. An object keeps its own copy of the draws, for {@link #mcseQuantile(double)}.
  */
@@ -45,7 +45,8 @@ public final class ChainDiagnostics {
     /** Fewest draws per chain for which a split R-hat is defined. */
     public static final int MIN_DRAWS = 4;
 
-    private static final int MIN_HALF_FOR_ESS = 6;
+    /** Fewest draws per chain for which effective sample sizes are defined. */
+    public static final int MIN_DRAWS_FOR_ESS = 12;
 
     /** Whether the diagnostics exist. */
     public enum Status {
@@ -202,7 +203,7 @@ public final class ChainDiagnostics {
     /**
      * Rank-normalised split R-hat: the larger of {@link #rHatBulk()} and {@link #rHatFolded()} (V section 4.2).
      *
-     * @return R-hat; infinite if every half of a chain stands still at a place of its own; NaN without {@link Status#OK}
+     * @return R-hat; infinite if no half of a chain moves, but they stand apart; NaN without {@link Status#OK}
      */
     public double rHat() {
         return Math.max(rHatBulk, rHatFolded);
@@ -326,7 +327,8 @@ public final class ChainDiagnostics {
         if (Double.isNaN(size)) {
             return Double.NaN;
         }
-        // The solver's default of 1e-9 could pick a neighbouring order statistic among many draws. No numbers are drawn.
+        // The solver's default of 1e-9 could pick a neighbouring order statistic among many draws. The generator is
+        // null because no numbers are drawn
         BetaDistribution beta =
                 new BetaDistribution(null, size * probability + 1, size * (1 - probability) + 1, 1e-13);
         int total = sorted.length;
@@ -495,7 +497,7 @@ public final class ChainDiagnostics {
     private static double effectiveSize(double[][] halves) {
         int n = halves[0].length;
         int m = halves.length;
-        if (n < MIN_HALF_FOR_ESS) {
+        if (n < MIN_DRAWS_FOR_ESS / 2) {
             return Double.NaN;
         }
         double[] autocovariance = new double[n];

@@ -4,8 +4,8 @@ package org.cellgauge.statistics;
  * Mean direction and circular standard deviation of a stream of angles, in constant memory and mergeable.
  *
  * <p>Every angle counts as the unit vector that points along it, so 0.01 and 6.27 rad average to about 0 and not
- * to about pi. Definitions as in Mardia &amp; Jupp 2000, "Directional Statistics", Wiley: mean direction in section 2.2,
- * mean resultant length and circular standard deviation in section 2.3.
+ * to about pi. Definitions as in Mardia &amp; Jupp 2000, "Directional Statistics", Wiley: mean direction in section
+ * 2.2, mean resultant length and circular standard deviation in section 2.3.
  *
  * <p>Not safe for use by several threads at once.
  */

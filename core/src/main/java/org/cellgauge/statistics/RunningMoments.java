@@ -8,7 +8,7 @@ import java.util.Arrays;
  * <p>One pass and numerically stable: every draw updates the mean and the sums of centred products (Welford 1962,
  * "Note on a method for calculating corrected sums of squares and products", Technometrics 4(3)). Two streams, say of
  * two chains, are joined by the pairwise formula of Chan, Golub &amp; LeVeque 1983, "Algorithms for computing the
- * sample variance", The American Statistician 37(3), eq. 2.1.
+ * sample variance", The American Statistician 37(3).
  *
  * <p>Adding allocates nothing. A non-finite component makes the moments it takes part in NaN for good; it is not
  * skipped, because a mean over the remaining draws would look trustworthy without being so. Components are

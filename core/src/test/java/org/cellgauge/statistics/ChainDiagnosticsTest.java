@@ -223,6 +223,7 @@ class ChainDiagnosticsTest {
         unbounded[49] = Double.NEGATIVE_INFINITY;
         requireNothing(Status.CONSTANT, still, still);
         requireNothing(Status.CONSTANT, moving, still);
+        requireNothing(Status.CONSTANT, still, moving);
         requireNothing(Status.CONSTANT, still);
         requireNothing(Status.CONSTANT, moving, zeros);
         requireNothing(Status.NON_FINITE, moving, broken);
@@ -269,6 +270,13 @@ class ChainDiagnosticsTest {
         assertTrue(Double.isNaN(clipped.essTail()));
         assertTrue(clipped.essBulk() > 100);
         assertEquals(Convergence.NOT_CONVERGED, clipped.convergence());
+    }
+
+    @Test
+    void sizesBeginAtTwelveDrawsPerChain() {
+        assertTrue(Double.isNaN(ChainDiagnostics.of(autoregression(4, 11, 0, 17)).essMean()));
+        double size = ChainDiagnostics.of(autoregression(4, 12, 0, 17)).essMean();
+        assertTrue(size > 1 && size <= 48 * Math.log10(48), "size " + size);
     }
 
     @Test

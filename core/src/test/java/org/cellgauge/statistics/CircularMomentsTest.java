@@ -26,6 +26,7 @@ class CircularMomentsTest {
     void anglesOnBothSidesOfPiAverageToPi() {
         assertEquals(Math.PI, Math.abs(of(Math.PI - 0.3, -Math.PI + 0.3).meanDirectionRad()), 1e-14);
         assertEquals(Math.PI, of(Math.PI).meanDirectionRad(), 0);
+        assertEquals(Math.PI, of(-Math.PI).meanDirectionRad(), 0);
         assertEquals(Math.PI, of(Math.PI, -Math.PI).meanDirectionRad(), 0);
     }
 
@@ -39,6 +40,14 @@ class CircularMomentsTest {
         assertTrue(Double.isNaN(m.meanDirectionRad()));
         assertEquals(0, m.resultantLength(), 1e-15);
         assertEquals(Double.POSITIVE_INFINITY, m.stdRad(), 0);
+    }
+
+    @Test
+    void directionsThatAlmostCancelStillHaveAMean() {
+        // The mean bisects the angle between two; its unit vectors sum to 2 sin(5e-6)
+        CircularMoments m = of(0.5, 0.5 + Math.PI - 1e-5);
+        assertEquals(0.5 + (Math.PI - 1e-5) / 2, m.meanDirectionRad(), 1e-10);
+        assertEquals(Math.sin(5e-6), m.resultantLength(), 1e-15);
     }
 
     @Test
@@ -65,7 +74,8 @@ class CircularMomentsTest {
         double rho = Math.exp(-sigma * sigma / 2);
         double standardError = (1 - rho * rho) / Math.sqrt(2.0 * n) / (rho * sigma);
         assertEquals(sigma, m.stdRad(), 5 * standardError);
-        assertEquals(0, Angles.difference(m.meanDirectionRad(), 3), 5 * Math.sqrt((1 - Math.pow(rho, 4)) / (2 * n)) / rho);
+        double meanError = Math.sqrt((1 - Math.pow(rho, 4)) / (2 * n)) / rho;
+        assertEquals(0, Angles.difference(m.meanDirectionRad(), 3), 5 * meanError);
     }
 
     @Test

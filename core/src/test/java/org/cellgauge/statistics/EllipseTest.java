@@ -120,6 +120,14 @@ class EllipseTest {
     }
 
     @Test
+    void narrowAxisKeepsItsDigits() {
+        double[][] covariance = {{1e-8, 0}, {0, 1e8}};
+        Ellipse e = Ellipse.ofNormal(new double[2], covariance, 0.95);
+        assertEquals(K95 * 1e-4, e.semiMinor(), 1e-16);
+        assertEquals(K95 * 1e4, e.semiMajor(), 1e-9);
+    }
+
+    @Test
     void impossibleInputIsRefused() {
         double[] mean = new double[2];
         requireRefused(mean, new double[][] {{1, 2}, {2, 1}});
