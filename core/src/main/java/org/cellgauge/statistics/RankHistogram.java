@@ -9,8 +9,8 @@ import org.apache.commons.math3.special.Gamma;
  * <p>Simulation-based calibration (Talts, Betancourt, Simpson, Vehtari &amp; Gelman 2018, "Validating Bayesian
  * inference algorithms with simulation-based calibration", arXiv:1804.06788): draw a truth from the prior, data from
  * the truth, L draws from the posterior; the rank of the truth among them is uniform on 0..L (theorem 1), provided that
- * the draws are independent, so chains must be thinned first. Claimed deviations that are too small pile up ranks at both
- * ends, too large ones in the middle, a bias tilts the histogram.
+ * the draws are independent, so chains must be thinned first. Claimed deviations that are too small pile up ranks at
+ * both ends, too large ones in the middle, a bias tilts the histogram.
  *
  * <p>Not safe for use by several threads at once.
  */
