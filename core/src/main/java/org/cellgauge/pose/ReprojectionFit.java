@@ -338,6 +338,20 @@ public final class ReprojectionFit {
         return rows;
     }
 
+    /**
+     * Whitened derivative at a state.
+     *
+     * @param state where
+     * @return a copy, rows x columns row by row
+     * @throws IllegalStateException if a corner is not in front of the camera there
+     */
+    public double[] jacobianAt(CameraState state) {
+        if (!(evaluate(state, true) < Double.POSITIVE_INFINITY)) {
+            throw new IllegalStateException("a corner is not in front of the camera");
+        }
+        return jacobian.clone();
+    }
+
     /** Whitened residuals of the last evaluation; shared, px over px. */
     double[] residuals() {
         return residuals;

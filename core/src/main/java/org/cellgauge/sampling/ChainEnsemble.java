@@ -87,7 +87,7 @@ public final class ChainEnsemble {
         return Collections.unmodifiableList(draws);
     }
 
-    private void run(FlowableEmitter<EnsembleSnapshot> emitter) throws InterruptedException {
+    private void run(FlowableEmitter<EnsembleSnapshot> emitter) {
         if (!started.compareAndSet(false, true)) {
             emitter.onError(new IllegalStateException("an ensemble runs once"));
             return;
@@ -120,6 +120,10 @@ public final class ChainEnsemble {
             }
         } catch (ExecutionException e) {
             emitter.tryOnError(e.getCause());
+        } catch (InterruptedException e) {
+            // a cancelled subscription interrupts this thread; that is no error then
+            Thread.currentThread().interrupt();
+            emitter.tryOnError(e);
         } finally {
             executor.shutdownNow();
         }

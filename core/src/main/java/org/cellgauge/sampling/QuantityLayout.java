@@ -128,15 +128,10 @@ public final class QuantityLayout {
          * Asks for a joint covariance.
          *
          * @param name name of the group
-         * @param first index of its first quantity
-         * @param count number of quantities, consecutive
+         * @param indices its quantities, in the order of the covariance
          */
-        public void group(String name, int first, int count) {
-            int[] indices = new int[count];
-            for (int i = 0; i < count; i++) {
-                indices[i] = first + i;
-            }
-            groups.put(name, indices);
+        public void group(String name, int... indices) {
+            groups.put(name, indices.clone());
         }
 
         /**

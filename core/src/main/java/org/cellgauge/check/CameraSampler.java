@@ -1,0 +1,44 @@
+package org.cellgauge.check;
+
+import org.apache.commons.math3.random.RandomGenerator;
+import org.cellgauge.posterior.CameraChart;
+import org.cellgauge.sampling.MetropolisChain;
+
+/** A way to sample the camera posterior: tuned once, then it makes the chains. */
+interface CameraSampler {
+    /**
+     * Tunes on a target.
+     *
+     * @param target the posterior
+     * @param random source of randomness of the tuning
+     * @return what makes the chains
+     */
+    Tuned tune(CameraTarget target, RandomGenerator random);
+
+    /** Makes the chains of one target. */
+    interface Tuned {
+        /**
+         * One chain with a density of its own.
+         *
+         * @param random the chain's source of randomness
+         * @return the chain and what reads its coordinates
+         */
+        CameraChain chain(RandomGenerator random);
+
+        /** Effective share of importance draws from the tuned proposal; NaN where there is none. */
+        double efficiency();
+    }
+
+    /** A chain with the chart of its coordinates and what to do at the end of the warm-up. */
+    final class CameraChain {
+        final MetropolisChain chain;
+        final CameraChart chart;
+        final Runnable warmedUp;
+
+        CameraChain(MetropolisChain chain, CameraChart chart, Runnable warmedUp) {
+            this.chain = chain;
+            this.chart = chart;
+            this.warmedUp = warmedUp;
+        }
+    }
+}

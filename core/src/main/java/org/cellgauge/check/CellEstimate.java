@@ -1,0 +1,71 @@
+package org.cellgauge.check;
+
+import java.util.Collections;
+import java.util.List;
+
+/** Camera, unknown intrinsics and objects with their uncertainties, at whatever stage of a check; immutable. */
+public final class CellEstimate {
+    private final PoseEstimate camera;
+    private final List<ModeEstimate> cameraModes;
+    private final IntrinsicsEstimate intrinsics;
+    private final List<ObjectEstimate> objects;
+
+    CellEstimate(PoseEstimate camera, List<ModeEstimate> cameraModes, IntrinsicsEstimate intrinsics,
+            List<ObjectEstimate> objects) {
+        this.camera = camera;
+        this.cameraModes = Collections.unmodifiableList(cameraModes);
+        this.intrinsics = intrinsics;
+        this.objects = Collections.unmodifiableList(objects);
+    }
+
+    /**
+     * Camera pose in the world.
+     *
+     * @return mean and covariance
+     */
+    public PoseEstimate camera() {
+        return camera;
+    }
+
+    /**
+     * The camera poses that explain the references.
+     *
+     * @return one mode, or two where the pose is ambiguous, heavier first
+     */
+    public List<ModeEstimate> cameraModes() {
+        return cameraModes;
+    }
+
+    /**
+     * Unknown intrinsics.
+     *
+     * @return their estimate, or null where all are known
+     */
+    public IntrinsicsEstimate intrinsics() {
+        return intrinsics;
+    }
+
+    /**
+     * Objects seen.
+     *
+     * @return unmodifiable, in the order of the cell
+     */
+    public List<ObjectEstimate> objects() {
+        return objects;
+    }
+
+    /**
+     * The estimate of one object.
+     *
+     * @param id marker id
+     * @return its estimate, or null where it was not seen
+     */
+    public ObjectEstimate object(int id) {
+        for (ObjectEstimate o : objects) {
+            if (o.id() == id) {
+                return o;
+            }
+        }
+        return null;
+    }
+}

@@ -1,0 +1,114 @@
+package org.cellgauge.check;
+
+import java.util.List;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.Rotations;
+import org.cellgauge.pose.CameraState;
+import org.cellgauge.sampling.QuantityLayout;
+
+/**
+ * The quantities of a draw: log density, camera pose, unknown intrinsics, and for each object its pose in the world, its
+ * gripping point and, where it has two modes, which one the draw is near.
+ *
+ * <p>A pose takes 9 columns: x, y, z in mm; psi, theta, phi in rad; the rotation vector from the pose's reference
+ * rotation in world axes in rad.
+ */
+final class CellQuantities {
+    private static final String[] INTRINSIC_NAMES = {"fx_px", "fy_px", "cx_px", "cy_px", "skew_px", "k1", "k2", "k3",
+        "p1", "p2"};
+
+    final QuantityLayout layout;
+    final CameraTarget camera;
+    final List<ObjectTarget> objects;
+    final double[] cameraReference;
+    final double[][] objectReferences;
+
+    CellQuantities(CameraTarget camera, List<ObjectTarget> objects) {
+        this.camera = camera;
+        this.objects = objects;
+        QuantityLayout.Builder b = new QuantityLayout.Builder();
+        b.add("lp__");
+        CameraState state = camera.modes.get(0).state();
+        cameraReference = new double[9];
+        Rotations.transpose(state.rotation, cameraReference);
+        addPose(b, "camera", cameraReference);
+        if (camera.modes.size() > 1) {
+            b.add("camera_mode");
+        }
+        int[] intrinsics = new int[camera.intrinsicsPrior.count()];
+        for (int i = 0; i < intrinsics.length; i++) {
+            intrinsics[i] = b.add(INTRINSIC_NAMES[camera.intrinsicsPrior.index(i)]);
+        }
+        if (intrinsics.length > 0) {
+            b.group("intrinsics", intrinsics);
+        }
+        objectReferences = new double[objects.size()][9];
+        for (int o = 0; o < objects.size(); o++) {
+            ObjectTarget object = objects.get(o);
+            Rotations.multiply(cameraReference, object.modes.get(0).state().rotation, objectReferences[o]);
+            String name = "object_" + object.marker.id();
+            addPose(b, name, objectReferences[o]);
+            if (object.modes.size() > 1) {
+                b.add(name + "_mode");
+            }
+            if (object.marker.hasGrip()) {
+                int x = b.add(name + "_grip_x_mm");
+                int y = b.add(name + "_grip_y_mm");
+                int z = b.add(name + "_grip_z_mm");
+                b.group(name + "_grip", x, y, z);
+            }
+        }
+        layout = b.build();
+    }
+
+    static String intrinsicName(int index) {
+        return INTRINSIC_NAMES[index];
+    }
+
+    private static void addPose(QuantityLayout.Builder b, String name, double[] reference) {
+        double[] euler = new double[3];
+        Rotations.toEuler(reference, euler, 0);
+        int x = b.add(name + "_x_mm");
+        int y = b.add(name + "_y_mm");
+        int z = b.add(name + "_z_mm");
+        int psi = b.addAngle(name + "_psi_rad", euler[0]);
+        int theta = b.addAngle(name + "_theta_rad", euler[1]);
+        int phi = b.addAngle(name + "_phi_rad", euler[2]);
+        int wx = b.add(name + "_wx_rad");
+        int wy = b.add(name + "_wy_rad");
+        int wz = b.add(name + "_wz_rad");
+        b.group(name, x, y, z, psi, theta, phi);
+        b.group(name + "_tangent", x, y, z, wx, wy, wz);
+    }
+
+    /**
+     * Which quantities decide on convergence: all but Euler angles (the rotation vectors stand for them, and are defined
+     * where they are not), the log density and the mode labels.
+     */
+    boolean[] judged() {
+        boolean[] judged = new boolean[layout.size()];
+        for (int i = 0; i < judged.length; i++) {
+            String name = layout.names().get(i);
+            judged[i] = !layout.isAngle(i) && i > 0 && !name.endsWith("_mode");
+        }
+        return judged;
+    }
+
+    /** Unknown intrinsics of a state, in the order of the layout. */
+    int readIntrinsics(CameraState state, double[] out, int at) {
+        int next = at;
+        for (int i = 0; i < camera.intrinsicsPrior.count(); i++) {
+            out[next++] = state.intrinsics[camera.intrinsicsPrior.index(i)];
+        }
+        return next;
+    }
+
+    static boolean focalIsUnknown(CameraTarget camera) {
+        for (int i = 0; i < camera.intrinsicsPrior.count(); i++) {
+            if (camera.intrinsicsPrior.index(i) == PinholeCamera.FX) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

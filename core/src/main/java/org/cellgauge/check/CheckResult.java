@@ -1,0 +1,195 @@
+package org.cellgauge.check;
+
+import java.util.Collections;
+import java.util.List;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.vision.Detections;
+
+/** What a check found; immutable. */
+public final class CheckResult {
+    private final Cell cell;
+    private final Detections detections;
+    private final CheckSettings settings;
+    private final Verdict verdict;
+    private final String reason;
+    private final CellEstimate estimate;
+    private final CellEstimate quickLook;
+    private final List<Integer> referencesUsed;
+    private final double pixelStdPx;
+    private final Diagnostics diagnostics;
+    private final List<AcceptanceCount> acceptance;
+    private final List<String> warnings;
+    private final List<Draws> draws;
+    private final QuantityLayout layout;
+    private final int iterationsPerChain;
+    private final String posePrior;
+
+    CheckResult(Cell cell, Detections detections, CheckSettings settings, Verdict verdict, String reason,
+            CellEstimate estimate, CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx,
+            Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
+            QuantityLayout layout, int iterationsPerChain, String posePrior) {
+        this.cell = cell;
+        this.detections = detections;
+        this.settings = settings;
+        this.verdict = verdict;
+        this.reason = reason;
+        this.estimate = estimate;
+        this.quickLook = quickLook;
+        this.referencesUsed = Collections.unmodifiableList(referencesUsed);
+        this.pixelStdPx = pixelStdPx;
+        this.diagnostics = diagnostics;
+        this.acceptance = Collections.unmodifiableList(acceptance);
+        this.warnings = Collections.unmodifiableList(warnings);
+        this.draws = draws;
+        this.layout = layout;
+        this.iterationsPerChain = iterationsPerChain;
+        this.posePrior = posePrior;
+    }
+
+    /**
+     * The cell that was checked.
+     *
+     * @return as read
+     */
+    public Cell cell() {
+        return cell;
+    }
+
+    /**
+     * The markers it rests on.
+     *
+     * @return as detected or given
+     */
+    public Detections detections() {
+        return detections;
+    }
+
+    /**
+     * The settings it was run with.
+     *
+     * @return settings
+     */
+    public CheckSettings settings() {
+        return settings;
+    }
+
+    /**
+     * The verdict.
+     *
+     * @return never null
+     */
+    public Verdict verdict() {
+        return verdict;
+    }
+
+    /**
+     * Why.
+     *
+     * @return one sentence
+     */
+    public String reason() {
+        return reason;
+    }
+
+    /**
+     * What the chains say.
+     *
+     * @return means and covariances; figures only where {@link Diagnostics#converged()}
+     */
+    public CellEstimate estimate() {
+        return estimate;
+    }
+
+    /**
+     * What Laplace's approximation at the mode says.
+     *
+     * @return the quick look that the chains confirm or correct
+     */
+    public CellEstimate quickLook() {
+        return quickLook;
+    }
+
+    /**
+     * References that the camera pose rests on.
+     *
+     * @return marker ids, in the order of the cell
+     */
+    public List<Integer> referencesUsed() {
+        return referencesUsed;
+    }
+
+    /**
+     * Standard deviation of each corner coordinate that was assumed or estimated.
+     *
+     * @return px
+     */
+    public double pixelStdPx() {
+        return pixelStdPx;
+    }
+
+    /**
+     * Convergence of the chains.
+     *
+     * @return per quantity and overall
+     */
+    public Diagnostics diagnostics() {
+        return diagnostics;
+    }
+
+    /**
+     * Accepted and rejected suggestions per named proposal, all chains together.
+     *
+     * @return unmodifiable
+     */
+    public List<AcceptanceCount> acceptance() {
+        return acceptance;
+    }
+
+    /**
+     * What the user should know besides.
+     *
+     * @return sentences; may be empty
+     */
+    public List<String> warnings() {
+        return warnings;
+    }
+
+    /**
+     * The kept draws of each chain.
+     *
+     * @return one per chain, not to be changed
+     */
+    public List<Draws> draws() {
+        return draws;
+    }
+
+    /**
+     * The quantities of a draw.
+     *
+     * @return names and angles
+     */
+    public QuantityLayout layout() {
+        return layout;
+    }
+
+    /**
+     * Iterations each chain ran, warm-up included.
+     *
+     * @return number of iterations
+     */
+    public int iterationsPerChain() {
+        return iterationsPerChain;
+    }
+
+    /**
+     * The weak prior that was put on the camera pose.
+     *
+     * @return in words, or null where it was flat in position and uniform over rotations
+     */
+    public String posePrior() {
+        return posePrior;
+    }
+}

@@ -1,0 +1,150 @@
+package org.cellgauge.check;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.statistics.ChainDiagnostics;
+import org.cellgauge.statistics.Convergence;
+
+/** Convergence of all chains, quantity by quantity; immutable. */
+public final class Diagnostics {
+    private final Map<String, ChainDiagnostics> parameters;
+    private final Convergence convergence;
+    private final double rHatMax;
+    private final double essBulkMin;
+    private final double essTailMin;
+    private final double mcseStdRelMax;
+    private final String worst;
+
+    private Diagnostics(Map<String, ChainDiagnostics> parameters, boolean[] judged) {
+        this.parameters = Collections.unmodifiableMap(parameters);
+        Convergence overall = Convergence.CONVERGED;
+        double rHat = 0;
+        double bulk = Double.POSITIVE_INFINITY;
+        double tail = Double.POSITIVE_INFINITY;
+        double mcse = 0;
+        String worstName = "";
+        double worstBulk = Double.POSITIVE_INFINITY;
+        int i = 0;
+        for (Map.Entry<String, ChainDiagnostics> e : parameters.entrySet()) {
+            if (!judged[i++]) {
+                continue;
+            }
+            ChainDiagnostics d = e.getValue();
+            Convergence own = d.convergence();
+            boolean defined = d.status() == ChainDiagnostics.Status.OK;
+            double rank = defined ? Math.min(d.essBulk(), d.essTail()) : -1;
+            if (own.worse(overall) != overall || (own == overall && rank < worstBulk)) {
+                worstName = e.getKey();
+                worstBulk = rank;
+            }
+            overall = overall.worse(own);
+            // NaN must stay: a maximum over what has no R-hat has none either
+            rHat = defined && !Double.isNaN(rHat) ? Math.max(rHat, d.rHat()) : Double.NaN;
+            bulk = defined && !Double.isNaN(bulk) ? Math.min(bulk, d.essBulk()) : Double.NaN;
+            tail = defined && !Double.isNaN(tail) ? Math.min(tail, d.essTail()) : Double.NaN;
+            mcse = defined && !Double.isNaN(mcse) ? Math.max(mcse, d.mcseSd() / d.std()) : Double.NaN;
+        }
+        convergence = overall;
+        rHatMax = rHat;
+        essBulkMin = bulk;
+        essTailMin = tail;
+        mcseStdRelMax = mcse;
+        worst = worstName;
+    }
+
+    /**
+     * Diagnoses draws.
+     *
+     * @param chains draws of each chain, all equally many
+     * @param layout quantities of a draw
+     * @param judged whether a quantity counts for the overall judgement; the others are reported alone
+     * @return the diagnostics
+     */
+    static Diagnostics of(List<Draws> chains, QuantityLayout layout, boolean[] judged) {
+        Map<String, ChainDiagnostics> parameters = new LinkedHashMap<>();
+        for (int q = 0; q < layout.size(); q++) {
+            double[][] series = new double[chains.size()][];
+            for (int c = 0; c < series.length; c++) {
+                series[c] = chains.get(c).series(q);
+            }
+            parameters.put(layout.names().get(q), ChainDiagnostics.of(series));
+        }
+        return new Diagnostics(parameters, judged);
+    }
+
+    /**
+     * Diagnostics of every quantity.
+     *
+     * @return unmodifiable, by name
+     */
+    public Map<String, ChainDiagnostics> parameters() {
+        return parameters;
+    }
+
+    /**
+     * The overall judgement.
+     *
+     * @return the worst of all judged quantities
+     */
+    public Convergence convergence() {
+        return convergence;
+    }
+
+    /**
+     * Whether figures may be shown as such.
+     *
+     * @return true if converged
+     */
+    public boolean converged() {
+        return convergence == Convergence.CONVERGED;
+    }
+
+    /**
+     * Largest R-hat.
+     *
+     * @return NaN if a quantity has none
+     */
+    public double rHatMax() {
+        return rHatMax;
+    }
+
+    /**
+     * Smallest bulk effective sample size.
+     *
+     * @return NaN if a quantity has none
+     */
+    public double essBulkMin() {
+        return essBulkMin;
+    }
+
+    /**
+     * Smallest tail effective sample size.
+     *
+     * @return NaN if a quantity has none
+     */
+    public double essTailMin() {
+        return essTailMin;
+    }
+
+    /**
+     * Largest Monte Carlo error of a standard deviation, relative to it.
+     *
+     * @return share; NaN if a quantity has none
+     */
+    public double mcseStdRelMax() {
+        return mcseStdRelMax;
+    }
+
+    /**
+     * The quantity that is worst off.
+     *
+     * @return its name
+     */
+    public String worstParameter() {
+        return worst;
+    }
+}

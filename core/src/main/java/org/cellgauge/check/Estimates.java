@@ -1,0 +1,99 @@
+package org.cellgauge.check;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.geometry.Rotations;
+import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.RunningSummary;
+
+/** Turns running statistics of draws into estimates. */
+final class Estimates {
+    private final Cell cell;
+    private final CellQuantities quantities;
+    private final CellEstimate quickLook;
+
+    Estimates(Cell cell, CellQuantities quantities, CellEstimate quickLook) {
+        this.cell = cell;
+        this.quantities = quantities;
+        this.quickLook = quickLook;
+    }
+
+    /**
+     * Estimates of a summary.
+     *
+     * @param draws all draws, for the share and the moments of each mode; null while they are still being made
+     */
+    CellEstimate of(RunningSummary summary, List<Draws> draws) {
+        PoseEstimate camera = pose(summary, "camera", "camera in world", quantities.cameraReference);
+        IntrinsicsEstimate intrinsics = null;
+        if (quickLook.intrinsics() != null) {
+            intrinsics = new IntrinsicsEstimate(quickLook.intrinsics().names(), summary.mean("intrinsics"),
+                    summary.covariance("intrinsics"));
+        }
+        List<ObjectEstimate> objects = new ArrayList<>();
+        for (int o = 0; o < quantities.objects.size(); o++) {
+            ObjectTarget target = quantities.objects.get(o);
+            String name = "object_" + target.marker.id();
+            double[] reference = quantities.objectReferences[o];
+            PoseEstimate pose = pose(summary, name, "object in world", reference);
+            PointEstimate grip = target.marker.hasGrip()
+                    ? new PointEstimate(summary.mean(name + "_grip"), summary.covariance(name + "_grip")) : null;
+            ObjectEstimate quick = quickLook.objects().get(o);
+            objects.add(new ObjectEstimate(target.marker, pose, grip, quick.budget(), quick.gripBudget(),
+                    ImageEllipses.of(cell.camera(), camera, pose.meanTransform().translationMm(),
+                            pose.positionCovarianceMm2()),
+                    grip == null ? null
+                            : ImageEllipses.of(cell.camera(), camera, grip.meanMm(), grip.covarianceMm2()),
+                    modes(draws, name, "object in world", reference, target.modes.size(), pose)));
+        }
+        return new CellEstimate(camera, modes(draws, "camera", "camera in world", quantities.cameraReference,
+                quantities.camera.modes.size(), camera), intrinsics, objects);
+    }
+
+    private static PoseEstimate pose(RunningSummary summary, String name, String frame, double[] reference) {
+        double[] tangentMean = summary.mean(name + "_tangent");
+        double[] turn = new double[9];
+        Rotations.exp(tangentMean[3], tangentMean[4], tangentMean[5], turn);
+        double[] rotation = new double[9];
+        Rotations.multiply(turn, reference, rotation);
+        RigidTransform mean = RigidTransform.of(rotation,
+                new double[] {tangentMean[0], tangentMean[1], tangentMean[2]});
+        return new PoseEstimate(frame, summary.mean(name), summary.covariance(name),
+                summary.covariance(name + "_tangent"), mean);
+    }
+
+    /** Moments of the draws near each mode. */
+    private List<ModeEstimate> modes(List<Draws> draws, String name, String frame, double[] reference, int count,
+            PoseEstimate all) {
+        if (count < 2 || draws == null) {
+            return Collections.singletonList(new ModeEstimate(1, all));
+        }
+        int label = quantities.layout.indexOf(name + "_mode");
+        double[] values = new double[quantities.layout.size()];
+        List<RunningSummary> split = new ArrayList<>();
+        for (int k = 0; k < count; k++) {
+            split.add(new RunningSummary(quantities.layout));
+        }
+        long total = 0;
+        for (Draws chain : draws) {
+            for (int i = 0; i < chain.count(); i++) {
+                for (int q = 0; q < values.length; q++) {
+                    values[q] = chain.get(q, i);
+                }
+                split.get((int) values[label]).add(values);
+                total++;
+            }
+        }
+        List<ModeEstimate> modes = new ArrayList<>();
+        for (RunningSummary part : split) {
+            if (part.count() > 1) {
+                modes.add(new ModeEstimate((double) part.count() / total, pose(part, name, frame, reference)));
+            }
+        }
+        modes.sort((a, b) -> Double.compare(b.weight(), a.weight()));
+        return modes;
+    }
+}

@@ -1,0 +1,59 @@
+package org.cellgauge.check;
+
+import org.cellgauge.pose.CornerCubeNoise;
+import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.ReferenceNoise;
+import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.pose.RigidMarkerNoise;
+import org.cellgauge.posterior.CameraLikelihood;
+import org.cellgauge.posterior.CornerCubeLikelihood;
+import org.cellgauge.posterior.RigidMarkerLikelihood;
+
+/** The likelihoods to choose from. */
+public enum LikelihoodModel {
+    /** References misplaced rigidly, corners noisy: the default. */
+    RIGID_MARKER("rigid-marker") {
+        @Override
+        ReferenceNoise noise(ReferenceView view, double pixelStdPx, double kappa) {
+            return new RigidMarkerNoise(view, pixelStdPx);
+        }
+
+        @Override
+        CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa) {
+            return new RigidMarkerLikelihood(view, mode.whitening());
+        }
+    },
+    /** The thesis' likelihood: every corner on its own, deviations of a projected box. */
+    CORNER_CUBE("corner-cube") {
+        @Override
+        ReferenceNoise noise(ReferenceView view, double pixelStdPx, double kappa) {
+            return new CornerCubeNoise(view, kappa);
+        }
+
+        @Override
+        CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa) {
+            return new CornerCubeLikelihood(view, kappa);
+        }
+    };
+
+    private final String optionName;
+
+    LikelihoodModel(String optionName) {
+        this.optionName = optionName;
+    }
+
+    /**
+     * The word of the option {@code --model}.
+     *
+     * @return for instance {@code rigid-marker}
+     */
+    public String optionName() {
+        return optionName;
+    }
+
+    /** Residual covariances for fits. */
+    abstract ReferenceNoise noise(ReferenceView view, double pixelStdPx, double kappa);
+
+    /** A likelihood of its own for one chain. */
+    abstract CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa);
+}

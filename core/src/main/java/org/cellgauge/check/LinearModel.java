@@ -1,0 +1,359 @@
+package org.cellgauge.check;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.geometry.MarkerGeometry;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.geometry.Rotations;
+import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.ReferenceNoise;
+import org.cellgauge.pose.ReprojectionFit;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
+import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
+
+/**
+ * The model linearised at its modes: Laplace covariances carried to the world, and where the variance of each object
+ * comes from (propagation of uncertainty, GUM, JCGM 100:2008, section 5.1).
+ *
+ * <p>With the references at {@code x_c = R (x_w - g) + p} a step (dp, dw) of the camera's chart and a step (dt, de) of the
+ * object's move a point of the object, at v from the centroid in camera axes, by
+ * {@code dx_w = R^T (dt + de x a - dp + v x dw)}, a being its arm from the marker's centre in camera axes.
+ */
+final class LinearModel {
+    private final CameraTarget camera;
+    private final PoseMode mode;
+    private final CameraState state;
+    private final double[] worldFromCamera = new double[9];
+    private final int columns;
+
+    LinearModel(CameraTarget camera) {
+        this.camera = camera;
+        mode = camera.modes.get(0);
+        state = mode.state();
+        columns = mode.dimension();
+        Rotations.transpose(state.rotation, worldFromCamera);
+    }
+
+    /** Camera pose at the mode with its Laplace covariance. */
+    PoseEstimate cameraPose() {
+        double[][] a = new double[6][columns];
+        double[] p = state.offset;
+        for (int i = 0; i < 3; i++) {
+            double rx = worldFromCamera[3 * i];
+            double ry = worldFromCamera[3 * i + 1];
+            double rz = worldFromCamera[3 * i + 2];
+            a[i][0] = -rx;
+            a[i][1] = -ry;
+            a[i][2] = -rz;
+            // minus R^T (p x dw)
+            a[i][3] = -(ry * p[2] - rz * p[1]);
+            a[i][4] = -(rz * p[0] - rx * p[2]);
+            a[i][5] = -(rx * p[1] - ry * p[0]);
+            a[3 + i][3] = -rx;
+            a[3 + i][4] = -ry;
+            a[3 + i][5] = -rz;
+        }
+        double[][] tangent = new double[6][6];
+        Matrices.addSandwich(a, mode.covariance(), columns, tangent);
+        RigidTransform pose = camera.view.worldFromCamera(state.cameraFromSet());
+        return pose("camera in world", pose, tangent);
+    }
+
+    /** A pose of its transform and tangent covariance. */
+    static PoseEstimate pose(String frame, RigidTransform pose, double[][] tangent) {
+        double[] euler = pose.eulerRad();
+        double[] t = pose.translationMm();
+        double[][] covariance = new double[6][6];
+        double[] flat = new double[36];
+        for (int i = 0; i < 6; i++) {
+            System.arraycopy(tangent[i], 0, flat, 6 * i, 6);
+        }
+        Matrices.addSandwich(eulerFromTangent(euler), flat, 6, covariance);
+        return new PoseEstimate(frame, new double[] {t[0], t[1], t[2], euler[0], euler[1], euler[2]}, covariance,
+                tangent, pose);
+    }
+
+    /** Derivative of (position, psi, theta, phi) by (position, rotation vector in world axes); infinite at gimbal lock. */
+    private static double[][] eulerFromTangent(double[] euler) {
+        double st = Math.sin(euler[1]);
+        double ct = Math.cos(euler[1]);
+        double sf = Math.sin(euler[2]);
+        double cf = Math.cos(euler[2]);
+        double[][] j = new double[6][6];
+        for (int i = 0; i < 3; i++) {
+            j[i][i] = 1;
+        }
+        // inverse of the rates w = phi' ez + theta' Rz ey + psi' Rz Ry ex
+        j[3][3] = cf / ct;
+        j[3][4] = sf / ct;
+        j[4][3] = -sf;
+        j[4][4] = cf;
+        j[5][3] = cf * st / ct;
+        j[5][4] = sf * st / ct;
+        j[5][5] = 1;
+        return j;
+    }
+
+    /** Covariance of the unknown intrinsics. */
+    double[][] intrinsicsCovariance() {
+        int n = columns - 6;
+        double[][] out = new double[n][n];
+        double[] c = mode.covariance();
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                out[i][j] = c[(6 + i) * columns + 6 + j];
+            }
+        }
+        return out;
+    }
+
+    /** How one object answers to the camera's chart and to its own. */
+    final class ObjectLink {
+        private final ObjectTarget target;
+        private final PoseMode objectMode;
+        private final CameraState object;
+        private final double[][] byIntrinsics;
+        private final boolean noisy;
+
+        ObjectLink(ObjectTarget target, int modeIndex) {
+            this.target = target;
+            objectMode = target.modes.get(modeIndex);
+            object = objectMode.state();
+            noisy = camera.settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION;
+            byIntrinsics = byIntrinsics();
+        }
+
+        /** Change of the object's fitted pose by each unknown intrinsic: minus (J^T J)^-1 J^T J_f. */
+        private double[][] byIntrinsics() {
+            int n = columns - 6;
+            double[][] out = new double[6][n];
+            if (n == 0) {
+                return out;
+            }
+            int[] indices = new int[n];
+            double[] stds = new double[n];
+            for (int i = 0; i < n; i++) {
+                indices[i] = camera.intrinsicsPrior.index(i);
+                stds[i] = camera.intrinsicsPrior.std(i);
+            }
+            ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(target.marker.sizeMm()),
+                    target.cornersPx, IntrinsicsPrior.of(PinholeCamera.of(1, 1, object.intrinsics), indices, stds),
+                    null);
+            fit.setIsotropic(target.pixelStdPx);
+            double[] j = fit.jacobianAt(object);
+            double[] normal = new double[36];
+            double[][] right = new double[n][6];
+            int all = fit.columns();
+            for (int row = 0; row < 8; row++) {
+                for (int a = 0; a < 6; a++) {
+                    for (int b = 0; b < 6; b++) {
+                        normal[6 * a + b] += j[row * all + a] * j[row * all + b];
+                    }
+                    for (int f = 0; f < n; f++) {
+                        right[f][a] -= j[row * all + a] * j[row * all + 6 + f];
+                    }
+                }
+            }
+            Cholesky.factor(normal, 6);
+            for (int f = 0; f < n; f++) {
+                Cholesky.solveLower(normal, 6, right[f]);
+                Cholesky.solveUpper(normal, 6, right[f]);
+                for (int a = 0; a < 6; a++) {
+                    out[a][f] = right[f][a];
+                }
+            }
+            return out;
+        }
+
+        RigidTransform pose() {
+            return camera.view.worldFromCamera(state.cameraFromSet()).compose(object.cameraFromSet());
+        }
+
+        /** Rows x, y, z of a point of the object (and of its rotation vector) by the camera's chart and intrinsics. */
+        private double[][] byCamera(double[] arm, boolean withRotation) {
+            double[][] byObject = byObject(arm, withRotation);
+            double[][] a = new double[byObject.length][columns];
+            double vx = object.offset[0] + arm[0] - state.offset[0];
+            double vy = object.offset[1] + arm[1] - state.offset[1];
+            double vz = object.offset[2] + arm[2] - state.offset[2];
+            for (int i = 0; i < 3; i++) {
+                double rx = worldFromCamera[3 * i];
+                double ry = worldFromCamera[3 * i + 1];
+                double rz = worldFromCamera[3 * i + 2];
+                a[i][0] = -rx;
+                a[i][1] = -ry;
+                a[i][2] = -rz;
+                // R^T (v x dw)
+                a[i][3] = ry * vz - rz * vy;
+                a[i][4] = rz * vx - rx * vz;
+                a[i][5] = rx * vy - ry * vx;
+                if (withRotation) {
+                    a[3 + i][3] = -rx;
+                    a[3 + i][4] = -ry;
+                    a[3 + i][5] = -rz;
+                }
+            }
+            for (int f = 6; f < columns; f++) {
+                for (int i = 0; i < a.length; i++) {
+                    for (int k = 0; k < 6; k++) {
+                        a[i][f] += byObject[i][k] * byIntrinsics[k][f - 6];
+                    }
+                }
+            }
+            return a;
+        }
+
+        private double[][] byObject(double[] arm, boolean withRotation) {
+            double[][] b = new double[withRotation ? 6 : 3][6];
+            for (int i = 0; i < 3; i++) {
+                double rx = worldFromCamera[3 * i];
+                double ry = worldFromCamera[3 * i + 1];
+                double rz = worldFromCamera[3 * i + 2];
+                b[i][0] = rx;
+                b[i][1] = ry;
+                b[i][2] = rz;
+                // R^T (de x arm)
+                b[i][3] = rz * arm[1] - ry * arm[2];
+                b[i][4] = rx * arm[2] - rz * arm[0];
+                b[i][5] = ry * arm[0] - rx * arm[1];
+                if (withRotation) {
+                    b[3 + i][3] = rx;
+                    b[3 + i][4] = ry;
+                    b[3 + i][5] = rz;
+                }
+            }
+            return b;
+        }
+
+        private double[] arm(double[] pointMm) {
+            double[] r = object.rotation;
+            return pointMm == null ? new double[3] : new double[] {
+                r[0] * pointMm[0] + r[1] * pointMm[1] + r[2] * pointMm[2],
+                r[3] * pointMm[0] + r[4] * pointMm[1] + r[5] * pointMm[2],
+                r[6] * pointMm[0] + r[7] * pointMm[1] + r[8] * pointMm[2]};
+        }
+
+        /** Pose in the world with its Laplace covariance. */
+        PoseEstimate poseEstimate() {
+            double[] arm = new double[3];
+            double[][] tangent = new double[6][6];
+            Matrices.addSandwich(byCamera(arm, true), mode.covariance(), columns, tangent);
+            if (noisy) {
+                Matrices.addSandwich(byObject(arm, true), objectMode.covariance(), 6, tangent);
+            }
+            return LinearModel.pose("object in world", pose(), tangent);
+        }
+
+        /** Gripping point in the world with its Laplace covariance; null where there is none. */
+        PointEstimate grip() {
+            double[] grip = target.marker.gripMm();
+            if (grip == null) {
+                return null;
+            }
+            double[] arm = arm(grip);
+            double[][] covariance = new double[3][3];
+            Matrices.addSandwich(byCamera(arm, false), mode.covariance(), columns, covariance);
+            if (noisy) {
+                Matrices.addSandwich(byObject(arm, false), objectMode.covariance(), 6, covariance);
+            }
+            return new PointEstimate(pose().apply(grip), covariance);
+        }
+
+        /**
+         * Variance along each world axis of a point of the object, by source.
+         *
+         * @param pointMm in the marker's frame, or null for its centre
+         */
+        VarianceBudget budget(double[] pointMm, ReferenceNoise noise) {
+            double[] arm = arm(pointMm);
+            double[][] a = byCamera(arm, false);
+            Map<String, double[]> variances = new LinkedHashMap<>();
+            double[] placement = new double[64];
+            double[] pixel = new double[64];
+            double[] cornerNoise = new double[3];
+            for (int m = 0; m < camera.view.size(); m++) {
+                noise.covariance(state, m, placement, pixel);
+                double[][] byResidual = times(a, mode.gain(m), 8);
+                Reference reference = camera.view.references().get(m);
+                variances.put("placement of reference " + reference.id(), diagonal(byResidual, placement, 8));
+                add(cornerNoise, diagonal(byResidual, pixel, 8));
+            }
+            variances.put("corner noise of references", cornerNoise);
+            variances.put("corner noise of object",
+                    noisy ? diagonal(byObject(arm, false), objectMode.covariance(), 6) : new double[3]);
+            if (columns > 6) {
+                double[] prior = new double[columns * columns];
+                for (int f = 6; f < columns; f++) {
+                    double std = camera.intrinsicsPrior.std(f - 6);
+                    prior[f * columns + f] = 1 / (std * std);
+                }
+                variances.put("intrinsics", priorPart(a, prior));
+            }
+            if (camera.posePrior != null) {
+                double[] prior = new double[columns * columns];
+                for (int i = 0; i < 6; i++) {
+                    double std = i < 3 ? camera.posePrior.stdMm() : camera.posePrior.stdRad();
+                    prior[i * columns + i] = 1 / (std * std);
+                }
+                variances.put("pose prior", priorPart(a, prior));
+            }
+            return new VarianceBudget(variances);
+        }
+
+        /** What a Gaussian prior of the given information contributes: a C I C a^T. */
+        private double[] priorPart(double[][] a, double[] information) {
+            return diagonal(times(a, mode.covariance(), columns), information, columns);
+        }
+    }
+
+    private double[][] times(double[][] a, double[] b, int width) {
+        double[][] out = new double[a.length][width];
+        for (int i = 0; i < a.length; i++) {
+            for (int k = 0; k < columns; k++) {
+                for (int j = 0; j < width; j++) {
+                    out[i][j] += a[i][k] * b[k * width + j];
+                }
+            }
+        }
+        return out;
+    }
+
+    private static double[] diagonal(double[][] a, double[] b, int n) {
+        double[][] full = new double[a.length][a.length];
+        Matrices.addSandwich(a, b, n, full);
+        return new double[] {full[0][0], full[1][1], full[2][2]};
+    }
+
+    private static void add(double[] sum, double[] more) {
+        for (int i = 0; i < sum.length; i++) {
+            sum[i] += more[i];
+        }
+    }
+
+    /** Largest share of the pose prior in the information of any direction: what the data leave open. */
+    static double priorShare(PoseMode mode, double stdMm, double stdRad) {
+        double[] covariance = mode.covariance();
+        int n = mode.dimension();
+        double[][] scaled = new double[6][6];
+        for (int i = 0; i < 6; i++) {
+            for (int j = 0; j < 6; j++) {
+                scaled[i][j] = covariance[i * n + j] / (i < 3 ? stdMm : stdRad) / (j < 3 ? stdMm : stdRad);
+            }
+        }
+        EigenDecomposition_F64<DMatrixRMaj> eigen = DecompositionFactory_DDRM.eig(6, false, true);
+        if (!eigen.decompose(new DMatrixRMaj(scaled))) {
+            return Double.NaN;
+        }
+        double largest = 0;
+        for (int i = 0; i < 6; i++) {
+            largest = Math.max(largest, eigen.getEigenvalue(i).getReal());
+        }
+        return largest;
+    }
+}

@@ -1,0 +1,63 @@
+package org.cellgauge.check;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Where the variance of a point in the world comes from, by source, to first order; immutable.
+ *
+ * <p>Sources: {@code placement of reference ID}, {@code corner noise of references}, {@code corner noise of object},
+ * {@code intrinsics}, {@code pose prior}. They are independent, so their covariances add up (GUM, JCGM 100, 5.1.2).
+ */
+public final class VarianceBudget {
+    private final Map<String, double[]> variancesMm2;
+
+    /**
+     * A budget.
+     *
+     * @param variancesMm2 by source: variance along world x, y, z, mm²; copied, order kept
+     */
+    public VarianceBudget(Map<String, double[]> variancesMm2) {
+        Map<String, double[]> copy = new LinkedHashMap<>();
+        variancesMm2.forEach((source, v) -> copy.put(source, v.clone()));
+        this.variancesMm2 = copy;
+    }
+
+    /**
+     * Shares of the total variance, x, y and z together.
+     *
+     * @return by source, adding to 1
+     */
+    public Map<String, Double> shares() {
+        return shares(new int[] {0, 1, 2});
+    }
+
+    /**
+     * Shares of the variance along one axis.
+     *
+     * @param axis 0, 1, 2 for world x, y, z
+     * @return by source, adding to 1
+     */
+    public Map<String, Double> shares(int axis) {
+        return shares(new int[] {axis});
+    }
+
+    private Map<String, Double> shares(int[] axes) {
+        double total = 0;
+        for (double[] v : variancesMm2.values()) {
+            for (int axis : axes) {
+                total += v[axis];
+            }
+        }
+        Map<String, Double> shares = new LinkedHashMap<>();
+        for (Map.Entry<String, double[]> e : variancesMm2.entrySet()) {
+            double sum = 0;
+            for (int axis : axes) {
+                sum += e.getValue()[axis];
+            }
+            shares.put(e.getKey(), sum / total);
+        }
+        return Collections.unmodifiableMap(shares);
+    }
+}

@@ -1,0 +1,30 @@
+package org.cellgauge.check;
+
+/** What a check says of a photo. */
+public enum Verdict {
+    /** Every axis of every object and gripping point is within the target. */
+    PASS("pass"),
+    /** An axis is beyond the target, or an object was not seen. */
+    FAIL("fail"),
+    /** The chains have not converged: no figure can be trusted. */
+    NOT_CONVERGED("not-converged"),
+    /** Two poses of the camera or an object explain the photo: no single figure describes it. */
+    AMBIGUOUS("ambiguous"),
+    /** Converged, and the cell file sets no target to judge by. */
+    NO_TARGET("no-target");
+
+    private final String key;
+
+    Verdict(String key) {
+        this.key = key;
+    }
+
+    /**
+     * The word of the result file.
+     *
+     * @return for instance {@code not-converged}
+     */
+    public String key() {
+        return key;
+    }
+}
