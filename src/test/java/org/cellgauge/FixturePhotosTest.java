@@ -1,0 +1,125 @@
+package org.cellgauge;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import boofcv.abst.fiducial.FiducialDetector;
+import boofcv.factory.fiducial.ConfigFiducialBinary;
+import boofcv.factory.fiducial.ConfigFiducialHammingDetector;
+import boofcv.factory.fiducial.ConfigHammingMarker;
+import boofcv.factory.fiducial.FactoryFiducial;
+import boofcv.factory.fiducial.HammingDictionary;
+import boofcv.factory.filter.binary.ConfigThreshold;
+import boofcv.factory.filter.binary.ThresholdType;
+import boofcv.struct.image.GrayU8;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import georegression.struct.shapes.Polygon2D_F64;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferByte;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.cli.SimulateCommand;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine;
+
+/** The stored photos show what their truth says, and their truth says how to make them again. */
+class FixturePhotosTest {
+    private static final Path ROOT = Path.of(System.getProperty("cellgauge.root", "."));
+
+    @TempDir
+    private Path folder;
+
+    static Stream<Path> scenes() throws IOException {
+        try (Stream<Path> folders = Files.list(ROOT.resolve("fixtures"))) {
+            List<Path> scenes = folders.filter(f -> Files.exists(f.resolve("photo.truth.json"))).sorted().toList();
+            assertTrue(scenes.size() >= 7, "fixtures are missing: " + scenes);
+            return scenes.stream();
+        }
+    }
+
+    private static JsonObject truth(Path scene) throws IOException {
+        return JsonParser.parseString(Files.readString(scene.resolve("photo.truth.json"))).getAsJsonObject();
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void detectorFindsEveryMarkerWhereTheTruthHasIt(Path scene) throws IOException {
+        Cell cell = CellReader.read(scene.resolve("cell.yaml"));
+        JsonArray markers = truth(scene).getAsJsonArray("markers");
+        assertEquals(cell.references().size() + cell.objects().size(), markers.size());
+
+        BufferedImage picture = ImageIO.read(scene.resolve("photo.png").toFile());
+        GrayU8 image = new GrayU8(picture.getWidth(), picture.getHeight());
+        image.data = ((DataBufferByte) picture.getRaster().getDataBuffer()).getData();
+        FiducialDetector<GrayU8> detector = cell.family().isSquareBinary()
+                ? FactoryFiducial.squareBinary(new ConfigFiducialBinary(47),
+                        ConfigThreshold.local(ThresholdType.LOCAL_MEAN, 21), GrayU8.class)
+                : FactoryFiducial.squareHamming(
+                        ConfigHammingMarker.loadDictionary(HammingDictionary.APRILTAG_36h11),
+                        new ConfigFiducialHammingDetector(), GrayU8.class);
+        detector.detect(image);
+
+        double sum = 0;
+        for (JsonElement marker : markers) {
+            int id = marker.getAsJsonObject().get("id").getAsInt();
+            Polygon2D_F64 found = null;
+            for (int i = 0; i < detector.totalFound(); i++) {
+                found = detector.getId(i) == id ? detector.getBounds(i, null) : found;
+            }
+            assertNotNull(found, "marker " + id + " was not found");
+            for (int i = 0; i < 4; i++) {
+                JsonArray corner = marker.getAsJsonObject().getAsJsonArray("corners_px").get(i).getAsJsonArray();
+                double du = found.get(i).x - corner.get(0).getAsDouble();
+                double dv = found.get(i).y - corner.get(1).getAsDouble();
+                sum += du * du + dv * dv;
+            }
+        }
+        double rms = Math.sqrt(sum / (8 * markers.size()));
+        // BoofCV without any tuning has 0.08 px rms per coordinate at this blur, noise and size
+        assertTrue(rms < 0.15, "corners are off by " + rms + " px rms");
+        assertTrue(rms > 0.001, "corners as exact as this were not measured: " + rms + " px rms");
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void storedCommandMakesTheStoredPhotoAgain(Path scene) throws IOException {
+        List<String> args = new ArrayList<>();
+        for (JsonElement word : truth(scene).getAsJsonArray("command")) {
+            args.add(word.getAsString());
+        }
+        assertEquals(List.of("cellgauge", "simulate", "--cell"), args.subList(0, 3));
+        args.set(3, ROOT.resolve(args.get(3)).toString());
+        args.set(args.indexOf("--out") + 1, folder.toString());
+        StringWriter messages = new StringWriter();
+        int code = new CommandLine(new SimulateCommand()).setOut(new PrintWriter(new StringWriter()))
+                .setErr(new PrintWriter(messages)).execute(args.subList(2, args.size()).toArray(new String[0]));
+        assertEquals(0, code, messages.toString());
+        // pixels, not files: another Java may compress them differently
+        assertArrayEquals(pixels(scene.resolve("photo.png")), pixels(folder.resolve("photo.png")));
+        JsonObject expected = truth(scene);
+        JsonObject again = truth(folder);
+        for (String key : List.of("camera", "references", "objects", "markers", "settings", "seed")) {
+            assertEquals(expected.get(key), again.get(key), key);
+        }
+    }
+
+    private static byte[] pixels(Path png) throws IOException {
+        return ((DataBufferByte) ImageIO.read(png.toFile()).getRaster().getDataBuffer()).getData();
+    }
+}
