@@ -34,9 +34,12 @@ import org.cellgauge.geometry.PinholeCamera;
 /**
  * Finds markers with BoofCV's square detectors, sharpens their corners and judges what was found.
  *
- * <p>BoofCV finds and reads the squares. {@link EdgeRefiner} then fits the sides to the grey values, since BoofCV's own
- * refinement samples an image of a distorting lens half a pixel off. Only ids of the cell are reported; a
- * quadrilateral that no pose of a square explains is left out, and so is an id seen at two places, each with a warning.
+ * <p>BoofCV finds the squares and reads them. {@link EdgeRefiner} then fits the sides to the grey values: BoofCV's own
+ * refinement leaves several times the error, most of all under a lens that distorts, whose image it resamples half a
+ * pixel off. {@link PatternReader} reads the cells again with the blur that the sides were found to have. Only ids of
+ * the cell are reported; a quadrilateral that no pose of a square explains is left out, and so is an id seen at two
+ * places, each with a warning. Where the sides cannot be fitted, the corners are BoofCV's and come with a warning, in
+ * families with a checksum; a square-binary reading is then left out.
  *
  * <p>Not thread-safe: work space is kept between calls, results are not. Whether BoofCV spreads its work over threads
  * is one setting for the whole process, so no detector touches it: see {@link BoofThreads}.
@@ -44,6 +47,8 @@ import org.cellgauge.geometry.PinholeCamera;
 public final class BoofMarkerDetector implements MarkerDetector {
     /** Sides below this many pixels are found unreliably once the image is a little blurred. */
     public static final double SMALL_SIDE_PX = 25;
+    private static final int NONE = -1;
+    private static final byte[] NO_PIXELS = new byte[0];
     private static final double ADVISED_SIDE_PX = 32;
     /** Deviation of a corner that is still believed: several times the 0.4 px of real footage. */
     private static final double RESIDUAL_LIMIT_PX = 1.5;
@@ -51,9 +56,13 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private static final double RESIDUAL_LIMIT_PER_SIDE = 0.02;
 
     private final PinholeCamera camera;
-    private final Set<Integer> ids;
+    /** Patterns of the ids to report. */
+    private final Map<Integer, boolean[]> patterns = new TreeMap<>();
+    private final MarkerPattern familyPatterns;
+    private final boolean hasChecksum;
     private final BaseDetectFiducialSquare<GrayU8> squares;
     private final EdgeRefiner refiner;
+    private final PatternReader reader;
     private final SquareResidual residual;
     private final GrayU8 view = new GrayU8();
 
@@ -67,7 +76,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids) {
         this.camera = camera;
-        this.ids = new HashSet<>(ids);
+        this.hasChecksum = !family.isSquareBinary();
+        this.familyPatterns = new MarkerPattern(family);
+        ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
         this.squares = family.isSquareBinary() ? squareBinary() : squareHamming(family);
         if (camera.hasDistortion()) {
             squares.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), true);
@@ -75,6 +86,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
             squares.configure(null, camera.widthPx(), camera.heightPx(), false);
         }
         this.refiner = new EdgeRefiner(camera, squares.getBorderWidthFraction());
+        this.reader = new PatternReader(camera, familyPatterns.cells());
         this.residual = new SquareResidual(camera);
         view.subImage = true;
     }
@@ -94,6 +106,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     private static BaseDetectFiducialSquare<GrayU8> squareBinary() {
         ConfigFiducialBinary config = new ConfigFiducialBinary(1);
+        // whatever looks like a marker may pass here: PatternReader judges the cells with the blur in mind
+        config.ambiguousThreshold = 1;
         refineTightly(config.squareDetector);
         return FactoryFiducial.squareBinary(config, threshold(), GrayU8.class).getAlgorithm();
     }
@@ -146,35 +160,80 @@ public final class BoofMarkerDetector implements MarkerDetector {
         view.width = image.widthPx();
         view.height = image.heightPx();
         Map<Integer, List<Candidate>> byId = new TreeMap<>();
+        List<String> warnings = new ArrayList<>();
         try {
             squares.process(view);
             for (int i = 0; i < squares.getFound().size(); i++) {
                 FoundFiducial found = squares.getFound().get(i);
-                int id = (int) found.id;
-                if (ids.contains(id)) {
-                    byId.computeIfAbsent(id, k -> new ArrayList<>()).add(candidate(image, id, found));
+                Candidate candidate = candidate(image, (int) found.id, found.distortedPixels, warnings);
+                if (candidate != null) {
+                    byId.computeIfAbsent(candidate.observation.id(), k -> new ArrayList<>()).add(candidate);
                 }
             }
         } finally {
             view.data = NO_PIXELS;
         }
         List<MarkerObservation> accepted = new ArrayList<>();
-        List<String> warnings = new ArrayList<>();
         byId.forEach((id, candidates) -> judge(id, candidates, accepted, warnings));
         return new Detections(imageName, image.widthPx(), image.heightPx(), accepted, warnings);
     }
 
-    private static final byte[] NO_PIXELS = new byte[0];
-
-    private Candidate candidate(GreyImage image, int id, FoundFiducial found) {
-        Quadrilateral_F64 q = found.distortedPixels;
+    /** One square that BoofCV has read; null where it is no marker of the cell. */
+    private Candidate candidate(GreyImage image, int idRead, Quadrilateral_F64 q, List<String> warnings) {
         double[] corners = new double[8];
         put(q.a, corners, 0);
         put(q.b, corners, 2);
         put(q.c, corners, 4);
         put(q.d, corners, 6);
+        int id = idRead;
         boolean refined = refiner.refine(image, corners);
+        if (refined) {
+            boolean[] white = patterns.containsKey(idRead) ? patterns.get(idRead).clone() : familyPatterns.white(idRead);
+            boolean certain = reader.read(image, corners, refiner.darkGrey(), refiner.brightGrey(), refiner.blurPx(),
+                    white);
+            id = NONE;
+            for (int turns = 0; certain && id == NONE && turns < 4; turns++) {
+                // undoes the turn: a pattern that was turned so far lies upright after the rest of a full turn
+                id = listedId(white);
+                if (id == NONE) {
+                    white = familyPatterns.turnedClockwise(white);
+                } else {
+                    corners = turned(corners, (4 - turns) % 4);
+                }
+            }
+        }
+        // without its edges a reading rests on BoofCV's alone, and only a code with a checksum can stand on that
+        if (!patterns.containsKey(id) || !refined && !hasChecksum) {
+            if (patterns.containsKey(idRead)) {
+                warnings.add(String.format(Locale.ROOT, "what looks like marker %d at (%.0f, %.0f) px is left out: its "
+                        + (refined ? "cells do not match" : "edges cannot be measured") + "; if it is that marker, use a "
+                        + "larger one, a closer camera, a sharper image or more light", idRead, mean(corners, 0),
+                        mean(corners, 1)));
+            }
+            return null;
+        }
         return new Candidate(new MarkerObservation(id, corners), residual.impliedStdPx(corners), refined);
+    }
+
+    private int listedId(boolean[] white) {
+        for (Map.Entry<Integer, boolean[]> listed : patterns.entrySet()) {
+            if (MarkerPattern.differences(listed.getValue(), white) <= familyPatterns.correctable()) {
+                return listed.getKey();
+            }
+        }
+        return NONE;
+    }
+
+    private static double mean(double[] corners, int axis) {
+        return (corners[axis] + corners[2 + axis] + corners[4 + axis] + corners[6 + axis]) / 4;
+    }
+
+    private static double[] turned(double[] corners, int turns) {
+        double[] out = new double[8];
+        for (int i = 0; i < 8; i++) {
+            out[i] = corners[(i + 2 * turns) % 8];
+        }
+        return out;
     }
 
     private static void put(Point2D_F64 p, double[] corners, int at) {
@@ -235,8 +294,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
 
         double centre(int axis) {
-            double[] c = observation.cornersPx();
-            return (c[axis] + c[2 + axis] + c[4 + axis] + c[6 + axis]) / 4;
+            return mean(observation.cornersPx(), axis);
         }
 
         boolean isSamePlaceAs(Candidate other) {

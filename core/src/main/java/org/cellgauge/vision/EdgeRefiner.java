@@ -28,8 +28,9 @@ final class EdgeRefiner {
     private static final double SETTLED_PX = 1e-3;
     /** A line that moved further than this has left the band it was fitted in: its pixels are chosen again. */
     private static final double BAND_STILL_GOOD_PX = 0.2;
-    private static final double SMALLEST_BLUR_PX = 0.2;
+    private static final double SMALLEST_BLUR_PX = 0.1;
     private static final double LARGEST_BLUR_PX = 4;
+    private static final double FIRST_BLUR_PX = 0.6;
 
     private final double[] intrinsics;
     private final boolean distorted;
@@ -42,12 +43,17 @@ final class EdgeRefiner {
     private double[] across = new double[256];
     private double[] grey = new double[256];
     private int samples;
+    private double darkGrey;
+    private double brightGrey;
+    private double blurPx;
 
     private final double[] ideal = new double[2 * CORNERS];
     private final double[] refined = new double[2 * CORNERS];
     private final double[] before = new double[2 * CORNERS];
     private final double[] line = new double[3 * CORNERS];
     private final double[] normalised = new double[2];
+    private final double[] trialPoint = new double[2];
+    private final EdgeProfile profile = new EdgeProfile();
     private final double[] unknowns = new double[UNKNOWNS];
     private final double[] trial = new double[UNKNOWNS];
     private final double[] row = new double[UNKNOWNS];
@@ -65,7 +71,7 @@ final class EdgeRefiner {
      *     inwards before it meets the pattern
      */
     EdgeRefiner(PinholeCamera camera, double borderFraction) {
-        this(camera, borderFraction, 3, 2, 1.5);
+        this(camera, borderFraction, 3, 2, 3);
     }
 
     EdgeRefiner(PinholeCamera camera, double borderFraction, double bandPx, double cornerMarginPx,
@@ -96,6 +102,9 @@ final class EdgeRefiner {
         for (int pass = 0; pass < MAX_PASSES; pass++) {
             double centreX = (ideal[0] + ideal[2] + ideal[4] + ideal[6]) / CORNERS;
             double centreY = (ideal[1] + ideal[3] + ideal[5] + ideal[7]) / CORNERS;
+            darkGrey = 0;
+            brightGrey = 0;
+            blurPx = 0;
             for (int i = 0; i < CORNERS; i++) {
                 if (!fitSide(image, i, centreX, centreY)) {
                     return false;
@@ -122,6 +131,21 @@ final class EdgeRefiner {
             toImage(ideal[2 * i], ideal[2 * i + 1], cornersPx, 2 * i);
         }
         return true;
+    }
+
+    /** Grey value of the black border, mean over the sides of the last marker refined. */
+    double darkGrey() {
+        return darkGrey;
+    }
+
+    /** Grey value of the white around the border, mean over the sides of the last marker refined. */
+    double brightGrey() {
+        return brightGrey;
+    }
+
+    /** Optical blur of the sides, mean standard deviation over the sides of the last marker refined, px. */
+    double blurPx() {
+        return blurPx;
     }
 
     private boolean toIdeal(double u, double v, double[] out, int at) {
@@ -174,10 +198,14 @@ final class EdgeRefiner {
         double shortest = shortestAcross(nx, ny);
         double inner = Math.min(bandPx, innerBandFraction * shortest);
         double outer = Math.min(bandPx, 0.12 * shortest);
+        profile.turn(nx, ny);
         collect(image, middleX, middleY, tx, ty, nx, ny, halfLength, inner, outer);
         if (samples < 4 * UNKNOWNS || !fitStep(halfLength)) {
             return false;
         }
+        darkGrey += unknowns[DARK] / CORNERS;
+        brightGrey += unknowns[BRIGHT] / CORNERS;
+        blurPx += unknowns[BLUR] / CORNERS;
         // across = offset + slope * along is the line in the side's own coordinates
         double a = nx - unknowns[SLOPE] * tx;
         double b = ny - unknowns[SLOPE] * ty;
@@ -251,8 +279,6 @@ final class EdgeRefiner {
         }
     }
 
-    private final double[] trialPoint = new double[2];
-
     private boolean fitStep(double halfLength) {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;
@@ -262,7 +288,7 @@ final class EdgeRefiner {
         }
         unknowns[OFFSET] = 0;
         unknowns[SLOPE] = 0;
-        unknowns[BLUR] = 0.7;
+        unknowns[BLUR] = FIRST_BLUR_PX;
         unknowns[DARK] = low;
         unknowns[BRIGHT] = high;
         double damping = 1e-3;
@@ -303,8 +329,8 @@ final class EdgeRefiner {
     private double sumOfSquares(double[] p) {
         double sum = 0;
         for (int i = 0; i < samples; i++) {
-            double z = (across[i] - p[OFFSET] - p[SLOPE] * along[i]) / p[BLUR];
-            double residual = p[DARK] + (p[BRIGHT] - p[DARK]) * NormalCurve.cumulative(z) - grey[i];
+            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
+            double residual = p[DARK] + (p[BRIGHT] - p[DARK]) * profile.share - grey[i];
             sum += residual * residual;
         }
         return sum;
@@ -318,15 +344,13 @@ final class EdgeRefiner {
         double[] g = gradient.data;
         double contrast = p[BRIGHT] - p[DARK];
         for (int i = 0; i < samples; i++) {
-            double z = (across[i] - p[OFFSET] - p[SLOPE] * along[i]) / p[BLUR];
-            double share = NormalCurve.cumulative(z);
-            double rise = contrast * NormalCurve.density(z) / p[BLUR];
-            double residual = p[DARK] + contrast * share - grey[i];
-            row[OFFSET] = -rise;
-            row[SLOPE] = -rise * along[i];
-            row[BLUR] = -rise * z;
-            row[DARK] = 1 - share;
-            row[BRIGHT] = share;
+            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
+            double residual = p[DARK] + contrast * profile.share - grey[i];
+            row[OFFSET] = -contrast * profile.byDistance;
+            row[SLOPE] = row[OFFSET] * along[i];
+            row[BLUR] = contrast * profile.byBlur;
+            row[DARK] = 1 - profile.share;
+            row[BRIGHT] = profile.share;
             sum += residual * residual;
             for (int k = 0; k < UNKNOWNS; k++) {
                 g[k] += row[k] * residual;

@@ -118,4 +118,23 @@ public final class GreyImage {
     public int get(int x, int y) {
         return luminance[offset + y * rowStride + x] & 0xFF;
     }
+
+    /**
+     * Grey value between pixel centres, bilinear; beyond the outermost centres the image goes on as at its edge.
+     *
+     * @param u pixel x, centres at +0.5
+     * @param v pixel y, centres at +0.5
+     * @return 0 to 255
+     */
+    public double interpolate(double u, double v) {
+        double x = Math.min(Math.max(u - 0.5, 0), widthPx - 1.0);
+        double y = Math.min(Math.max(v - 0.5, 0), heightPx - 1.0);
+        int x0 = (int) x;
+        int y0 = (int) y;
+        int x1 = Math.min(x0 + 1, widthPx - 1);
+        int y1 = Math.min(y0 + 1, heightPx - 1);
+        double top = get(x0, y0) + (x - x0) * (get(x1, y0) - get(x0, y0));
+        double bottom = get(x0, y1) + (x - x0) * (get(x1, y1) - get(x0, y1));
+        return top + (y - y0) * (bottom - top);
+    }
 }

@@ -1,0 +1,181 @@
+package org.cellgauge.vision;
+
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.Projection;
+
+/**
+ * Reads the cells of a marker again, once its corners, grey values and blur are known to fractions.
+ *
+ * <p>A cell of a small or blurred marker is as grey as its neighbours make it: a fixed threshold misreads a white cell
+ * among black ones, and a family without a checksum then yields another marker. So the reading is compared with what it
+ * would look like: each cell's expected grey, blurred as the marker's edges are. A cell is wrong when its grey is nearer
+ * to what it would be after changing it alone. Wrong cells are changed until none is wrong. Not thread-safe.
+ */
+final class PatternReader {
+    private static final int MAX_ROUNDS = 6;
+    /** Variance that reading adds to the blur: the pixel's own square and the interpolation between pixels. */
+    private static final double READING_VARIANCE_PX2 = 1.0 / 12 + 1.0 / 6;
+    private static final int POINTS = 3;
+    private static final double POINT_SPACING = 0.15;
+
+    private final double[] intrinsics;
+    private final int cells;
+    private final double[] level;
+    private final double[] weightX;
+    private final double[] weightY;
+    private final double[] outsideX;
+    private final double[] outsideY;
+    private final double[] homography = new double[8];
+    private final double[] normalised = new double[2];
+    private final double[] uv = new double[2];
+    private final double[] ideal = new double[8];
+
+    /**
+     * A reader.
+     *
+     * @param camera camera of the images
+     * @param cells cells along a marker's edge, border included
+     */
+    PatternReader(PinholeCamera camera, int cells) {
+        this.intrinsics = camera.intrinsics();
+        this.cells = cells;
+        this.level = new double[cells * cells];
+        this.weightX = new double[cells * cells];
+        this.weightY = new double[cells * cells];
+        this.outsideX = new double[cells];
+        this.outsideY = new double[cells];
+    }
+
+    /**
+     * Reads a marker.
+     *
+     * @param image the image
+     * @param cornersPx 8 values, distorted px, in the order of the pattern's top-left, top-right, bottom-right,
+     *     bottom-left
+     * @param darkGrey grey value of its black
+     * @param brightGrey grey value of its white, above its black
+     * @param blurPx optical blur of its edges, standard deviation
+     * @param white the reading to start from, row by row, true for white; replaced by the better one
+     * @return whether the reading settled with no cell wrong
+     */
+    boolean read(GreyImage image, double[] cornersPx, double darkGrey, double brightGrey, double blurPx,
+            boolean[] white) {
+        if (!setHomography(cornersPx)) {
+            return false;
+        }
+        sample(image, darkGrey, brightGrey);
+        double blur = Math.sqrt(blurPx * blurPx + READING_VARIANCE_PX2);
+        weights(blur * cells / meanLength(cornersPx, 0, 1, 3, 2), weightX, outsideX);
+        weights(blur * cells / meanLength(cornersPx, 0, 3, 1, 2), weightY, outsideY);
+        for (int round = 0; round < MAX_ROUNDS; round++) {
+            int worst = -1;
+            double worstExcess = 0;
+            for (int row = 0; row < cells; row++) {
+                for (int column = 0; column < cells; column++) {
+                    int cell = row * cells + column;
+                    double ownShare = weightY[row * cells + row] * weightX[column * cells + column];
+                    double off = level[cell] - expected(white, row, column);
+                    double excess = (white[cell] ? -off : off) / ownShare - 0.5;
+                    if (excess > worstExcess) {
+                        worstExcess = excess;
+                        worst = cell;
+                    }
+                }
+            }
+            if (worst < 0) {
+                return true;
+            }
+            // one at a time, the worst first: changing a cell explains part of what its neighbours seemed to lack
+            white[worst] = !white[worst];
+        }
+        return false;
+    }
+
+    private double expected(boolean[] white, int row, int column) {
+        double sum = 0;
+        for (int r = 0; r < cells; r++) {
+            double inRow = outsideX[column];
+            for (int c = 0; c < cells; c++) {
+                if (white[r * cells + c]) {
+                    inRow += weightX[column * cells + c];
+                }
+            }
+            sum += weightY[row * cells + r] * inRow;
+        }
+        return sum + outsideY[row];
+    }
+
+    /** Share of each cell, and of the white around the marker, in the light that reaches each cell's middle. */
+    private void weights(double blurCells, double[] weight, double[] outside) {
+        for (int i = 0; i < cells; i++) {
+            double sum = 0;
+            double below = EdgeProfile.cumulative((-i - 0.5) / blurCells);
+            for (int k = 0; k < cells; k++) {
+                double above = EdgeProfile.cumulative((k + 1 - i - 0.5) / blurCells);
+                weight[i * cells + k] = above - below;
+                sum += above - below;
+                below = above;
+            }
+            outside[i] = 1 - sum;
+        }
+    }
+
+    private static double meanLength(double[] c, int a, int b, int d, int e) {
+        return (Math.hypot(c[2 * a] - c[2 * b], c[2 * a + 1] - c[2 * b + 1])
+                + Math.hypot(c[2 * d] - c[2 * e], c[2 * d + 1] - c[2 * e + 1])) / 2;
+    }
+
+    /** Grey of each cell's middle, 0 at the marker's black and 1 at its white. */
+    private void sample(GreyImage image, double darkGrey, double brightGrey) {
+        for (int row = 0; row < cells; row++) {
+            for (int column = 0; column < cells; column++) {
+                double sum = 0;
+                for (int k = 0; k < POINTS * POINTS; k++) {
+                    double x = (column + 0.5 + POINT_SPACING * (k % POINTS - POINTS / 2)) / cells;
+                    double y = (row + 0.5 + POINT_SPACING * (k / POINTS - POINTS / 2)) / cells;
+                    double w = homography[6] * x + homography[7] * y + 1;
+                    double xn = (homography[0] * x + homography[1] * y + homography[2]) / w;
+                    double yn = (homography[3] * x + homography[4] * y + homography[5]) / w;
+                    Projection.project(intrinsics, xn, yn, 1, uv, 0);
+                    sum += image.interpolate(uv[0], uv[1]);
+                }
+                level[row * cells + column] = (sum / (POINTS * POINTS) - darkGrey) / (brightGrey - darkGrey);
+            }
+        }
+    }
+
+    /**
+     * The homography from the unit square, y down, to undistorted normalised points, in closed form (P. Heckbert,
+     * "Fundamentals of Texture Mapping and Image Warping", 1989, section 2.2.3).
+     */
+    private boolean setHomography(double[] cornersPx) {
+        for (int i = 0; i < 4; i++) {
+            if (!Projection.toNormalised(intrinsics, cornersPx[2 * i], cornersPx[2 * i + 1], normalised)) {
+                return false;
+            }
+            ideal[2 * i] = normalised[0];
+            ideal[2 * i + 1] = normalised[1];
+        }
+        double dx1 = ideal[2] - ideal[4];
+        double dy1 = ideal[3] - ideal[5];
+        double dx2 = ideal[6] - ideal[4];
+        double dy2 = ideal[7] - ideal[5];
+        double sx = ideal[0] - ideal[2] + ideal[4] - ideal[6];
+        double sy = ideal[1] - ideal[3] + ideal[5] - ideal[7];
+        double determinant = dx1 * dy2 - dx2 * dy1;
+        if (determinant == 0) {
+            return false;
+        }
+        double g = (sx * dy2 - dx2 * sy) / determinant;
+        double h = (dx1 * sy - sx * dy1) / determinant;
+        homography[0] = ideal[2] - ideal[0] + g * ideal[2];
+        homography[1] = ideal[6] - ideal[0] + h * ideal[6];
+        homography[2] = ideal[0];
+        homography[3] = ideal[3] - ideal[1] + g * ideal[3];
+        homography[4] = ideal[7] - ideal[1] + h * ideal[7];
+        homography[5] = ideal[1];
+        homography[6] = g;
+        homography[7] = h;
+        return true;
+    }
+}

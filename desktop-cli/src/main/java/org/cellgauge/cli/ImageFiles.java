@@ -1,0 +1,198 @@
+package org.cellgauge.cli;
+
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Iterator;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.vision.GreyImage;
+
+/**
+ * Reads photos from files as the detector wants them: grey, as they are stored.
+ *
+ * <p>A calibration speaks of stored pixels, so a note in the file that says which way up to show it (the orientation
+ * of Exif) is not followed: photos to be measured and photos for calibration must be stored alike. Colours become grey
+ * by the luma weights of ITU-R BT.601 (0.299, 0.587, 0.114) on the stored values; transparent parts lie on white.
+ */
+public final class ImageFiles {
+    /** Largest image that is decoded, in pixels: four times what cameras on robots have, 400 MB as colour. */
+    public static final long MAX_PIXELS = 100_000_000;
+    private static final String FORMATS = "PNG, JPEG, BMP, TIFF or GIF";
+    private static final int CMYK_BANDS = 4;
+
+    private ImageFiles() {
+    }
+
+    /**
+     * Reads an image. The size is taken from the header first, so that a small file cannot claim a huge memory.
+     *
+     * @param file an image file of a format that {@code javax.imageio} reads
+     * @return the image, in an array of its own
+     * @throws InputRefusedException if the file is missing, a folder, empty, not readable, of another format, damaged,
+     *     cut short, larger than {@value #MAX_PIXELS} pixels or in CMYK colours; the message names file and remedy
+     */
+    public static GreyImage read(Path file) {
+        if (Files.isDirectory(file)) {
+            throw refuse(file, "is a folder, not an image; name a file in it", null);
+        }
+        try {
+            if (!Files.exists(file)) {
+                throw refuse(file, "there is no such file; check the name", null);
+            }
+            if (Files.size(file) == 0) {
+                throw refuse(file, "the file is empty; copy it again from the camera", null);
+            }
+            if (!Files.isReadable(file)) {
+                throw refuse(file, "reading it is not permitted; change its permissions", null);
+            }
+            // over the file itself: a stream would first be copied to a temporary file
+            try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
+                if (in == null) {
+                    throw refuse(file, "it cannot be opened; check its permissions", null);
+                }
+                return read(file, in);
+            }
+        } catch (IOException e) {
+            throw refuse(file, "it cannot be read (" + e.getMessage() + "); check the disk or copy it again", e);
+        }
+    }
+
+    private static GreyImage read(Path file, ImageInputStream in) throws IOException {
+        Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+        if (!readers.hasNext()) {
+            throw refuse(file, "this is no image of a known format; save it as " + FORMATS, null);
+        }
+        ImageReader reader = readers.next();
+        try {
+            // metadata (thumbnails, colour profiles) is not needed, and damaged metadata would stop the reader
+            reader.setInput(in, true, true);
+            int width;
+            int height;
+            BufferedImage image;
+            String[] warning = new String[1];
+            reader.addIIOReadWarningListener((source, text) -> {
+                if (!isHarmless(text)) {
+                    warning[0] = text;
+                }
+            });
+            try {
+                width = reader.getWidth(0);
+                height = reader.getHeight(0);
+                if (width < 1 || height < 1 || (long) width * height > MAX_PIXELS) {
+                    throw refuse(file, String.format(Locale.ROOT, "it announces %d x %d px, more than the %d million "
+                            + "pixels that are decoded; scale it down before calibration and measurement alike", width,
+                            height, MAX_PIXELS / 1_000_000), null);
+                }
+                if (isCmyk(reader)) {
+                    throw refuse(file, "its colours are CMYK, made for print; save it as an RGB or grey image", null);
+                }
+                image = reader.read(0);
+            } catch (IOException | RuntimeException e) {
+                if (e instanceof InputRefusedException) {
+                    throw e;
+                }
+                // readers throw whatever a damaged file leads them to, unchecked exceptions included
+                String what = e instanceof EOFException || e.getCause() instanceof EOFException
+                        ? "it is cut short" : "it is damaged or of an unusual kind (" + e.getMessage() + ")";
+                throw refuse(file, what + "; copy it again or save it as 8-bit PNG", e);
+            }
+            if (warning[0] != null) {
+                throw refuse(file, "it is damaged or cut short (" + warning[0] + "); copy it again from the camera", null);
+            }
+            return grey(file, image);
+        } finally {
+            reader.dispose();
+        }
+    }
+
+    /** Remarks on what comes beside the pixels: previews, colour profiles, metadata. */
+    private static boolean isHarmless(String warning) {
+        String text = warning.toLowerCase(Locale.ROOT);
+        return text.contains("icc") || text.contains("thumb") || text.contains("metadata") || text.contains("jfif");
+    }
+
+    /** The JPEG reader has no type to offer for colours it cannot convert. */
+    private static boolean isCmyk(ImageReader reader) throws IOException {
+        if (!reader.getFormatName().toLowerCase(Locale.ROOT).startsWith("jp")) {
+            return false;
+        }
+        return !reader.getImageTypes(0).hasNext();
+    }
+
+    private static GreyImage grey(Path file, BufferedImage image) {
+        ColorModel colours = image.getColorModel();
+        int width = image.getWidth();
+        int height = image.getHeight();
+        byte[] grey = new byte[width * height];
+        if (colours instanceof IndexColorModel) {
+            greyOfPalette(image.getRaster(), (IndexColorModel) colours, grey);
+            return GreyImage.packed(grey, width, height);
+        }
+        int colourBands = colours.getNumColorComponents();
+        int space = colours.getColorSpace().getType();
+        boolean isGrey = colourBands == 1 && space == ColorSpace.TYPE_GRAY;
+        if (!isGrey && (colourBands != 3 || space != ColorSpace.TYPE_RGB)
+                || image.getSampleModel().getTransferType() > DataBuffer.TYPE_USHORT
+                && image.getSampleModel().getTransferType() != DataBuffer.TYPE_INT) {
+            throw refuse(file, "its colours are neither grey nor RGB; save it as an 8-bit RGB or grey image", null);
+        }
+        Raster raster = image.getRaster();
+        int bands = raster.getNumBands();
+        int[] row = new int[width * bands];
+        double[] scale = new double[bands];
+        for (int b = 0; b < bands; b++) {
+            scale[b] = 255.0 / ((1 << colours.getComponentSize(b)) - 1);
+        }
+        boolean multiplied = colours.isAlphaPremultiplied();
+        for (int y = 0; y < height; y++) {
+            raster.getPixels(0, y, width, 1, row);
+            for (int x = 0; x < width; x++) {
+                int at = x * bands;
+                double value = isGrey ? row[at] * scale[0]
+                        : luma(row[at] * scale[0], row[at + 1] * scale[1], row[at + 2] * scale[2]);
+                if (colours.hasAlpha()) {
+                    double alpha = row[at + bands - 1] * scale[bands - 1] / 255;
+                    value = (multiplied ? value : alpha * value) + (1 - alpha) * 255;
+                }
+                grey[y * width + x] = (byte) Math.round(value);
+            }
+        }
+        return GreyImage.packed(grey, width, height);
+    }
+
+    private static void greyOfPalette(Raster raster, IndexColorModel palette, byte[] grey) {
+        byte[] greyOf = new byte[palette.getMapSize()];
+        for (int i = 0; i < greyOf.length; i++) {
+            double alpha = palette.getAlpha(i) / 255.0;
+            double value = luma(palette.getRed(i), palette.getGreen(i), palette.getBlue(i));
+            greyOf[i] = (byte) Math.round(alpha * value + (1 - alpha) * 255);
+        }
+        int width = raster.getWidth();
+        int[] row = new int[width];
+        for (int y = 0; y < raster.getHeight(); y++) {
+            raster.getSamples(0, y, width, 1, 0, row);
+            for (int x = 0; x < width; x++) {
+                grey[y * width + x] = row[x] < greyOf.length ? greyOf[row[x]] : 0;
+            }
+        }
+    }
+
+    private static double luma(double red, double green, double blue) {
+        return 0.299 * red + 0.587 * green + 0.114 * blue;
+    }
+
+    private static InputRefusedException refuse(Path file, String what, Throwable cause) {
+        return new InputRefusedException(file + ": " + what, cause);
+    }
+}
