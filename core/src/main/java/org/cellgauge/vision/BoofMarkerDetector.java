@@ -11,8 +11,6 @@ import boofcv.factory.fiducial.FactoryFiducial;
 import boofcv.factory.fiducial.HammingDictionary;
 import boofcv.factory.filter.binary.ConfigThreshold;
 import boofcv.factory.filter.binary.ThresholdType;
-import boofcv.factory.shape.ConfigPolygonDetector;
-import boofcv.factory.shape.ConfigRefinePolygonLineToImage;
 import boofcv.struct.calib.CameraPinholeBrown;
 import boofcv.struct.image.GrayU8;
 import georegression.struct.point.Point2D_F64;
@@ -108,7 +106,6 @@ public final class BoofMarkerDetector implements MarkerDetector {
         ConfigFiducialBinary config = new ConfigFiducialBinary(1);
         // whatever looks like a marker may pass here: PatternReader judges the cells with the blur in mind
         config.ambiguousThreshold = 1;
-        refineTightly(config.squareDetector);
         return FactoryFiducial.squareBinary(config, threshold(), GrayU8.class).getAlgorithm();
     }
 
@@ -117,25 +114,17 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 HammingDictionary.valueOf(family.dictionaryName()));
         ConfigFiducialHammingDetector config = new ConfigFiducialHammingDetector();
         config.configThreshold = threshold();
-        refineTightly(config.squareDetector);
         return FactoryFiducial.squareHamming(markers, config, GrayU8.class).getAlgorithm();
     }
 
-    /** Local mean with a margin: plain grounds and weak textures then give no contours to follow. */
+    /**
+     * Local mean with a margin: plain grounds and weak textures then give no contours to follow. The margin costs faint
+     * markers, whose black is more than 0.6 times as bright as their white; with 0.80 it would cost those above 0.5.
+     */
     private static ConfigThreshold threshold() {
         ConfigThreshold threshold = ConfigThreshold.local(ThresholdType.LOCAL_MEAN, 21);
-        threshold.scale = 0.80;
+        threshold.scale = 0.85;
         return threshold;
-    }
-
-    private static void refineTightly(ConfigPolygonDetector squareDetector) {
-        ConfigRefinePolygonLineToImage refine = new ConfigRefinePolygonLineToImage();
-        refine.convergeTolPixels = 0.01;
-        refine.maxIterations = 30;
-        refine.lineSamples = 60;
-        refine.cornerOffset = 1;
-        refine.sampleRadius = 2;
-        squareDetector.refineGray = refine;
     }
 
     private static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {

@@ -29,6 +29,7 @@ public final class ImageFiles {
     /** Largest image that is decoded, in pixels: four times what cameras on robots have, 400 MB as colour. */
     public static final long MAX_PIXELS = 100_000_000;
     private static final String FORMATS = "PNG, JPEG, BMP, TIFF or GIF";
+    private static final String CMYK = "its colours are CMYK, made for print; save it as an RGB or grey image";
     private static final int CMYK_BANDS = 4;
 
     private ImageFiles() {
@@ -94,8 +95,8 @@ public final class ImageFiles {
                             + "pixels that are decoded; scale it down before calibration and measurement alike", width,
                             height, MAX_PIXELS / 1_000_000), null);
                 }
-                if (isCmyk(reader)) {
-                    throw refuse(file, "its colours are CMYK, made for print; save it as an RGB or grey image", null);
+                if (hasNoType(reader)) {
+                    throw refuse(file, CMYK, null);
                 }
                 image = reader.read(0);
             } catch (IOException | RuntimeException e) {
@@ -122,8 +123,8 @@ public final class ImageFiles {
         return text.contains("icc") || text.contains("thumb") || text.contains("metadata") || text.contains("jfif");
     }
 
-    /** The JPEG reader has no type to offer for colours it cannot convert. */
-    private static boolean isCmyk(ImageReader reader) throws IOException {
+    /** The JPEG reader offers no type for CMYK colours it cannot convert. */
+    private static boolean hasNoType(ImageReader reader) throws IOException {
         if (!reader.getFormatName().toLowerCase(Locale.ROOT).startsWith("jp")) {
             return false;
         }
@@ -141,6 +142,9 @@ public final class ImageFiles {
         }
         int colourBands = colours.getNumColorComponents();
         int space = colours.getColorSpace().getType();
+        if (colourBands == CMYK_BANDS) {
+            throw refuse(file, CMYK, null);
+        }
         boolean isGrey = colourBands == 1 && space == ColorSpace.TYPE_GRAY;
         if (!isGrey && (colourBands != 3 || space != ColorSpace.TYPE_RGB)
                 || image.getSampleModel().getTransferType() > DataBuffer.TYPE_USHORT

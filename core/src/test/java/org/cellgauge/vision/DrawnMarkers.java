@@ -1,0 +1,110 @@
+package org.cellgauge.vision;
+
+import java.util.Arrays;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.LUDecomposition;
+import org.apache.commons.math3.random.RandomGenerator;
+import org.apache.commons.math3.random.Well19937c;
+import org.cellgauge.cell.MarkerFamily;
+import org.cellgauge.geometry.MarkerGeometry;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+
+/** A picture of markers drawn into given quadrilaterals, by averaging 8x8 points per pixel; for undistorted cameras. */
+final class DrawnMarkers {
+    private static final int SUB = 8;
+    private static final double QUIET = 0.2;
+
+    private final int widthPx;
+    private final int heightPx;
+    private final double[] grey;
+
+    DrawnMarkers(int widthPx, int heightPx, double background) {
+        this.widthPx = widthPx;
+        this.heightPx = heightPx;
+        this.grey = new double[widthPx * heightPx];
+        Arrays.fill(grey, background);
+    }
+
+    /** Corners of a marker of a pose, undistorted camera. */
+    static double[] corners(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
+        double[] points = MarkerGeometry.cornersMm(cameraFromMarker, sizeMm);
+        double[] corners = new double[8];
+        for (int i = 0; i < 4; i++) {
+            double[] uv = camera.project(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+            corners[2 * i] = uv[0];
+            corners[2 * i + 1] = uv[1];
+        }
+        return corners;
+    }
+
+    DrawnMarkers draw(MarkerFamily family, int id, double[] corners) {
+        return draw(family, id, corners, 20, 220);
+    }
+
+    /** Draws a marker with its quiet zone; corners: top-left, top-right, bottom-right, bottom-left of the marker. */
+    DrawnMarkers draw(MarkerFamily family, int id, double[] corners, double black, double white) {
+        MarkerPattern pattern = new MarkerPattern(family);
+        boolean[] cells = pattern.white(id);
+        int n = pattern.cells();
+        double[] h = imageToSquare(corners);
+        for (int y = 0; y < heightPx; y++) {
+            for (int x = 0; x < widthPx; x++) {
+                double sum = 0;
+                boolean touched = false;
+                for (int k = 0; k < SUB * SUB; k++) {
+                    double u = x + (k % SUB + 0.5) / SUB;
+                    double v = y + (k / SUB + 0.5) / SUB;
+                    double w = h[6] * u + h[7] * v + 1;
+                    double s = (h[0] * u + h[1] * v + h[2]) / w;
+                    double t = (h[3] * u + h[4] * v + h[5]) / w;
+                    if (s < -QUIET || t < -QUIET || s > 1 + QUIET || t > 1 + QUIET) {
+                        sum += grey[y * widthPx + x];
+                        continue;
+                    }
+                    touched = true;
+                    boolean inside = s >= 0 && t >= 0 && s < 1 && t < 1;
+                    boolean isWhite = !inside || cells[(int) (t * n) * n + (int) (s * n)];
+                    sum += isWhite ? white : black;
+                }
+                if (touched) {
+                    grey[y * widthPx + x] = sum / (SUB * SUB);
+                }
+            }
+        }
+        return this;
+    }
+
+    byte[] bytes(double noise, long seed) {
+        RandomGenerator random = new Well19937c(seed);
+        byte[] out = new byte[grey.length];
+        for (int i = 0; i < out.length; i++) {
+            double value = grey[i] + (noise > 0 ? noise * random.nextGaussian() : 0);
+            out[i] = (byte) Math.max(0, Math.min(255, Math.round(value)));
+        }
+        return out;
+    }
+
+    GreyImage image() {
+        return GreyImage.packed(bytes(1, 1), widthPx, heightPx);
+    }
+
+    /** The homography from the image to the unit square (y down), as the solution of its eight linear equations. */
+    private static double[] imageToSquare(double[] c) {
+        double[][] target = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        double[][] a = new double[8][];
+        double[] b = new double[8];
+        for (int i = 0; i < 4; i++) {
+            double u = c[2 * i];
+            double v = c[2 * i + 1];
+            double s = target[i][0];
+            double t = target[i][1];
+            a[2 * i] = new double[] {u, v, 1, 0, 0, 0, -u * s, -v * s};
+            a[2 * i + 1] = new double[] {0, 0, 0, u, v, 1, -u * t, -v * t};
+            b[2 * i] = s;
+            b[2 * i + 1] = t;
+        }
+        return new LUDecomposition(new Array2DRowRealMatrix(a)).getSolver().solve(new ArrayRealVector(b)).toArray();
+    }
+}

@@ -1,0 +1,40 @@
+package org.cellgauge.vision;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
+
+class GreyImageTest {
+    @Test
+    void pixelsAreReadUnsignedAtTheirStride() {
+        byte[] data = {9, 9, (byte) 200, 1, 9, 2, (byte) 255};
+        GreyImage image = GreyImage.wrap(data, 2, 3, 2, 2);
+        assertEquals(200, image.get(0, 0));
+        assertEquals(1, image.get(1, 0));
+        assertEquals(2, image.get(0, 1));
+        assertEquals(255, image.get(1, 1));
+        data[2] = 7;
+        assertEquals(7, image.get(0, 0), "a view, not a copy");
+    }
+
+    @Test
+    void valuesBetweenPixelCentresAreBilinear() {
+        GreyImage image = GreyImage.packed(new byte[] {0, 100, 40, (byte) 140}, 2, 2);
+        assertEquals(0, image.interpolate(0.5, 0.5), 1e-12);
+        assertEquals(140, image.interpolate(1.5, 1.5), 1e-12);
+        assertEquals(50, image.interpolate(1, 0.5), 1e-12);
+        assertEquals(70, image.interpolate(1, 1), 1e-12);
+        assertEquals(0, image.interpolate(-3, 0), 1e-12, "goes on as at its edge");
+    }
+
+    @Test
+    void arraysThatAreTooShortAreRefused() {
+        GreyImage.wrap(new byte[8], 0, 5, 3, 2);
+        assertThrows(IllegalArgumentException.class, () -> GreyImage.wrap(new byte[7], 0, 5, 3, 2));
+        assertThrows(IllegalArgumentException.class, () -> GreyImage.wrap(new byte[100], 0, 2, 3, 2));
+        assertThrows(IllegalArgumentException.class, () -> GreyImage.wrap(new byte[100], -1, 3, 3, 2));
+        assertThrows(IllegalArgumentException.class, () -> GreyImage.packed(new byte[0], 0, 0));
+        assertThrows(IllegalArgumentException.class, () -> GreyImage.packed(new byte[16], 65536, 65536));
+    }
+}
