@@ -172,7 +172,7 @@ public final class PinholeCamera {
 
     /**
      * Inverse of the lens model: the undistorted normalised point of a pixel position, by Newton's method on the
-     * distortion from the distorted point on.
+     * distortion from the optical axis outwards.
      *
      * @param u pixel x
      * @param v pixel y

@@ -19,6 +19,9 @@ import static org.cellgauge.geometry.PinholeCamera.SKEW;
 public final class Projection {
     private static final int NEWTON_STEPS = 30;
     private static final double NEWTON_TOLERANCE = 1e-12;
+    private static final double SHORTEST_NEWTON_STEP = 1e-3;
+    /** Points of the ray at which a lens of strong distortion is looked at for a fold. */
+    private static final int FOLD_CHECKS = 64;
 
     private Projection() {
     }
@@ -149,9 +152,29 @@ public final class Projection {
         double k3 = intrinsics[K3];
         double p1 = intrinsics[P1];
         double p2 = intrinsics[P2];
-        double x = xd;
-        double y = yd;
+        double x = 0;
+        double y = 0;
+        double stepX = xd;
+        double stepY = yd;
+        // from the image of the optical axis outwards: a start at the distorted point may itself lie beyond the fold
         for (int step = 0; step < NEWTON_STEPS; step++) {
+            double length = 1;
+            while (!upright(intrinsics, x + length * stepX, y + length * stepY)) {
+                length /= 2;
+                if (length < SHORTEST_NEWTON_STEP) {
+                    return false;
+                }
+            }
+            x += length * stepX;
+            y += length * stepY;
+            if (length == 1 && Math.abs(stepX) + Math.abs(stepY) < NEWTON_TOLERANCE) {
+                if (!uprightUpTo(intrinsics, x, y)) {
+                    return false;
+                }
+                out[0] = x;
+                out[1] = y;
+                return true;
+            }
             double r2 = x * x + y * y;
             double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
             double radialByR2 = k1 + r2 * (2 * k2 + r2 * 3 * k3);
@@ -161,20 +184,45 @@ public final class Projection {
             double b = 2 * x * y * radialByR2 + 2 * p1 * x + 2 * p2 * y;
             double d = radial + 2 * y * y * radialByR2 + 6 * p1 * y + 2 * p2 * x;
             double determinant = a * d - b * b;
-            // the lens map folds over where its determinant vanishes: beyond that radius a pixel has no single source
-            if (!(determinant > 0)) {
-                return false;
-            }
-            double stepX = (d * errorX - b * errorY) / determinant;
-            double stepY = (a * errorY - b * errorX) / determinant;
-            x -= stepX;
-            y -= stepY;
-            if (Math.abs(stepX) + Math.abs(stepY) < NEWTON_TOLERANCE) {
-                out[0] = x;
-                out[1] = y;
-                return true;
-            }
+            stepX = (b * errorY - d * errorX) / determinant;
+            stepY = (b * errorX - a * errorY) / determinant;
         }
         return false;
+    }
+
+    /**
+     * Whether the lens map neither folds nor turns over at a normalised point: its derivative, which is symmetric, is
+     * positive definite. False for NaN.
+     */
+    private static boolean upright(double[] intrinsics, double x, double y) {
+        double k1 = intrinsics[K1];
+        double k2 = intrinsics[K2];
+        double k3 = intrinsics[K3];
+        double p1 = intrinsics[P1];
+        double p2 = intrinsics[P2];
+        double r2 = x * x + y * y;
+        double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+        double radialByR2 = k1 + r2 * (2 * k2 + r2 * 3 * k3);
+        double a = radial + 2 * x * x * radialByR2 + 2 * p1 * y + 6 * p2 * x;
+        double b = 2 * x * y * radialByR2 + 2 * p1 * x + 2 * p2 * y;
+        double d = radial + 2 * y * y * radialByR2 + 6 * p1 * y + 2 * p2 * x;
+        return a > 0 && a * d - b * b > 0;
+    }
+
+    /** Whether no fold lies between the optical axis and a point: beyond one, a pixel has another, nearer source. */
+    private static boolean uprightUpTo(double[] intrinsics, double x, double y) {
+        double r2 = x * x + y * y;
+        double bound = r2 * (3 * Math.abs(intrinsics[K1]) + r2 * (5 * Math.abs(intrinsics[K2])
+                + r2 * 7 * Math.abs(intrinsics[K3])))
+                + 8 * Math.sqrt(r2) * (Math.abs(intrinsics[P1]) + Math.abs(intrinsics[P2]));
+        if (bound < 1) {
+            return true;
+        }
+        for (int i = 1; i < FOLD_CHECKS; i++) {
+            if (!upright(intrinsics, x * i / FOLD_CHECKS, y * i / FOLD_CHECKS)) {
+                return false;
+            }
+        }
+        return true;
     }
 }

@@ -56,14 +56,14 @@ public final class Rotations {
         double cosTheta = Math.hypot(rotation[0], rotation[3]);
         // atan2 and not asin: asin loses half of the digits close to +-pi/2
         out[offset + 1] = Math.atan2(-rotation[6], cosTheta);
-        if (cosTheta < GIMBAL_LOCK_COSINE) {
-            double sign = rotation[6] < 0 ? 1 : -1;
-            out[offset] = Math.atan2(sign * rotation[1], sign * rotation[2]);
-            out[offset + 2] = 0;
-        } else {
-            out[offset] = Math.atan2(rotation[7], rotation[8]);
-            out[offset + 2] = Math.atan2(rotation[3], rotation[0]);
-        }
+        double phi = cosTheta < GIMBAL_LOCK_COSINE ? 0 : Math.atan2(rotation[3], rotation[0]);
+        double sine = Math.sin(phi);
+        double cosine = Math.cos(phi);
+        // psi from the rows that stay long at gimbal lock, turned back by phi: whatever rounding made of phi there, the
+        // three angles together still stand for the matrix
+        double psi = Math.atan2(sine * rotation[2] - cosine * rotation[5], cosine * rotation[4] - sine * rotation[1]);
+        out[offset] = psi == -Math.PI ? Math.PI : psi;
+        out[offset + 2] = phi == -Math.PI ? Math.PI : phi;
     }
 
     /**
