@@ -70,6 +70,8 @@ public final class CellCheck {
     private List<ObjectMarker> missing;
     private String posePriorText;
     private Estimates estimates;
+    private Diagnostics diagnostics;
+    private int diagnosedDraws;
 
     private CellCheck(Cell cell, Detections detections, CheckSettings settings) {
         this.cell = cell;
@@ -133,7 +135,7 @@ public final class CellCheck {
         RunLength length = new RunLength(settings.warmup(),
                 settings.iterations().isPresent() ? cap - settings.warmup() : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> preciseEnough(Diagnostics.of(draws, quantities.layout, judged)), settings.threads());
+                draws -> preciseEnough(diagnosed(draws, quantities, judged)), settings.threads());
         Flowable<CheckUpdate> sampling = ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null) : quickLook;
             if (!snapshot.last()) {
@@ -145,8 +147,18 @@ public final class CellCheck {
         return Flowable.just(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, quickLook, 0, null)).concatWith(sampling);
     }
 
-    private boolean preciseEnough(Diagnostics diagnostics) {
-        return diagnostics.converged() && diagnostics.mcseStdRelMax() < settings.targetMcseStdRel();
+    /** Diagnostics of draws, kept: the draws that suffice are those of the result. */
+    private Diagnostics diagnosed(List<Draws> draws, CellQuantities quantities, boolean[] judged) {
+        int count = draws.get(0).count();
+        if (diagnostics == null || diagnosedDraws != count) {
+            diagnostics = Diagnostics.of(draws, quantities.layout, judged);
+            diagnosedDraws = count;
+        }
+        return diagnostics;
+    }
+
+    private boolean preciseEnough(Diagnostics found) {
+        return found.converged() && found.mcseStdRelMax() < settings.targetMcseStdRel();
     }
 
     // ---- from detections to modes
@@ -392,7 +404,7 @@ public final class CellCheck {
 
     private CheckResult result(CellEstimate quickLook, CellQuantities quantities, boolean[] judged, List<Draws> draws,
             EnsembleSnapshot last) {
-        Diagnostics diagnostics = Diagnostics.of(draws, quantities.layout, judged);
+        diagnosed(draws, quantities, judged);
         CellEstimate estimate = estimates.of(last.summary(), draws);
         if (camera.posePrior != null) {
             double share = LinearModel.priorShare(camera.modes.get(0), PRIOR_STD_MM, PRIOR_STD_RAD);

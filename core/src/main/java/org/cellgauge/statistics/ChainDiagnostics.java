@@ -500,11 +500,9 @@ public final class ChainDiagnostics {
         if (n < MIN_DRAWS_FOR_ESS / 2) {
             return Double.NaN;
         }
-        double[] autocovariance = new double[n];
-        RunningMoments means = new RunningMoments(1);
-        addAutocovariances(halves, autocovariance, means);
-        double within = autocovariance[0] * n / (n - 1.0);
-        double total = autocovariance[0] + means.covariance(0, 0);
+        Autocovariance autocovariance = new Autocovariance(halves);
+        double within = autocovariance.at(0) * n / (n - 1.0);
+        double total = autocovariance.at(0) + autocovariance.varianceOfMeans();
         if (!(total > 0)) {
             // No half moves and all stand at the same place (or a NaN): nothing to base a size on
             return Double.NaN;
@@ -533,41 +531,82 @@ public final class ChainDiagnostics {
         return draws / Math.max(tau, 1 / Math.log10(draws));
     }
 
-    private static double rho(double[] autocovariance, int lag, double within, double total) {
-        return 1 - (within - autocovariance[lag]) / total;
+    private static double rho(Autocovariance autocovariance, int lag, double within, double total) {
+        return 1 - (within - autocovariance.at(lag)) / total;
     }
 
-    /** Mean over the halves of their autocovariances (divisor n at every lag), and the halves' means. */
-    private static void addAutocovariances(double[][] halves, double[] out, RunningMoments means) {
-        int n = out.length;
-        // Padding to twice the length keeps the circular correlation of the transform from wrapping around
-        int size = Integer.highestOneBit(2 * n - 1) << 1;
-        double[][] data = new double[2][size];
-        double[] box = new double[1];
-        for (double[] half : halves) {
-            double mean = 0;
-            for (double x : half) {
-                mean += x;
+    /**
+     * Mean over the halves of their autocovariances (divisor n at every lag), lag by lag as they are asked for.
+     *
+     * <p>Chains that mix well need a dozen lags, for which summing products is far cheaper than a Fourier transform;
+     * chains that do not need thousands, for which it is the other way round.
+     */
+    private static final class Autocovariance {
+        private static final int DIRECT_LAGS = 96;
+
+        private final double[][] centred;
+        private final RunningMoments means = new RunningMoments(1);
+        private double[] transformed;
+
+        Autocovariance(double[][] halves) {
+            centred = new double[halves.length][];
+            for (int h = 0; h < halves.length; h++) {
+                double mean = 0;
+                for (double x : halves[h]) {
+                    mean += x;
+                }
+                mean /= halves[h].length;
+                means.add(new double[] {mean});
+                centred[h] = halves[h].clone();
+                for (int i = 0; i < centred[h].length; i++) {
+                    centred[h][i] -= mean;
+                }
             }
-            mean /= n;
-            box[0] = mean;
-            means.add(box);
-            Arrays.fill(data[0], 0);
-            Arrays.fill(data[1], 0);
-            for (int i = 0; i < n; i++) {
-                data[0][i] = half[i] - mean;
+        }
+
+        double varianceOfMeans() {
+            return means.covariance(0, 0);
+        }
+
+        double at(int lag) {
+            if (lag < DIRECT_LAGS && transformed == null) {
+                double sum = 0;
+                for (double[] x : centred) {
+                    for (int i = lag; i < x.length; i++) {
+                        sum += x[i] * x[i - lag];
+                    }
+                }
+                return sum / centred[0].length / centred.length;
             }
-            FastFourierTransformer.transformInPlace(data, DftNormalization.STANDARD, TransformType.FORWARD);
-            for (int k = 0; k < size; k++) {
-                double re = data[0][k];
-                double im = data[1][k];
-                data[0][k] = re * re + im * im;
-                data[1][k] = 0;
+            if (transformed == null) {
+                transformed = transform();
             }
-            FastFourierTransformer.transformInPlace(data, DftNormalization.STANDARD, TransformType.INVERSE);
-            for (int t = 0; t < n; t++) {
-                out[t] += data[0][t] / n / halves.length;
+            return transformed[lag];
+        }
+
+        private double[] transform() {
+            int n = centred[0].length;
+            double[] out = new double[n];
+            // Padding to twice the length keeps the circular correlation of the transform from wrapping around
+            int size = Integer.highestOneBit(2 * n - 1) << 1;
+            double[][] data = new double[2][size];
+            for (double[] x : centred) {
+                Arrays.fill(data[0], 0);
+                Arrays.fill(data[1], 0);
+                System.arraycopy(x, 0, data[0], 0, n);
+                FastFourierTransformer.transformInPlace(data, DftNormalization.STANDARD, TransformType.FORWARD);
+                for (int k = 0; k < size; k++) {
+                    double re = data[0][k];
+                    double im = data[1][k];
+                    data[0][k] = re * re + im * im;
+                    data[1][k] = 0;
+                }
+                FastFourierTransformer.transformInPlace(data, DftNormalization.STANDARD, TransformType.INVERSE);
+                for (int t = 0; t < n; t++) {
+                    out[t] += data[0][t] / n / centred.length;
+                }
             }
+            return out;
         }
     }
 }
