@@ -100,6 +100,9 @@ public final class SceneRenderer {
         private final double[] rotation;
         private final double[] centre;
         private final double[] ray = new double[2];
+        /** The markers whose paper reaches into the part at hand. */
+        private final PlanarMarker[] here;
+        private int hereCount;
 
         Tile(Scene scene, Sensor sensor, PlanarMarker[] all, int u0, int v0) {
             this.scene = scene;
@@ -115,6 +118,7 @@ public final class SceneRenderer {
             this.markers = Arrays.stream(all)
                     .filter(m -> m.mayTouch(u0 - margin, v0 - margin, u0 + columns + margin, v0 + rows + margin))
                     .toArray(PlanarMarker[]::new);
+            this.here = new PlanarMarker[markers.length];
         }
 
         void renderInto(float[] image) {
@@ -192,15 +196,20 @@ public final class SceneRenderer {
             if (Double.isNaN(x)) {
                 return backdrop(false, 0, 0, 0);
             }
+            hereCount = 0;
             double colour = PlanarMarker.NOTHING;
             for (PlanarMarker marker : markers) {
                 double own = marker.uniformColour(x, y, reachX, reachY);
-                if (Double.isNaN(own) || own != PlanarMarker.NOTHING && colour != PlanarMarker.NOTHING) {
-                    return averageOfRays(i, j);
+                if (own != PlanarMarker.NOTHING) {
+                    colour = own;
+                    here[hereCount++] = marker;
                 }
-                colour = own == PlanarMarker.NOTHING ? colour : own;
             }
-            return colour == PlanarMarker.NOTHING ? backdrop(true, x, y, 0) : colour;
+            if (hereCount == 0) {
+                return backdrop(true, x, y, 0);
+            }
+            // several papers: which one is in front may change within the part
+            return hereCount > 1 || Double.isNaN(colour) ? averageOfRays(i, j) : colour;
         }
 
         private double averageOfRays(int i, int j) {
@@ -218,7 +227,8 @@ public final class SceneRenderer {
         private double nearest(double x, double y) {
             double colour = PlanarMarker.NOTHING;
             double inverseDepth = 0;
-            for (PlanarMarker marker : markers) {
+            for (int m = 0; m < hereCount; m++) {
+                PlanarMarker marker = here[m];
                 double own = marker.colourAt(x, y);
                 if (own != PlanarMarker.NOTHING && marker.inverseDepth(x, y) > inverseDepth) {
                     colour = own;
