@@ -50,14 +50,18 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private static final double ADVISED_SIDE_PX = 32;
     /** Deviation of a corner that is still believed: several times the 0.4 px of real footage. */
     private static final double RESIDUAL_LIMIT_PX = 1.5;
-    /** Prints that are not quite square, paper that is not quite flat and lenses that are not quite known grow so. */
-    private static final double RESIDUAL_LIMIT_PER_SIDE = 0.02;
+    /**
+     * Usual growth of that limit with a marker's side in the image: so grows what prints that are not quite square,
+     * paper that is not quite flat and lenses that are not quite known leave.
+     */
+    public static final double RESIDUAL_LIMIT_PER_SIDE = 0.02;
 
     private final PinholeCamera camera;
     /** Patterns of the ids to report. */
     private final Map<Integer, boolean[]> patterns = new TreeMap<>();
     private final MarkerPattern familyPatterns;
     private final boolean hasChecksum;
+    private final double residualLimitPerSide;
     private final BaseDetectFiducialSquare<GrayU8> squares;
     private final EdgeRefiner refiner;
     private final PatternReader reader;
@@ -73,6 +77,24 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * @param ids ids to report; all others are ignored
      */
     public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids) {
+        this(camera, family, ids, RESIDUAL_LIMIT_PER_SIDE);
+    }
+
+    /**
+     * A detector with another limit on what a marker's corners may miss a square by. Where the focal length is to be
+     * estimated, true markers miss the squares of the wrong one: at 0.43 of the true focal length, markers of 100 mm at
+     * 400 mm by up to 17 px and two in three by more than the usual limit. A wider limit keeps them, and lets more
+     * false ones pass.
+     *
+     * @param camera camera of the images to come
+     * @param family family of the markers
+     * @param ids ids to report; all others are ignored
+     * @param residualLimitPerSide growth of the limit with the marker's shortest side in the image, px per px, at least
+     *     0; {@link #RESIDUAL_LIMIT_PER_SIDE} where the camera is calibrated
+     */
+    public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,
+            double residualLimitPerSide) {
+        this.residualLimitPerSide = residualLimitPerSide;
         this.camera = camera;
         this.hasChecksum = !family.isSquareBinary();
         this.familyPatterns = new MarkerPattern(family);
@@ -177,7 +199,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         int id = idRead;
         boolean refined = refiner.refine(image, corners);
         if (refined) {
-            boolean[] white = patterns.containsKey(idRead) ? patterns.get(idRead).clone() : familyPatterns.white(idRead);
+            boolean[] listed = patterns.get(idRead);
+            boolean[] white = listed != null ? listed.clone() : familyPatterns.white(idRead);
             boolean certain = reader.read(image, corners, refiner.darkGrey(), refiner.brightGrey(), refiner.blurPx(),
                     white);
             id = NONE;
@@ -195,8 +218,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (!patterns.containsKey(id) || !refined && !hasChecksum) {
             if (patterns.containsKey(idRead)) {
                 warnings.add(String.format(Locale.ROOT, "what looks like marker %d at (%.0f, %.0f) px is left out: its "
-                        + (refined ? "cells do not match" : "edges cannot be measured") + "; if it is that marker, use a "
-                        + "larger one, a closer camera, a sharper image or more light", idRead, mean(corners, 0),
+                        + (refined ? "cells do not match" : "edges cannot be measured") + "; if it is that marker, use "
+                        + "a larger one, a closer camera, a sharper image or more light", idRead, mean(corners, 0),
                         mean(corners, 1)));
             }
             return null;
@@ -230,11 +253,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
         corners[at + 1] = p.y;
     }
 
-    private static void judge(int id, List<Candidate> candidates, List<MarkerObservation> accepted,
+    private void judge(int id, List<Candidate> candidates, List<MarkerObservation> accepted,
             List<String> warnings) {
         List<Candidate> squares = new ArrayList<>();
         for (Candidate c : candidates) {
-            double limit = RESIDUAL_LIMIT_PX + RESIDUAL_LIMIT_PER_SIDE * c.observation.shortestSidePx();
+            double limit = RESIDUAL_LIMIT_PX + residualLimitPerSide * c.observation.shortestSidePx();
             if (c.impliedStdPx <= limit) {
                 squares.add(c);
             } else {

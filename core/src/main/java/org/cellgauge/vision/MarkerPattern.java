@@ -69,7 +69,8 @@ final class MarkerPattern {
     }
 
     /**
-     * Number of misread cells that cannot make one marker of another: half the family's smallest distance, rounded down.
+     * Number of misread cells that cannot make one marker of another: the largest below half the family's smallest
+     * distance.
      *
      * @return 0 for families without a checksum
      */

@@ -8,8 +8,8 @@ import org.cellgauge.geometry.Projection;
  *
  * <p>A cell of a small or blurred marker is as grey as its neighbours make it: a fixed threshold misreads a white cell
  * among black ones, and a family without a checksum then yields another marker. So the reading is compared with what it
- * would look like: each cell's expected grey, blurred as the marker's edges are. A cell is wrong when its grey is nearer
- * to what it would be after changing it alone. Wrong cells are changed until none is wrong. Not thread-safe.
+ * would look like: each cell's expected grey, blurred as the marker's edges are. A cell is wrong when its grey is
+ * nearer to what it would be after changing it alone. Wrong cells are changed until none is wrong. Not thread-safe.
  */
 final class PatternReader {
     private static final int MAX_ROUNDS = 6;

@@ -99,7 +99,8 @@ class BoofMarkerDetectorTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"apriltag-36h11", "aruco-mip-25h7", "apriltag-16h5", "aruco-original", "aruco-ocv-6x6-1000"})
+    @ValueSource(strings = {"apriltag-36h11", "aruco-mip-25h7", "apriltag-16h5", "aruco-original",
+        "aruco-ocv-6x6-1000"})
     void dictionariesAreReadByTheirNames(String name) {
         MarkerFamily family = MarkerFamily.of(name);
         double[] truth = DrawnMarkers.corners(CAMERA, facing(10, 20, 450, 0.2, 0.3, 1.0), SIZE_MM);
@@ -127,6 +128,16 @@ class BoofMarkerDetectorTest {
         assertEquals(1, found.warnings().size());
         assertTrue(found.warnings().get(0).startsWith("marker 944 at (300, 220) px is left out"),
                 found.warnings().get(0));
+    }
+
+    /** The same marker under half its camera's focal length, as when the focal length is yet to be found. */
+    @Test
+    void widerLimitKeepsTrueMarkersOfAnUncertainFocalLength() {
+        double[] truth = DrawnMarkers.corners(CAMERA, facing(20, -30, 400, 0.8, 0.3, 0.4), 100);
+        GreyImage image = picture().draw(BINARY, 944, truth).image();
+        PinholeCamera wrong = CAMERA.withFocal(290, 290);
+        assertEquals(List.of(), ids(new BoofMarkerDetector(wrong, BINARY, List.of(944)).detect(image, "strict")));
+        assertEquals(List.of(944), ids(new BoofMarkerDetector(wrong, BINARY, List.of(944), 0.2).detect(image, "wide")));
     }
 
     @Test
@@ -210,7 +221,7 @@ class BoofMarkerDetectorTest {
                 message);
     }
 
-    /** A marker of another id, one cell away from the listed one and so blurred that thresholds would take it for it. */
+    /** A marker of another id, one cell away from the other listed one, blurred until thresholds confuse them. */
     @Test
     void blurDoesNotMakeOneMarkerOfAnother() {
         RandomGenerator random = new Well19937c(11);

@@ -109,7 +109,8 @@ public final class ImageFiles {
                 throw refuse(file, what + "; copy it again or save it as 8-bit PNG", e);
             }
             if (warning[0] != null) {
-                throw refuse(file, "it is damaged or cut short (" + warning[0] + "); copy it again from the camera", null);
+                throw refuse(file, "it is damaged or cut short (" + warning[0]
+                        + "); copy it again from the camera", null);
             }
             return grey(file, image);
         } finally {
