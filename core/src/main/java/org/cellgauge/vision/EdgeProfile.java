@@ -7,8 +7,8 @@ package org.cellgauge.vision;
  * <p>Along the edge's normal (nx, ny) a unit square weighs like two boxes of widths |nx| and |ny| convolved. With
  * {@code G(x) = ((x² + s²) Φ(x/s) + x s φ(x/s)) / 2}, the second integral of the blurred step, the share at
  * distance d is {@code (G(d+p) - G(d+m) - G(d-m) + G(d-p)) / (|nx| |ny|)}, p and m being half the sum and half the
- * difference of the widths. A Gaussian alone would not do: the edge of a sharp image would then seem to move with its place within a
- * pixel by some hundredths. Not thread-safe; results are fields so that nothing is allocated per pixel.
+ * difference of the widths. A Gaussian alone would not do: the edge of a sharp image would then seem to move with its
+ * place within a pixel by some hundredths. Not thread-safe; results are fields so that nothing is allocated per pixel.
  */
 final class EdgeProfile {
     private static final double ROOT_TWO_PI = Math.sqrt(2 * Math.PI);
