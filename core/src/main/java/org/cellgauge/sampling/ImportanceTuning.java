@@ -15,6 +15,12 @@ public final class ImportanceTuning {
     private static final double LEAST_EFFICIENCY_PER_ROUND = 0.1;
     private static final double GOOD_EFFICIENCY = 0.8;
     private static final double SMALLEST_WEIGHT = 1e-3;
+    /** Efficiency below which a component per mode is not enough. */
+    private static final double ENOUGH_EFFICIENCY = 0.7;
+    private static final int SPREAD_COMPONENTS = 8;
+    private static final double SPREAD_SCALE = 0.4;
+    private static final int SPREAD_ROUNDS = 10;
+    private static final int SPREAD_DRAWS_FACTOR = 3;
 
     private final StudentTMixture proposal;
     private final double efficiency;
@@ -29,11 +35,27 @@ public final class ImportanceTuning {
      *
      * @param density target
      * @param start first guess, for instance Laplace's approximation at each mode
-     * @param drawsPerRound draws of each of up to six rounds, some hundred per dimension
+     * @param drawsPerRound draws of each of up to six rounds, some hundred per dimension; more where one component
+     *     per mode does not fit
      * @param random source of randomness
      * @return the best mixture met and its efficiency
      */
     public static ImportanceTuning tune(LogDensity density, StudentTMixture start, int drawsPerRound,
+            RandomGenerator random) {
+        ImportanceTuning plain = iterate(density, start, drawsPerRound, ROUNDS, random);
+        if (plain.efficiency > ENOUGH_EFFICIENCY) {
+            return plain;
+        }
+        // a bent or heavy-tailed target is covered by several components side by side, started where the weight is
+        StudentTMixture spread = spread(density, plain.proposal, drawsPerRound, random);
+        if (spread == null) {
+            return plain;
+        }
+        ImportanceTuning rich = iterate(density, spread, SPREAD_DRAWS_FACTOR * drawsPerRound, SPREAD_ROUNDS, random);
+        return rich.efficiency > plain.efficiency ? rich : plain;
+    }
+
+    private static ImportanceTuning iterate(LogDensity density, StudentTMixture start, int drawsPerRound, int rounds,
             RandomGenerator random) {
         int n = density.dimension();
         StudentTMixture mixture = start;
@@ -42,32 +64,76 @@ public final class ImportanceTuning {
         double[][] draws = new double[drawsPerRound][n];
         double[][] shares = new double[drawsPerRound][start.components()];
         double[] logWeights = new double[drawsPerRound];
-        for (int round = 0; round <= ROUNDS; round++) {
-            for (int i = 0; i < drawsPerRound; i++) {
-                mixture.draw(draws[i], random);
-                double logTarget = density.at(draws[i]);
-                logWeights[i] = logTarget - mixture.logDensity(draws[i]);
-                mixture.responsibilities(shares[i]);
-            }
+        for (int round = 0; round <= rounds; round++) {
+            weigh(density, mixture, draws, shares, logWeights, random);
             double efficiency = efficiency(logWeights, 1);
             if (efficiency > bestEfficiency) {
                 bestEfficiency = efficiency;
                 best = mixture;
             }
-            if (round == ROUNDS || efficiency > GOOD_EFFICIENCY) {
+            if (round == rounds || efficiency > GOOD_EFFICIENCY) {
                 break;
             }
             double power = 1;
             while (power > 1e-3 && efficiency(logWeights, power) < LEAST_EFFICIENCY_PER_ROUND) {
                 power *= 0.7;
             }
-            StudentTMixture next = refit(mixture, draws, shares, normalised(logWeights, power), n);
-            if (next == null) {
-                break;
-            }
-            mixture = next;
+            mixture = refit(mixture, draws, shares, normalised(logWeights, power), n);
         }
         return new ImportanceTuning(best, Math.max(bestEfficiency, 0));
+    }
+
+    private static void weigh(LogDensity density, StudentTMixture mixture, double[][] draws, double[][] shares,
+            double[] logWeights, RandomGenerator random) {
+        for (int i = 0; i < draws.length; i++) {
+            mixture.draw(draws[i], random);
+            double logTarget = density.at(draws[i]);
+            logWeights[i] = logTarget - mixture.logDensity(draws[i]);
+            if (shares != null) {
+                mixture.responsibilities(shares[i]);
+            }
+        }
+    }
+
+    /** Several components at draws picked by their weight, each with a part of the target's spread; null without any. */
+    private static StudentTMixture spread(LogDensity density, StudentTMixture mixture, int drawsPerRound,
+            RandomGenerator random) {
+        int n = density.dimension();
+        double[][] draws = new double[drawsPerRound][n];
+        double[] logWeights = new double[drawsPerRound];
+        weigh(density, mixture, draws, null, logWeights, random);
+        double[] weights = normalised(logWeights, 1);
+        int components = mixture.components() + SPREAD_COMPONENTS;
+        double[][] means = new double[components][];
+        double[][] covariances = new double[components][];
+        double[] componentWeights = new double[components];
+        for (int k = 0; k < components; k++) {
+            if (k < mixture.components()) {
+                means[k] = mixture.mean(k);
+                covariances[k] = mixture.scale(k);
+                componentWeights[k] = mixture.weight(k);
+                continue;
+            }
+            double u = random.nextDouble();
+            int pick = 0;
+            while (pick < draws.length - 1 && u >= weights[pick]) {
+                u -= weights[pick++];
+            }
+            int parent = 0;
+            double[] shares = new double[mixture.components()];
+            mixture.logDensity(draws[pick]);
+            mixture.responsibilities(shares);
+            for (int c = 1; c < shares.length; c++) {
+                parent = shares[c] > shares[parent] ? c : parent;
+            }
+            means[k] = draws[pick].clone();
+            covariances[k] = mixture.scale(parent);
+            for (int i = 0; i < covariances[k].length; i++) {
+                covariances[k][i] *= SPREAD_SCALE;
+            }
+            componentWeights[k] = 1.0 / SPREAD_COMPONENTS;
+        }
+        return new StudentTMixture(means, covariances, componentWeights);
     }
 
     private static StudentTMixture refit(StudentTMixture mixture, double[][] draws, double[][] shares,
