@@ -77,6 +77,7 @@ public final class CellCheck {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
+        warnings.addAll(detections.warnings());
     }
 
     /**
@@ -210,6 +211,10 @@ public final class CellCheck {
     }
 
     private void warnIfSmall(MarkerObservation observation) {
+        String detectorSays = "marker " + observation.id() + " is small";
+        if (detections.warnings().stream().anyMatch(w -> w.startsWith(detectorSays))) {
+            return;
+        }
         if (observation.shortestSidePx() < SMALLEST_SIDE_PX) {
             warnings.add(String.format(Locale.ROOT, "marker %d is only %.0f px wide: below %.0f px corners get imprecise "
                     + "and markers get lost; use a larger marker or move the camera closer", observation.id(),

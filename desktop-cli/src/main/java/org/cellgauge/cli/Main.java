@@ -2,21 +2,41 @@ package org.cellgauge.cli;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.util.Properties;
+import java.util.concurrent.Callable;
+import org.cellgauge.cell.InputRefusedException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Entry point of the command {@code cellgauge}. */
 @Command(name = "cellgauge", mixinStandardHelpOptions = true, versionProvider = Main.Version.class,
         description = "Honest uncertainties of camera and object poses in a robot cell.",
-        subcommands = {SimulateCommand.class})
-public final class Main implements Runnable {
+        subcommands = {CheckCommand.class, SimulateCommand.class})
+public final class Main implements Callable<Integer> {
+    private static final int HELP_WIDTH = 100;
 
-    /** Prints the usage: the program needs a command to do anything. */
+    @Option(names = "--debug", scope = ScopeType.INHERIT,
+            description = "Shows stack traces of internal errors and how long the stages take.")
+    private boolean debug;
+
+    private CommandLine commandLine;
+
+    /**
+     * The program needs a command to do anything.
+     *
+     * @return never
+     * @throws ParameterException always
+     */
     @Override
-    public void run() {
-        CommandLine.usage(this, System.err);
+    public Integer call() {
+        throw new ParameterException(commandLine, "no command given; a call begins with, for instance, 'cellgauge check'");
     }
 
     /**
@@ -25,18 +45,96 @@ public final class Main implements Runnable {
      * @param args the arguments as typed
      */
     public static void main(String[] args) {
-        System.exit(new CommandLine(new Main()).execute(args));
+        System.exit(commandLine().execute(args));
     }
 
-    /** Reads the version the build wrote into the library. */
+    /**
+     * The command line, ready to execute.
+     *
+     * @return a new command line that answers every error with one message and an exit code
+     */
+    static CommandLine commandLine() {
+        Main main = new Main();
+        main.commandLine = new CommandLine(main);
+        main.commandLine.setUsageHelpWidth(HELP_WIDTH);
+        main.commandLine.setParameterExceptionHandler((e, args) -> usage(e));
+        main.commandLine.setExecutionExceptionHandler((e, command, parsed) -> main.report(e,
+                e instanceof InputRefusedException ? ExitCodes.INPUT_REFUSED : ExitCodes.INTERNAL_ERROR, command));
+        return main.commandLine;
+    }
+
+    private static int usage(ParameterException e) {
+        CommandLine command = e.getCommandLine();
+        PrintWriter err = command.getErr();
+        err.println(e.getMessage());
+        UnmatchedArgumentException.printSuggestions(e, err);
+        err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
+        err.flush();
+        return ExitCodes.USAGE;
+    }
+
+    /** Whether stack traces and times are wanted. */
+    boolean debug() {
+        return debug;
+    }
+
+    /**
+     * Tells the user about an error on standard error, in a line.
+     *
+     * @param e the error
+     * @param exitCode what it means
+     * @param command the command it happened in
+     * @return the exit code
+     */
+    int report(Exception e, int exitCode, CommandLine command) {
+        PrintWriter err = command.getErr();
+        if (exitCode == ExitCodes.INTERNAL_ERROR) {
+            err.println("Internal error: " + inShort(e)
+                    + (debug ? "" : ". Run it again with --debug for the stack trace, and please report it."));
+        } else {
+            err.println(e.getMessage());
+        }
+        if (debug) {
+            e.printStackTrace(err);
+        }
+        err.flush();
+        return exitCode;
+    }
+
+    /** An unexpected error in a line. */
+    static String inShort(Throwable e) {
+        String message = e.getMessage() == null ? "" : ": " + e.getMessage().replaceAll("\\p{Cntrl}", " ");
+        return e.getClass().getSimpleName() + message;
+    }
+
+    /** A word in the colour of its meaning, where a terminal shows it and the user has not asked for none. */
+    static String coloured(String word, int exitCode) {
+        String colour = exitCode == ExitCodes.OK ? "fg(green),bold" : exitCode == ExitCodes.TARGET_MISSED ? "fg(red),bold"
+                : "fg(yellow),bold";
+        // picocli asks for a terminal, NO_COLOR and the like
+        return CommandLine.Help.Ansi.AUTO.string("@|" + colour + " " + word + "|@");
+    }
+
+    /**
+     * The version the build wrote into the library.
+     *
+     * @return for instance {@code 0.1.0}
+     */
+    static String version() {
+        Properties properties = new Properties();
+        try (InputStream in = Main.class.getResourceAsStream("/org/cellgauge/version.properties")) {
+            properties.load(in);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return properties.getProperty("version");
+    }
+
+    /** The version as {@code --version} shows it. */
     static final class Version implements IVersionProvider {
         @Override
-        public String[] getVersion() throws IOException {
-            Properties properties = new Properties();
-            try (InputStream in = Main.class.getResourceAsStream("/org/cellgauge/version.properties")) {
-                properties.load(in);
-            }
-            return new String[] {"cellgauge " + properties.getProperty("version")};
+        public String[] getVersion() {
+            return new String[] {"cellgauge " + version()};
         }
     }
 }

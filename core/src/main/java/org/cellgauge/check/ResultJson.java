@@ -1,0 +1,480 @@
+package org.cellgauge.check;
+
+import com.google.gson.FormattingStyle;
+import com.google.gson.stream.JsonWriter;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalInt;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.statistics.Angles;
+import org.cellgauge.statistics.ChainDiagnostics;
+import org.cellgauge.statistics.Ellipse;
+
+/**
+ * The result file of a check, {@code NAME.result.json}.
+ *
+ * <p>Numbers keep every digit; what is not a number (a diagnostic that does not exist) is {@code null}, since JSON has no
+ * NaN. There is no time stamp and no thread count in it: the same inputs, settings and seed give the same bytes. All of
+ * it is ASCII (other characters are escaped), so that no setting of a terminal can spoil it.
+ */
+public final class ResultJson {
+    /** Version of the format, the value of the key {@code schema}. */
+    public static final int SCHEMA = 1;
+
+    private static final List<String> POSE_ORDER = List.of("x_mm", "y_mm", "z_mm", "psi_rad", "theta_rad", "phi_rad");
+    private static final List<String> TANGENT_ORDER = List.of("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad");
+    private static final String[] INTRINSIC_NAMES = {"fx_px", "fy_px", "cx_px", "cy_px", "skew_px", "k1", "k2", "k3",
+        "p1", "p2"};
+
+    private final StringWriter text = new StringWriter();
+    private final JsonWriter json = new JsonWriter(text);
+    private final CheckResult result;
+    private final Cell cell;
+    private final boolean trusted;
+
+    private ResultJson(CheckResult result) {
+        this.result = result;
+        this.cell = result.cell();
+        this.trusted = result.verdict() != Verdict.NOT_CONVERGED && result.verdict() != Verdict.AMBIGUOUS;
+        json.setFormattingStyle(FormattingStyle.PRETTY);
+    }
+
+    /**
+     * The JSON of a result.
+     *
+     * @param result what a check found
+     * @param inputName name of the photo or detections file, without its folder
+     * @param inputSha256 SHA-256 of the file's bytes, hexadecimal; null where the input was no file
+     * @param version version of this program
+     * @return JSON in ASCII, ended by a line feed
+     */
+    public static String of(CheckResult result, String inputName, String inputSha256, String version) {
+        ResultJson writer = new ResultJson(result);
+        try {
+            writer.write(inputName, inputSha256, version);
+        } catch (IOException e) {
+            throw new IllegalStateException("writing into memory cannot fail", e);
+        }
+        return ascii(writer.text.toString()) + "\n";
+    }
+
+    private static String ascii(String json) {
+        StringBuilder out = new StringBuilder(json.length());
+        for (int i = 0; i < json.length(); i++) {
+            char c = json.charAt(i);
+            if (c < 0x7F) {
+                out.append(c);
+            } else {
+                out.append(String.format(Locale.ROOT, "\\u%04x", (int) c));
+            }
+        }
+        return out.toString();
+    }
+
+    private void write(String inputName, String inputSha256, String version) throws IOException {
+        json.beginObject();
+        json.name("schema").value(SCHEMA);
+        json.name("verdict").value(result.verdict().key());
+        json.name("reason").value(result.reason());
+        json.name("input").beginObject();
+        json.name("name").value(inputName);
+        json.name("sha256").value(inputSha256);
+        json.endObject();
+        json.name("target");
+        json.beginObject();
+        json.name("std_mm");
+        number(cell.targetStdMm().orElse(Double.NaN));
+        json.endObject();
+        json.name("settings");
+        settings();
+        CellEstimate estimate = result.estimate();
+        json.name("camera").beginObject();
+        poseMembers(estimate.camera());
+        modes(estimate.cameraModes());
+        json.endObject();
+        if (estimate.intrinsics() != null) {
+            json.name("intrinsics");
+            intrinsics(estimate.intrinsics());
+        }
+        json.name("objects").beginObject();
+        for (ObjectEstimate object : estimate.objects()) {
+            json.name(String.valueOf(object.id()));
+            object(object);
+        }
+        json.endObject();
+        json.name("laplace");
+        laplace();
+        json.name("diagnostics");
+        diagnostics();
+        json.name("acceptance").beginObject();
+        for (AcceptanceCount count : result.acceptance()) {
+            json.name(count.proposal()).beginObject();
+            json.name("accepted").value(count.accepted());
+            json.name("rejected").value(count.rejected());
+            json.endObject();
+        }
+        json.endObject();
+        json.name("warnings").beginArray();
+        for (String warning : result.warnings()) {
+            json.value(warning);
+        }
+        json.endArray();
+        json.name("version").value(version);
+        json.endObject();
+        json.flush();
+    }
+
+    // ---- settings
+
+    private void settings() throws IOException {
+        CheckSettings s = result.settings();
+        json.beginObject();
+        json.name("model").value(s.model().optionName());
+        json.name("kappa");
+        number(s.kappa());
+        json.name("sampler").value(s.sampler().optionName());
+        json.name("chains").value(s.chains());
+        OptionalInt fixed = s.iterations();
+        json.name("iterations");
+        if (fixed.isPresent()) {
+            json.value(fixed.getAsInt());
+        } else {
+            json.nullValue();
+        }
+        json.name("target_mcse_std_rel");
+        number(fixed.isPresent() ? Double.NaN : s.targetMcseStdRel());
+        json.name("max_iterations");
+        if (fixed.isPresent()) {
+            json.nullValue();
+        } else {
+            json.value(s.maxIterations());
+        }
+        json.name("iterations_run").value(result.iterationsPerChain());
+        json.name("warmup").value(s.warmup());
+        json.name("seed").value(s.seed());
+        json.name("estimate").value(s.estimate().optionName());
+        json.name("focal_prior_std_px");
+        number(s.estimate() == CheckSettings.Estimate.FOCAL ? s.focalPriorStdPx() : Double.NaN);
+        json.name("initial").value(s.initial().optionName());
+        json.name("start").value(word(s.start()));
+        json.name("object_noise").value(s.objectNoise().optionName());
+        json.name("rotation_prior").value(word(s.rotationPrior()));
+        json.name("pose_prior_allowed").value(s.posePriorAllowed());
+        json.name("pose_prior").value(result.posePrior());
+        json.name("pixel_std_px");
+        number(result.pixelStdPx());
+        json.name("pixel_std_px_from").value(cell.pixelStdPx().isPresent() ? "cell file" : "residuals");
+        json.name("marker_family").value(cell.family().familyName());
+        json.name("camera_intrinsics");
+        cameraIntrinsics();
+        json.name("references").beginObject();
+        for (Reference reference : cell.references()) {
+            json.name(String.valueOf(reference.id()));
+            reference(reference);
+        }
+        json.endObject();
+        json.name("object_markers").beginObject();
+        for (ObjectMarker marker : cell.objects()) {
+            json.name(String.valueOf(marker.id())).beginObject();
+            json.name("size_mm");
+            number(marker.sizeMm());
+            if (marker.hasGrip()) {
+                json.name("grip_mm");
+                numbers(marker.gripMm());
+            }
+            json.endObject();
+        }
+        json.endObject();
+        json.endObject();
+    }
+
+    private static String word(Enum<?> value) {
+        return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    private void cameraIntrinsics() throws IOException {
+        PinholeCamera camera = cell.camera();
+        json.beginObject();
+        json.name("width_px").value(camera.widthPx());
+        json.name("height_px").value(camera.heightPx());
+        for (int i = 0; i < INTRINSIC_NAMES.length; i++) {
+            json.name(INTRINSIC_NAMES[i]);
+            number(camera.get(i));
+        }
+        json.endObject();
+    }
+
+    private void reference(Reference reference) throws IOException {
+        json.beginObject();
+        json.name("used").value(result.referencesUsed().contains(reference.id()));
+        json.name("size_mm");
+        number(reference.sizeMm());
+        json.name("position_mm");
+        numbers(reference.worldFromMarker().translationMm());
+        json.name("rotation_rad");
+        numbers(wrapped(reference.worldFromMarker().eulerRad()));
+        json.name("placement").beginObject();
+        json.name("std_mm");
+        numbers(new double[] {reference.placement().stdMm(0), reference.placement().stdMm(1),
+            reference.placement().stdMm(2)});
+        json.name("std_rad");
+        number(reference.placement().stdRad());
+        json.endObject();
+        json.endObject();
+    }
+
+    private static double[] wrapped(double[] anglesRad) {
+        double[] out = new double[anglesRad.length];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = Angles.wrapToPi(anglesRad[i]);
+        }
+        return out;
+    }
+
+    // ---- estimates
+
+    /** The members of a pose; the object around them may hold more. */
+    private void poseMembers(PoseEstimate pose) throws IOException {
+        json.name("frame").value(pose.frame());
+        json.name("order");
+        strings(POSE_ORDER);
+        double[] mean = pose.mean();
+        for (int i = 3; i < 6; i++) {
+            mean[i] = Angles.wrapToPi(mean[i]);
+        }
+        json.name("mean");
+        numbers(mean);
+        json.name("std");
+        numbers(pose.std());
+        json.name("covariance");
+        matrix(pose.covariance());
+        json.name("tangent_order");
+        strings(TANGENT_ORDER);
+        json.name("tangent_covariance");
+        matrix(pose.tangentCovariance());
+    }
+
+    /** The modes of a pose where it is ambiguous; nothing where it is not. */
+    private void modes(List<ModeEstimate> modes) throws IOException {
+        if (modes.size() < 2 || !(modes.get(1).weight() > CellCheck.AMBIGUOUS_SHARE)) {
+            return;
+        }
+        json.name("modes").beginArray();
+        for (ModeEstimate mode : modes) {
+            json.beginObject();
+            json.name("weight");
+            number(mode.weight());
+            poseMembers(mode.pose());
+            json.endObject();
+        }
+        json.endArray();
+    }
+
+    private void intrinsics(IntrinsicsEstimate intrinsics) throws IOException {
+        json.beginObject();
+        json.name("names");
+        strings(intrinsics.names());
+        json.name("mean");
+        numbers(intrinsics.mean());
+        double[][] covariance = intrinsics.covariance();
+        json.name("std");
+        numbers(std(covariance));
+        json.name("covariance");
+        matrix(covariance);
+        json.endObject();
+    }
+
+    private static double[] std(double[][] covariance) {
+        double[] std = new double[covariance.length];
+        for (int i = 0; i < std.length; i++) {
+            std[i] = Math.sqrt(covariance[i][i]);
+        }
+        return std;
+    }
+
+    private void object(ObjectEstimate object) throws IOException {
+        json.beginObject();
+        json.name("within_target");
+        if (trusted && cell.targetStdMm().isPresent()) {
+            json.value(object.worstStdMm() <= cell.targetStdMm().getAsDouble());
+        } else {
+            json.nullValue();
+        }
+        json.name("worst_std_mm");
+        number(object.worstStdMm());
+        json.name("pose").beginObject();
+        poseMembers(object.pose());
+        json.endObject();
+        if (object.grip() != null) {
+            json.name("grip").beginObject();
+            json.name("mean");
+            numbers(object.grip().meanMm());
+            json.name("std");
+            numbers(object.grip().stdMm());
+            json.name("covariance");
+            matrix(object.grip().covarianceMm2());
+            json.endObject();
+        }
+        budget("budget", object.budget());
+        if (object.gripBudget() != null) {
+            budget("grip_budget", object.gripBudget());
+        }
+        json.name("ellipse95_px");
+        ellipse(object.ellipse95Px());
+        if (object.grip() != null) {
+            json.name("grip_ellipse95_px");
+            ellipse(object.gripEllipse95Px());
+        }
+        modes(object.modes());
+        json.endObject();
+    }
+
+    private void budget(String name, VarianceBudget budget) throws IOException {
+        json.name(name);
+        shares(budget.shares());
+        json.name(name + "_axes").beginObject();
+        for (int axis = 0; axis < 3; axis++) {
+            json.name("xyz".substring(axis, axis + 1));
+            shares(budget.shares(axis));
+        }
+        json.endObject();
+    }
+
+    private void shares(Map<String, Double> shares) throws IOException {
+        json.beginObject();
+        for (Map.Entry<String, Double> e : shares.entrySet()) {
+            json.name(e.getKey());
+            number(e.getValue());
+        }
+        json.endObject();
+    }
+
+    private void ellipse(Ellipse ellipse) throws IOException {
+        if (ellipse == null) {
+            json.nullValue();
+            return;
+        }
+        json.beginObject();
+        json.name("centre");
+        numbers(new double[] {ellipse.centreX(), ellipse.centreY()});
+        json.name("semi_axes");
+        numbers(new double[] {ellipse.semiMajor(), ellipse.semiMinor()});
+        json.name("angle_rad");
+        number(ellipse.angleRad());
+        json.endObject();
+    }
+
+    /** The quick look: deviations by Laplace's approximation, and what the chains say in multiples of them. */
+    private void laplace() throws IOException {
+        json.beginObject();
+        json.name("camera").beginObject();
+        comparison(result.quickLook().camera().std(), result.estimate().camera().std(), "");
+        json.endObject();
+        json.name("objects").beginObject();
+        for (ObjectEstimate sampled : result.estimate().objects()) {
+            ObjectEstimate quick = result.quickLook().object(sampled.id());
+            json.name(String.valueOf(sampled.id())).beginObject();
+            comparison(quick.pose().std(), sampled.pose().std(), "");
+            if (sampled.grip() != null) {
+                comparison(quick.grip().stdMm(), sampled.grip().stdMm(), "grip_");
+            }
+            json.endObject();
+        }
+        json.endObject();
+        json.endObject();
+    }
+
+    private void comparison(double[] laplace, double[] sampled, String prefix) throws IOException {
+        double[] ratio = new double[laplace.length];
+        for (int i = 0; i < ratio.length; i++) {
+            ratio[i] = sampled[i] / laplace[i];
+        }
+        json.name(prefix + "std");
+        numbers(laplace);
+        json.name(prefix + "sampled_by_laplace");
+        numbers(ratio);
+    }
+
+    // ---- diagnostics
+
+    private void diagnostics() throws IOException {
+        Diagnostics d = result.diagnostics();
+        json.beginObject();
+        json.name("converged").value(d.converged());
+        json.name("convergence").value(word(d.convergence()));
+        json.name("r_hat_max");
+        number(d.rHatMax());
+        json.name("ess_bulk_min");
+        number(d.essBulkMin());
+        json.name("ess_tail_min");
+        number(d.essTailMin());
+        json.name("mcse_std_rel_max");
+        number(d.mcseStdRelMax());
+        json.name("worst_parameter").value(d.worstParameter().isEmpty() ? null : d.worstParameter());
+        json.name("parameters").beginObject();
+        QuantityLayout layout = result.layout();
+        for (Map.Entry<String, ChainDiagnostics> e : d.parameters().entrySet()) {
+            ChainDiagnostics p = e.getValue();
+            boolean angle = layout.isAngle(layout.indexOf(e.getKey()));
+            json.name(e.getKey()).beginObject();
+            json.name("status").value(word(p.status()));
+            json.name("mean");
+            number(angle && Double.isFinite(p.mean()) ? Angles.wrapToPi(p.mean()) : p.mean());
+            json.name("std");
+            number(p.std());
+            json.name("r_hat");
+            number(p.rHat());
+            json.name("ess_bulk");
+            number(p.essBulk());
+            json.name("ess_tail");
+            number(p.essTail());
+            json.name("mcse_mean");
+            number(p.mcseMean());
+            json.name("mcse_std");
+            number(p.mcseSd());
+            json.endObject();
+        }
+        json.endObject();
+        json.endObject();
+    }
+
+    // ---- numbers
+
+    private void number(double value) throws IOException {
+        if (Double.isFinite(value)) {
+            json.value(value);
+        } else {
+            json.nullValue();
+        }
+    }
+
+    private void numbers(double[] values) throws IOException {
+        // a vector or a row of a matrix stays on its line
+        StringBuilder row = new StringBuilder("[");
+        for (int i = 0; i < values.length; i++) {
+            row.append(i == 0 ? "" : ", ").append(Double.isFinite(values[i]) ? Double.toString(values[i]) : "null");
+        }
+        json.jsonValue(row.append(']').toString());
+    }
+
+    /** Plain names, without anything to escape. */
+    private void strings(List<String> values) throws IOException {
+        json.jsonValue("[\"" + String.join("\", \"", values) + "\"]");
+    }
+
+    private void matrix(double[][] rows) throws IOException {
+        json.beginArray();
+        for (double[] row : rows) {
+            numbers(row);
+        }
+        json.endArray();
+    }
+}

@@ -1,0 +1,415 @@
+package org.cellgauge.cli;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.cell.InputChecks;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.check.CellCheck;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.check.ObjectEstimate;
+import org.cellgauge.check.ResultJson;
+import org.cellgauge.check.StanCsv;
+import org.cellgauge.vision.BoofMarkerDetector;
+import org.cellgauge.vision.BoofThreads;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.DetectionsFile;
+import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.MarkerDetector;
+import org.cellgauge.vision.MarkerObservation;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
+import picocli.CommandLine.Spec;
+
+/** {@code cellgauge check}: from photos of a cell to poses, their uncertainties and a verdict. */
+@Command(name = "check", mixinStandardHelpOptions = true, sortOptions = false, versionProvider = Main.Version.class,
+        description = "Finds the markers in photos of a cell, estimates the poses of camera and objects with their "
+                + "uncertainties, and judges these against the target of the cell file.",
+        footer = {"", "Examples:",
+            "  cellgauge check --cell cell.yaml photo.png",
+            "  cellgauge check --cell cell.yaml photos/ --out results",
+            "  cellgauge check --cell cell.yaml --detections corners.json --json",
+            "  cellgauge check --cell cell.yaml photo.png --preset thesis --chains 4",
+            "",
+            "Files in DIR: NAME.result.json, NAME.overlay.png and NAME.chain-K.csv (Stan CSV) of every photo,",
+            "report.html and summary.csv of the run. Results of earlier runs of the same names are replaced.",
+            "The table goes to standard output, progress and messages to standard error.",
+            "",
+            "Exit codes: 0 target met or none set, 1 internal error, 2 usage, 3 input refused or results not",
+            "writable, 4 target missed, 5 not converged or pose ambiguous: no figure to trust. Of several photos the",
+            "most serious counts: 1, then 3, 5, 4, 0."})
+public final class CheckCommand implements Callable<Integer> {
+    private static final Path DEFAULT_FOLDER = Path.of("cellgauge-out");
+
+    @Spec
+    private CommandSpec spec;
+
+    @ParentCommand
+    private Main main;
+
+    @Option(names = "--cell", required = true, paramLabel = "CELL", description = "The cell file.")
+    private Path cellFile;
+
+    @Parameters(paramLabel = "IMAGE", arity = "0..*",
+            description = "Photos of the cell (PNG, JPEG, BMP, TIFF, GIF), or folders of them.")
+    private List<Path> images = new ArrayList<>();
+
+    @Option(names = "--detections", paramLabel = "FILE", arity = "1..*",
+            description = "Files of corners from any detector, in place of photos; name photos before this option.")
+    private List<Path> detectionsFiles = new ArrayList<>();
+
+    @Option(names = "--out", paramLabel = "DIR",
+            description = "Folder for the results; made if it is missing (cellgauge-out; with --json: no files).")
+    private Path out;
+
+    @Option(names = "--json",
+            description = "Prints the result file to standard output in place of the table; of several photos, a list.")
+    private boolean json;
+
+    @Option(names = "--target", paramLabel = "MM",
+            description = "Largest standard deviation allowed on any axis of any object and gripping point, mm, in place "
+                    + "of the cell file's.")
+    private Double targetMm;
+
+    @Mixin
+    private CheckOptions options;
+
+    private Cell cell;
+    private CheckSettings settings;
+    private String version;
+    private MarkerDetector detector;
+    private Stages stages;
+
+    /**
+     * Runs the check.
+     *
+     * @return the exit code
+     */
+    @Override
+    public Integer call() {
+        settings = options.settings(spec.commandLine());
+        if (targetMm != null && !(targetMm > 0 && Double.isFinite(targetMm))) {
+            throw new ParameterException(spec.commandLine(), "--target: must be a positive number of mm, not " + targetMm);
+        }
+        if (images.isEmpty() && detectionsFiles.isEmpty()) {
+            throw new ParameterException(spec.commandLine(),
+                    "nothing to check; name photos, a folder of them, or --detections FILE");
+        }
+        stages = new Stages(main.debug());
+        BoofThreads.useOne();
+        version = Main.version();
+        try {
+            cell = CellReader.read(cellFile);
+            if (targetMm != null) {
+                cell = new Cell(cell.camera(), cell.family(), cell.references(), cell.objects(), cell.pixelStdPx(),
+                        OptionalDouble.of(targetMm));
+            }
+            stages.end("cell file");
+            CheckOutput output = out != null ? CheckOutput.into(out) : json ? null : CheckOutput.into(DEFAULT_FOLDER);
+            return run(CheckInput.resolve(images, detectionsFiles), output);
+        } catch (InputRefusedException | CheckOutput.UnwritableException e) {
+            return main.report(e, ExitCodes.INPUT_REFUSED, spec.commandLine());
+        }
+    }
+
+    private int run(CheckInput.Inputs inputs, CheckOutput output) {
+        PrintWriter err = spec.commandLine().getErr();
+        inputs.remarks().forEach(err::println);
+        Run run = new Run(inputs.inputs().size(), inputs.isBatch(), output);
+        for (CheckInput input : inputs.inputs()) {
+            try {
+                run.result(input, one(input));
+            } catch (InputRefusedException e) {
+                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", e);
+            } catch (CheckOutput.UnwritableException e) {
+                throw e;
+            } catch (RuntimeException e) {
+                // one photo must not cost the others their results
+                run.refused(input, ExitCodes.INTERNAL_ERROR, "internal error", e);
+            }
+        }
+        return run.finish();
+    }
+
+    /** What was found in one input, with its picture and checksum. */
+    private record Outcome(CheckResult result, GreyImage photo, String sha256) {
+    }
+
+    private Outcome one(CheckInput input) {
+        if (input.refusal() != null) {
+            throw new InputRefusedException(input.refusal());
+        }
+        GreyImage photo;
+        Detections detections;
+        if (input.isDetections()) {
+            detections = withRemarks(DetectionsFile.read(input.file()), input.file());
+            InputChecks.imageSize(cell, detections.widthPx(), detections.heightPx(), input.file().toString());
+            stages.end("detections file");
+            photo = photoBeside(input.file(), detections);
+        } else {
+            photo = ImageFiles.read(input.file());
+            stages.end("image file");
+            InputChecks.imageSize(cell, photo.widthPx(), photo.heightPx(), input.file().toString());
+            if (detector == null) {
+                detector = BoofMarkerDetector.forCell(cell);
+            }
+            detections = detector.detect(photo, input.file().toString());
+            stages.end("detection");
+        }
+        String sha256 = sha256(input.file());
+        CheckResult result = CellCheck.run(cell, detections, settings);
+        stages.end("check");
+        return new Outcome(result, photo, sha256);
+    }
+
+    /** Markers that the cell does not know are of no use, and often a sign of the wrong cell file. */
+    private Detections withRemarks(Detections detections, Path file) {
+        Set<Integer> known = new HashSet<>();
+        cell.references().forEach(r -> known.add(r.id()));
+        cell.objects().forEach(o -> known.add(o.id()));
+        List<String> foreign = new ArrayList<>();
+        for (MarkerObservation marker : detections.markers()) {
+            if (!known.contains(marker.id())) {
+                foreign.add(String.valueOf(marker.id()));
+            }
+        }
+        if (foreign.isEmpty()) {
+            return detections;
+        }
+        List<String> warnings = new ArrayList<>(detections.warnings());
+        warnings.add("the detections file names markers that are not in the cell file: " + String.join(", ", foreign)
+                + "; they are ignored");
+        return new Detections(detections.imageName(), detections.widthPx(), detections.heightPx(), detections.markers(),
+                warnings);
+    }
+
+    /** The photo that a detections file names, where it stands beside it: a ground to paint on, nothing more. */
+    private static GreyImage photoBeside(Path file, Detections detections) {
+        try {
+            Path name = Path.of(detections.imageName()).getFileName();
+            Path photo = name == null ? file : file.resolveSibling(name);
+            if (!Files.isRegularFile(photo) || Files.isSameFile(photo, file)) {
+                return null;
+            }
+            GreyImage image = ImageFiles.read(photo);
+            return image.widthPx() == detections.widthPx() && image.heightPx() == detections.heightPx() ? image : null;
+        } catch (InvalidPathException | InputRefusedException | IOException e) {
+            return null;
+        }
+    }
+
+    private static String sha256(Path file) {
+        try (InputStream in = Files.newInputStream(file)) {
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            byte[] buffer = new byte[1 << 16];
+            int n = in.read(buffer);
+            while (n >= 0) {
+                digest.update(buffer, 0, n);
+                n = in.read(buffer);
+            }
+            StringBuilder hex = new StringBuilder();
+            for (byte b : digest.digest()) {
+                hex.append(String.format(Locale.ROOT, "%02x", b));
+            }
+            return hex.toString();
+        } catch (IOException e) {
+            throw new InputRefusedException(file + ": it cannot be read (" + e.getMessage() + "); check the disk", e);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+
+    /** What a run prints, writes and returns. */
+    private final class Run {
+        private final int count;
+        private final boolean batch;
+        private final CheckOutput output;
+        private final PrintWriter stdout = spec.commandLine().getOut();
+        private final PrintWriter err = spec.commandLine().getErr();
+        private final HtmlReport report = new HtmlReport(cellFile.toString(), version);
+        private final SummaryCsv summary = new SummaryCsv();
+        private final TextTable table = new TextTable(2);
+        private final Map<String, Integer> tally = new LinkedHashMap<>();
+        private int done;
+        private int exitCode;
+        private long startedNs = System.nanoTime();
+
+        Run(int count, boolean batch, CheckOutput output) {
+            this.count = count;
+            this.batch = batch;
+            this.output = output;
+            table.row("photo", "verdict", "worst std mm", "of", "R-hat", "draws");
+            if (json && batch) {
+                stdout.print("[");
+            }
+        }
+
+        void result(CheckInput input, Outcome outcome) {
+            CheckResult result = outcome.result();
+            String text = ResultJson.of(result, input.file().getFileName().toString(), outcome.sha256(), version);
+            if (output != null) {
+                files(input, outcome, text);
+            }
+            summary.add(input, result);
+            note(CheckText.word(result.verdict()));
+            exitCode = ExitCodes.moreSerious(exitCode, ExitCodes.of(result.verdict()));
+            ObjectEstimate worst = null;
+            for (ObjectEstimate object : result.estimate().objects()) {
+                worst = worst == null || object.worstStdMm() > worst.worstStdMm() ? object : worst;
+            }
+            String std = worst == null ? "-" : CheckText.fixed(worst.worstStdMm(), 2);
+            table.row(input.name(), CheckText.word(result.verdict()), std, worst == null ? "" : "object " + worst.id(),
+                    CheckText.fixed(result.diagnostics().rHatMax(), 3),
+                    CheckText.fixed(Math.min(result.diagnostics().essBulkMin(), result.diagnostics().essTailMin()), 0));
+            if (json) {
+                stdout.print(batch && done > 1 ? ",\n" + text.stripTrailing() : text.stripTrailing());
+            } else if (!batch) {
+                stdout.println(Main.coloured(CheckText.word(result.verdict()), ExitCodes.of(result.verdict())) + "  "
+                        + CheckText.wrap(input.file() + ": " + result.reason(), "      ").stripTrailing());
+                stdout.print(CheckText.of(result));
+            }
+            stdout.flush();
+            progress(input, CheckText.word(result.verdict()) + (worst == null ? "" : ", worst std " + std + " mm"));
+        }
+
+        private void files(CheckInput input, Outcome outcome, String text) {
+            CheckResult result = outcome.result();
+            Map<String, byte[]> files = new LinkedHashMap<>();
+            try {
+                for (int chain = 1; chain <= result.draws().size(); chain++) {
+                    StringBuilder csv = new StringBuilder();
+                    StanCsv.write(result, chain, input.file().getFileName().toString(), version, csv);
+                    files.put(input.name() + ".chain-" + chain + ".csv", csv.toString().getBytes(StandardCharsets.UTF_8));
+                }
+                stages.end("chain files");
+                BufferedImage picture = ResultPicture.of(outcome.photo(), result);
+                files.put(input.name() + ".overlay.png", Pictures.png(picture));
+                report.add(input, result, Pictures.jpeg(picture, reportWidthPx()));
+                stages.end("pictures");
+            } catch (IOException e) {
+                throw new IllegalStateException("encoding in memory failed", e);
+            }
+            files.put(input.name() + ".result.json", text.getBytes(StandardCharsets.UTF_8));
+            output.write(files);
+            removeOlderChains(input.name(), result.draws().size());
+            stages.end("writing");
+        }
+
+        /** A run with fewer chains than an earlier one must not leave chains of that one beside its own. */
+        private void removeOlderChains(String name, int chains) {
+            int next = chains + 1;
+            while (output.delete(name + ".chain-" + next + ".csv")) {
+                next++;
+            }
+        }
+
+        /** Reports of many photos must stay small enough to open. */
+        private int reportWidthPx() {
+            return count <= 24 ? 1280 : count <= 200 ? 640 : 320;
+        }
+
+        void refused(CheckInput input, int code, String word, RuntimeException e) {
+            String message = code == ExitCodes.INPUT_REFUSED ? e.getMessage() : Main.inShort(e);
+            main.report(e, code, spec.commandLine());
+            exitCode = ExitCodes.moreSerious(exitCode, code);
+            summary.add(input, word, message);
+            report.add(input, word, message);
+            note(word);
+            table.row(input.name(), word, "-", "", "-", "-");
+            progress(input, word);
+        }
+
+        private void note(String word) {
+            tally.merge(word, 1, Integer::sum);
+            done++;
+        }
+
+        private void progress(CheckInput input, String what) {
+            if (batch) {
+                long now = System.nanoTime();
+                err.printf(Locale.ROOT, "[%d/%d] %s: %s (%.2f s)%n", done, count, input.name(), what,
+                        (now - startedNs) * 1e-9);
+                err.flush();
+                startedNs = now;
+            }
+        }
+
+        int finish() {
+            List<String> parts = new ArrayList<>();
+            tally.forEach((word, number) -> parts.add(number + " " + word));
+            String total = (count == 1 ? "1 photo: " : count + " photos: ") + String.join(", ", parts);
+            if (json) {
+                stdout.println(batch ? "]" : "");
+            } else if (batch) {
+                stdout.print(table.text(""));
+                stdout.println(total);
+            }
+            stdout.flush();
+            if (output != null) {
+                Map<String, byte[]> files = new LinkedHashMap<>();
+                files.put("summary.csv", summary.text().getBytes(StandardCharsets.UTF_8));
+                files.put("report.html", report.html(total).getBytes(StandardCharsets.UTF_8));
+                output.write(files);
+                stages.end("report");
+                err.println("Results in " + output + ": open " + Path.of(output.toString(), "report.html"));
+            }
+            stages.print(err);
+            err.flush();
+            return exitCode;
+        }
+    }
+
+    /** How long the stages of a run take, for --debug. */
+    private static final class Stages {
+        private final boolean wanted;
+        private final Map<String, Long> nanoseconds = new LinkedHashMap<>();
+        private long last;
+
+        Stages(boolean wanted) {
+            this.wanted = wanted;
+            last = System.nanoTime();
+            if (wanted) {
+                ProcessHandle.current().info().startInstant().ifPresent(start -> nanoseconds.put("start of Java",
+                        java.time.Duration.between(start, java.time.Instant.now()).toNanos()));
+            }
+        }
+
+        void end(String stage) {
+            long now = System.nanoTime();
+            nanoseconds.merge(stage, now - last, Long::sum);
+            last = now;
+        }
+
+        void print(PrintWriter err) {
+            if (wanted) {
+                List<String> parts = new ArrayList<>();
+                nanoseconds.forEach((stage, ns) -> parts.add(stage + " " + Math.round(ns * 1e-6) + " ms"));
+                err.println("Time: " + String.join(", ", parts));
+            }
+        }
+    }
+}

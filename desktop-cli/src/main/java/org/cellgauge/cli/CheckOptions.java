@@ -1,0 +1,149 @@
+package org.cellgauge.cli;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.check.LikelihoodModel;
+import org.cellgauge.check.SamplerKind;
+import org.cellgauge.pose.InitialPose;
+import picocli.CommandLine;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+
+/** Options common to the commands that sample. What is not given stays as the preset or the default has it. */
+final class CheckOptions {
+    @Option(names = "--preset", paramLabel = "thesis",
+            description = "Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of steps, "
+                    + "1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no noise of the "
+                    + "objects' own corners. Options given besides still count.")
+    private String preset;
+
+    @Option(names = "--model", paramLabel = "rigid-marker|corner-cube",
+            description = "How placement errors move corners: each reference as a rigid whole (default), or every corner "
+                    + "on its own as in the thesis.")
+    private String model;
+
+    @Option(names = "--kappa", paramLabel = "K",
+            description = "Half extent of corner-cube's box in standard deviations (0.5).")
+    private Double kappa;
+
+    @Option(names = "--sampler", paramLabel = "independence|adaptive|thesis-mixture",
+            description = "How the camera pose is sampled (independence).")
+    private String sampler;
+
+    @Option(names = "--chains", paramLabel = "N", description = "Number of chains (4).")
+    private Integer chains;
+
+    @Option(names = "--iterations", paramLabel = "N",
+            description = "Iterations of each chain, warm-up included. Without it: as many as a Monte Carlo error of 2 %% "
+                    + "in every standard deviation takes, at most 50000.")
+    private Integer iterations;
+
+    @Option(names = "--warmup", paramLabel = "N",
+            description = "Iterations of each chain that are not kept (independence 200, adaptive 5000, thesis-mixture "
+                    + "half of them).")
+    private Integer warmup;
+
+    @Option(names = "--seed", paramLabel = "SEED",
+            description = "Seed of everything random; the same seed gives the same figures (1).")
+    private Long seed;
+
+    @Option(names = "--estimate", paramLabel = "none|focal|intrinsics",
+            description = "What of the camera is estimated along with its pose (none).")
+    private String estimate;
+
+    @Option(names = "--focal-prior-std", paramLabel = "PX",
+            description = "With --estimate focal: standard deviation of what is known of fx and fy beforehand, about the "
+                    + "camera file's values, px (200).")
+    private Double focalPriorStdPx;
+
+    @Option(names = "--initial", paramLabel = "average|ransac|pnp", description = "First estimate of the camera pose (pnp).")
+    private String initial;
+
+    @Option(names = "--object-noise", paramLabel = "detection|none",
+            description = "Whether the noise in an object's own corners counts (detection), or the camera's part alone is "
+                    + "wanted (none).")
+    private String objectNoise;
+
+    @Option(names = "--threads", paramLabel = "N",
+            description = "Number of threads; no figure depends on it (all cores).")
+    private Integer threads;
+
+    /**
+     * The settings that these options ask for.
+     *
+     * @param command for messages about faulty options
+     * @return the settings
+     * @throws ParameterException if an option has no such value, or values do not go together
+     */
+    CheckSettings settings(CommandLine command) {
+        CheckSettings.Builder b = CheckSettings.builder();
+        if (preset != null) {
+            choose(command, "--preset", preset, List.of("thesis"), Function.identity());
+            b = CheckSettings.thesis();
+        }
+        if (model != null) {
+            b.model(choose(command, "--model", model, Arrays.asList(LikelihoodModel.values()),
+                    LikelihoodModel::optionName));
+        }
+        if (sampler != null) {
+            b.sampler(choose(command, "--sampler", sampler, Arrays.asList(SamplerKind.values()),
+                    SamplerKind::optionName));
+        }
+        if (estimate != null) {
+            if (estimate.equals("intrinsics")) {
+                throw new ParameterException(command, "--estimate: this version estimates no intrinsics but the focal "
+                        + "length; use --estimate focal, or calibrate the camera beforehand");
+            }
+            b.estimate(choose(command, "--estimate", estimate, Arrays.asList(CheckSettings.Estimate.values()),
+                    CheckSettings.Estimate::optionName));
+        }
+        if (initial != null) {
+            b.initial(choose(command, "--initial", initial,
+                    List.of(InitialPose.AVERAGE, InitialPose.RANSAC, InitialPose.PNP), InitialPose::optionName));
+        }
+        if (objectNoise != null) {
+            b.objectNoise(choose(command, "--object-noise", objectNoise,
+                    Arrays.asList(CheckSettings.ObjectNoise.values()), CheckSettings.ObjectNoise::optionName));
+        }
+        if (kappa != null) {
+            b.kappa(kappa);
+        }
+        if (chains != null) {
+            b.chains(chains);
+        }
+        if (iterations != null) {
+            b.iterations(iterations);
+        }
+        if (warmup != null) {
+            b.warmup(warmup);
+        }
+        if (seed != null) {
+            b.seed(seed);
+        }
+        if (focalPriorStdPx != null) {
+            b.focalPriorStdPx(focalPriorStdPx);
+        }
+        if (threads != null) {
+            b.threads(threads);
+        }
+        try {
+            return b.build();
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(command, e.getMessage());
+        }
+    }
+
+    private static <T> T choose(CommandLine command, String option, String given, List<T> choices,
+            Function<T, String> name) {
+        for (T choice : choices) {
+            if (name.apply(choice).equals(given)) {
+                return choice;
+            }
+        }
+        throw new ParameterException(command, option + ": '" + given + "' is not known; write "
+                + choices.stream().map(name).collect(Collectors.joining(" or ")));
+    }
+}

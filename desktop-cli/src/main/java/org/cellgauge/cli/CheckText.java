@@ -1,0 +1,259 @@
+package org.cellgauge.cli;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.check.Diagnostics;
+import org.cellgauge.check.ModeEstimate;
+import org.cellgauge.check.ObjectEstimate;
+import org.cellgauge.check.PointEstimate;
+import org.cellgauge.check.PoseEstimate;
+import org.cellgauge.check.VarianceBudget;
+import org.cellgauge.check.Verdict;
+import org.cellgauge.sampling.AcceptanceCount;
+
+/** A result in words and aligned columns, for people; ASCII, so that every terminal shows it. */
+final class CheckText {
+    private static final int WIDTH = 100;
+    private static final double NEGLIGIBLE_SHARE = 0.005;
+
+    private CheckText() {
+    }
+
+    /** The word of a verdict as people read it; what asks for attention stands in capitals. */
+    static String word(Verdict verdict) {
+        switch (verdict) {
+            case PASS:
+                return "pass";
+            case FAIL:
+                return "FAIL";
+            case NOT_CONVERGED:
+                return "NOT CONVERGED";
+            case AMBIGUOUS:
+                return "AMBIGUOUS";
+            default:
+                return "no target";
+        }
+    }
+
+    /** Words that stand beside every figure that must not be trusted; empty where all may be. */
+    static String caution(CheckResult result) {
+        return result.verdict() == Verdict.NOT_CONVERGED ? "not converged"
+                : result.verdict() == Verdict.AMBIGUOUS ? "ambiguous" : "";
+    }
+
+    /** Whether one deviation is within the target: a word, or a caution where no figure can be trusted. */
+    static String mark(CheckResult result, double worstStdMm) {
+        OptionalDouble target = result.cell().targetStdMm();
+        String caution = caution(result);
+        if (!caution.isEmpty()) {
+            return caution;
+        }
+        return !target.isPresent() ? "" : worstStdMm <= target.getAsDouble() ? "pass" : "FAIL";
+    }
+
+    /** The whole result. */
+    static String of(CheckResult result) {
+        StringBuilder text = new StringBuilder();
+        String caution = caution(result);
+        String beside = caution.isEmpty() ? "" : " - " + caution.toUpperCase(Locale.ROOT);
+        camera(result, beside, text);
+        if (!result.estimate().objects().isEmpty()) {
+            objects(result, beside, text);
+            budgets(result, text);
+        }
+        modes(result, text);
+        text.append('\n').append(diagnosticsLine(result)).append('\n').append(acceptanceLine(result)).append('\n')
+                .append(laplaceLine(result)).append('\n');
+        if (!result.warnings().isEmpty()) {
+            text.append("\nWarnings\n");
+            for (String warning : result.warnings()) {
+                text.append(wrap("  - " + warning, "    "));
+            }
+        }
+        return text.toString();
+    }
+
+    private static void camera(CheckResult result, String beside, StringBuilder text) {
+        PoseEstimate pose = result.estimate().camera();
+        text.append("\nCamera in world").append(beside).append('\n');
+        TextTable table = new TextTable(1);
+        table.row("", "x mm", "y mm", "z mm", "psi deg", "theta deg", "phi deg");
+        String[] mean = {"mean", "", "", "", "", "", ""};
+        String[] std = {"std", "", "", "", "", "", ""};
+        double[] m = pose.mean();
+        double[] s = pose.std();
+        for (int i = 0; i < 6; i++) {
+            mean[i + 1] = i < 3 ? fixed(m[i], 2) : fixed(Math.toDegrees(m[i]), 3);
+            std[i + 1] = i < 3 ? fixed(s[i], 2) : fixed(Math.toDegrees(s[i]), 3);
+        }
+        text.append(table.row(mean).row(std).text("  "));
+        if (result.estimate().intrinsics() != null) {
+            text.append("\nIntrinsics").append(beside).append('\n');
+            TextTable intrinsics = new TextTable(1).row("", "mean", "std");
+            double[] values = result.estimate().intrinsics().mean();
+            double[][] covariance = result.estimate().intrinsics().covariance();
+            for (int i = 0; i < values.length; i++) {
+                intrinsics.row(result.estimate().intrinsics().names().get(i), significant(values[i], 6),
+                        significant(Math.sqrt(covariance[i][i]), 3));
+            }
+            text.append(intrinsics.text("  "));
+        }
+    }
+
+    private static void objects(CheckResult result, String beside, StringBuilder text) {
+        OptionalDouble target = result.cell().targetStdMm();
+        text.append("\nObjects in world, mm").append(target.isPresent()
+                ? ", against a target std of " + plain(target.getAsDouble()) + " mm" : "").append(beside).append('\n');
+        TextTable table = new TextTable(1);
+        table.row("", "x", "y", "z", "std x", "std y", "std z", target.isPresent() ? "target" : "");
+        for (ObjectEstimate object : result.estimate().objects()) {
+            double[] mean = object.pose().mean();
+            double[] std = object.pose().std();
+            table.row("object " + object.id(), fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2), fixed(std[0], 2),
+                    fixed(std[1], 2), fixed(std[2], 2), mark(result, Math.max(std[0], Math.max(std[1], std[2]))));
+            PointEstimate grip = object.grip();
+            if (grip != null) {
+                double[] g = grip.meanMm();
+                double[] gs = grip.stdMm();
+                table.row("  its gripping point", fixed(g[0], 2), fixed(g[1], 2), fixed(g[2], 2), fixed(gs[0], 2),
+                        fixed(gs[1], 2), fixed(gs[2], 2), mark(result, Math.max(gs[0], Math.max(gs[1], gs[2]))));
+            }
+        }
+        text.append(table.text("  "));
+    }
+
+    private static void budgets(CheckResult result, StringBuilder text) {
+        text.append("\nWhere the variance comes from\n");
+        for (ObjectEstimate object : result.estimate().objects()) {
+            budget("object " + object.id(), object.budget(), text);
+            if (object.gripBudget() != null) {
+                budget("its gripping point", object.gripBudget(), text);
+            }
+        }
+    }
+
+    private static void budget(String what, VarianceBudget budget, StringBuilder text) {
+        text.append(wrap("  " + what + ": " + sources(budget.shares()), "    "));
+    }
+
+    /** Sources by falling share, those below half a percent left out. */
+    static String sources(Map<String, Double> shares) {
+        List<Map.Entry<String, Double>> sorted = new ArrayList<>(shares.entrySet());
+        sorted.sort((a, b) -> Double.compare(b.getValue(), a.getValue()));
+        List<String> words = new ArrayList<>();
+        for (Map.Entry<String, Double> e : sorted) {
+            if (e.getValue() >= NEGLIGIBLE_SHARE) {
+                words.add(e.getKey() + " " + Math.round(100 * e.getValue()) + " %");
+            }
+        }
+        return String.join(", ", words);
+    }
+
+    private static void modes(CheckResult result, StringBuilder text) {
+        if (result.verdict() != Verdict.AMBIGUOUS) {
+            return;
+        }
+        text.append("\nPoses that explain the photo\n");
+        TextTable table = new TextTable(1);
+        table.row("", "share", "x mm", "y mm", "z mm", "psi deg", "theta deg", "phi deg");
+        if (result.estimate().cameraModes().size() > 1) {
+            modeRows("camera", result.estimate().cameraModes(), table);
+        }
+        for (ObjectEstimate object : result.estimate().objects()) {
+            if (object.modes().size() > 1) {
+                modeRows("object " + object.id(), object.modes(), table);
+            }
+        }
+        text.append(table.text("  "));
+    }
+
+    private static void modeRows(String name, List<ModeEstimate> modes, TextTable table) {
+        for (ModeEstimate mode : modes) {
+            double[] m = mode.pose().mean();
+            table.row(name, fixed(100 * mode.weight(), 1) + " %", fixed(m[0], 2), fixed(m[1], 2), fixed(m[2], 2),
+                    fixed(Math.toDegrees(m[3]), 2), fixed(Math.toDegrees(m[4]), 2), fixed(Math.toDegrees(m[5]), 2));
+        }
+    }
+
+    /** How the chains went, in one line. */
+    static String diagnosticsLine(CheckResult result) {
+        Diagnostics d = result.diagnostics();
+        CheckSettings s = result.settings();
+        String word = d.converged() ? "converged" : "not converged";
+        return String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective draws %s%s%n"
+                + "        (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.chains(),
+                result.iterationsPerChain(), s.warmup(), fixed(d.rHatMax(), 3), fixed(d.essBulkMin(), 0), "",
+                fixed(d.essTailMin(), 0), fixed(100 * d.mcseStdRelMax(), 1)).replace(System.lineSeparator(), "\n");
+    }
+
+    private static String acceptanceLine(CheckResult result) {
+        Map<String, String> rates = new LinkedHashMap<>();
+        for (AcceptanceCount count : result.acceptance()) {
+            rates.put(count.proposal(), fixed(100 * count.rate(), 0) + " %");
+        }
+        List<String> words = new ArrayList<>();
+        rates.forEach((name, rate) -> words.add(name + " " + rate));
+        return wrap("Accepted: " + String.join(", ", words), "        ").stripTrailing();
+    }
+
+    /** What the chains say in multiples of Laplace's approximation. */
+    static String laplaceLine(CheckResult result) {
+        Map<Double, String> ratios = new TreeMap<>();
+        for (ObjectEstimate sampled : result.estimate().objects()) {
+            ObjectEstimate quick = result.quickLook().object(sampled.id());
+            for (int i = 0; i < 3; i++) {
+                ratios.put(sampled.pose().std()[i] / quick.pose().std()[i], "xyz".charAt(i) + " of object " + sampled.id());
+            }
+        }
+        TreeMap<Double, String> sorted = new TreeMap<>(ratios);
+        if (sorted.isEmpty()) {
+            for (int i = 0; i < 3; i++) {
+                sorted.put(result.estimate().camera().std()[i] / result.quickLook().camera().std()[i],
+                        "xyz".charAt(i) + " of the camera");
+            }
+        }
+        return String.format(Locale.ROOT, "Std of the chains against Laplace's approximation: %.2f (%s) to %.2f (%s)",
+                sorted.firstKey(), sorted.firstEntry().getValue(), sorted.lastKey(), sorted.lastEntry().getValue());
+    }
+
+    /** A number with fixed decimals; a dash where there is none. */
+    static String fixed(double value, int decimals) {
+        return Double.isFinite(value) ? String.format(Locale.ROOT, "%." + decimals + "f", value) : "-";
+    }
+
+    private static String significant(double value, int digits) {
+        if (!Double.isFinite(value) || value == 0) {
+            return fixed(value, 0);
+        }
+        int decimals = digits - 1 - (int) Math.floor(Math.log10(Math.abs(value)));
+        return fixed(value, Math.max(0, Math.min(decimals, 9)));
+    }
+
+    /** A number without needless decimals. */
+    static String plain(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e9 ? String.format(Locale.ROOT, "%.0f", value)
+                : Double.toString(value);
+    }
+
+    /** Breaks at spaces; every line ends with a line feed. */
+    static String wrap(String text, String indent) {
+        StringBuilder out = new StringBuilder();
+        String rest = text;
+        while (rest.length() > WIDTH) {
+            int at = rest.lastIndexOf(' ', WIDTH);
+            if (at <= indent.length() + 1) {
+                break;
+            }
+            out.append(rest, 0, at).append('\n');
+            rest = indent + rest.substring(at + 1);
+        }
+        return out.append(rest).append('\n').toString();
+    }
+}

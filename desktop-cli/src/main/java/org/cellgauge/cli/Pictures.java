@@ -1,0 +1,70 @@
+package org.cellgauge.cli;
+
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.awt.image.WritableRaster;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.cellgauge.vision.GreyImage;
+
+/** Pictures as files: encoding and scaling. */
+final class Pictures {
+    private static final float JPEG_QUALITY = 0.85f;
+
+    private Pictures() {
+    }
+
+    /** A grey photo as a picture to paint on. */
+    static BufferedImage of(GreyImage photo) {
+        BufferedImage picture = new BufferedImage(photo.widthPx(), photo.heightPx(), BufferedImage.TYPE_BYTE_GRAY);
+        WritableRaster raster = picture.getRaster();
+        byte[] row = new byte[photo.widthPx()];
+        for (int y = 0; y < photo.heightPx(); y++) {
+            System.arraycopy(photo.luminance(), photo.offset() + y * photo.rowStride(), row, 0, row.length);
+            raster.setDataElements(0, y, row.length, 1, row);
+        }
+        return picture;
+    }
+
+    /** A picture as PNG, every pixel kept. */
+    static byte[] png(BufferedImage picture) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        // in memory: the default would keep a copy in a temporary file
+        try (MemoryCacheImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
+            if (!ImageIO.write(picture, "png", out)) {
+                throw new IOException("this Java writes no PNG");
+            }
+        }
+        return bytes.toByteArray();
+    }
+
+    /** A picture as JPEG, scaled down to a width where it is wider. */
+    static byte[] jpeg(BufferedImage picture, int maxWidthPx) throws IOException {
+        int width = Math.min(maxWidthPx, picture.getWidth());
+        int height = Math.max(1, (int) Math.round((double) picture.getHeight() * width / picture.getWidth()));
+        BufferedImage scaled = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = scaled.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        g.setRenderingHint(RenderingHints.KEY_RENDERING, RenderingHints.VALUE_RENDER_QUALITY);
+        g.drawImage(picture, 0, 0, width, height, null);
+        g.dispose();
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (MemoryCacheImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
+            writer.setOutput(out);
+            ImageWriteParam param = writer.getDefaultWriteParam();
+            param.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+            param.setCompressionQuality(JPEG_QUALITY);
+            writer.write(null, new IIOImage(scaled, null, null), param);
+        } finally {
+            writer.dispose();
+        }
+        return bytes.toByteArray();
+    }
+}
