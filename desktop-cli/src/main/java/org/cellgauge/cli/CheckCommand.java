@@ -29,6 +29,7 @@ import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.ObjectEstimate;
 import org.cellgauge.check.ResultJson;
 import org.cellgauge.check.StanCsv;
+import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.BoofThreads;
 import org.cellgauge.vision.Detections;
@@ -306,7 +307,7 @@ public final class CheckCommand implements Callable<Integer> {
                     files.put(input.name() + ".chain-" + chain + ".csv", csv.toString().getBytes(StandardCharsets.UTF_8));
                 }
                 stages.end("chain files");
-                BufferedImage picture = ResultPicture.of(outcome.photo(), result);
+                BufferedImage picture = OverlayPainter.paint(outcome.photo(), CellOverlay.of(result));
                 files.put(input.name() + ".overlay.png", Pictures.png(picture));
                 report.add(input, result, Pictures.jpeg(picture, reportWidthPx()));
                 stages.end("pictures");

@@ -3,7 +3,6 @@ package org.cellgauge.cli;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import javax.imageio.IIOImage;
@@ -11,25 +10,12 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import org.cellgauge.vision.GreyImage;
 
 /** Pictures as files: encoding and scaling. */
 final class Pictures {
     private static final float JPEG_QUALITY = 0.85f;
 
     private Pictures() {
-    }
-
-    /** A grey photo as a picture to paint on. */
-    static BufferedImage of(GreyImage photo) {
-        BufferedImage picture = new BufferedImage(photo.widthPx(), photo.heightPx(), BufferedImage.TYPE_BYTE_GRAY);
-        WritableRaster raster = picture.getRaster();
-        byte[] row = new byte[photo.widthPx()];
-        for (int y = 0; y < photo.heightPx(); y++) {
-            System.arraycopy(photo.luminance(), photo.offset() + y * photo.rowStride(), row, 0, row.length);
-            raster.setDataElements(0, y, row.length, 1, row);
-        }
-        return picture;
     }
 
     /** A picture as PNG, every pixel kept. */
