@@ -1,7 +1,9 @@
 package org.cellgauge.check;
 
 import java.util.List;
+import java.util.function.Function;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.pose.CameraModeFinder;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.pose.PoseMode;
@@ -20,15 +22,23 @@ final class CameraTarget {
     final PosePrior posePrior;
     final List<PoseMode> modes;
     final RigidTransform initialWorldFromCamera;
+    private final Function<ReferenceView, CameraModeFinder> finders;
 
     CameraTarget(ReferenceView view, CheckSettings settings, IntrinsicsPrior intrinsicsPrior, PosePrior posePrior,
-            List<PoseMode> modes, RigidTransform initialWorldFromCamera) {
+            List<PoseMode> modes, RigidTransform initialWorldFromCamera,
+            Function<ReferenceView, CameraModeFinder> finders) {
         this.view = view;
         this.settings = settings;
         this.intrinsicsPrior = intrinsicsPrior;
         this.posePrior = posePrior;
         this.modes = modes;
         this.initialWorldFromCamera = initialWorldFromCamera;
+        this.finders = finders;
+    }
+
+    /** Finds the modes as they were found for this target, from other references. */
+    CameraModeFinder finder(ReferenceView other) {
+        return finders.apply(other);
     }
 
     /** The posterior in the centred chart about the heaviest mode, a new instance for one thread. */

@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
@@ -58,6 +59,9 @@ public final class CellCheck {
     private static final double LEANING_SHARE = 0.01;
     private static final int FIRST_ROUND = 1000;
     private static final double SMALLEST_SIDE_PX = 25;
+    private static final double ADVISED_SIDE_PX = 32;
+    /** Effective share of importance draws below which an independence chain would stick: a random walk does better. */
+    private static final double POOR_EFFICIENCY = 0.05;
 
     private final Cell cell;
     private final Detections detections;
@@ -72,6 +76,7 @@ public final class CellCheck {
     private Estimates estimates;
     private Diagnostics diagnostics;
     private int diagnosedDraws;
+    private SamplerKind samplerUsed;
 
     private CellCheck(Cell cell, Detections detections, CheckSettings settings) {
         this.cell = cell;
@@ -118,10 +123,15 @@ public final class CellCheck {
     private Flowable<CheckUpdate> updates() {
         prepare();
         CellEstimate quickLook = quickLook();
+        return Flowable.just(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, quickLook, 0, null))
+                .concatWith(Flowable.defer(() -> sampling(quickLook)));
+    }
+
+    private Flowable<CheckUpdate> sampling(CellEstimate quickLook) {
+        tuneObjects();
         CellQuantities quantities = new CellQuantities(camera, objects);
         estimates = new Estimates(cell, quantities, quickLook);
-        CameraSampler.Tuned tuned = settings.sampler().sampler().tune(camera,
-                RandomStreams.of(settings.seed(), STREAM_TUNING));
+        CameraSampler.Tuned tuned = tunedSampler();
         List<CellProcess> processes = new ArrayList<>();
         try {
             for (int c = 0; c < settings.chains(); c++) {
@@ -133,11 +143,11 @@ public final class CellCheck {
         }
         boolean[] judged = quantities.judged();
         int cap = settings.iterations().orElse(settings.maxIterations());
-        RunLength length = new RunLength(settings.warmup(),
-                settings.iterations().isPresent() ? cap - settings.warmup() : FIRST_ROUND, cap);
+        int warmup = settings.toBuilder().sampler(samplerUsed).build().warmup();
+        RunLength length = new RunLength(warmup, settings.iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
                 draws -> preciseEnough(diagnosed(draws, quantities, judged)), settings.threads());
-        Flowable<CheckUpdate> sampling = ensemble.stream().map(snapshot -> {
+        return ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null) : quickLook;
             if (!snapshot.last()) {
                 return new CheckUpdate(CheckUpdate.Phase.SAMPLING, running, snapshot.iterationsPerChain(), null);
@@ -145,7 +155,29 @@ public final class CellCheck {
             CheckResult result = result(quickLook, quantities, judged, ensemble.draws(), snapshot);
             return new CheckUpdate(CheckUpdate.Phase.RESULT, result.estimate(), snapshot.iterationsPerChain(), result);
         });
-        return Flowable.just(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, quickLook, 0, null)).concatWith(sampling);
+    }
+
+    /** The sampler asked for; where independence fits the posterior too poorly, adaptive Metropolis instead. */
+    private CameraSampler.Tuned tunedSampler() {
+        CameraSampler.Tuned tuned = settings.sampler().sampler().tune(camera,
+                RandomStreams.of(settings.seed(), STREAM_TUNING));
+        samplerUsed = settings.sampler();
+        if (settings.sampler() == SamplerKind.INDEPENDENCE && tuned.efficiency() < POOR_EFFICIENCY) {
+            warnings.add(String.format(Locale.ROOT, "the posterior is far from Gaussian (importance efficiency %.0f %%): "
+                    + "adaptive Metropolis was used instead of independence", 100 * tuned.efficiency()));
+            samplerUsed = SamplerKind.ADAPTIVE;
+            return SamplerKind.ADAPTIVE.sampler().tune(camera, RandomStreams.of(settings.seed(), STREAM_TUNING));
+        }
+        return tuned;
+    }
+
+    /** Fits each object's proposal, once the quick look is out. */
+    private void tuneObjects() {
+        if (settings.objectNoise() == CheckSettings.ObjectNoise.NONE) {
+            return;
+        }
+        objects.replaceAll(o -> o.withProposal(TunedMixture.tune(o.posterior(), o.modes,
+                RandomStreams.of(settings.seed(), STREAM_OBJECT_TUNING, o.marker.id())).proposal()));
     }
 
     /** Diagnostics of draws, kept: the draws that suffice are those of the result. */
@@ -183,21 +215,21 @@ public final class CellCheck {
                 continue;
             }
             objects.add(objectTarget(marker, observation, atMode));
-            warnIfSmall(observation);
         }
         if (!missing.isEmpty()) {
             warnings.add("not seen in the photo: object " + join(ids(missing)));
+        }
+        warnOfSmallMarkers();
+        if (settings.model() == LikelihoodModel.RIGID_MARKER) {
+            warnings.addAll(MisplacedReferences.warnings(camera));
         }
     }
 
     private ReferenceView references() {
         List<Integer> unseen = new ArrayList<>();
         for (Reference r : cell.references()) {
-            MarkerObservation observation = detections.find(r.id());
-            if (observation == null) {
+            if (detections.find(r.id()) == null) {
                 unseen.add(r.id());
-            } else {
-                warnIfSmall(observation);
             }
         }
         if (unseen.size() == cell.references().size()) {
@@ -210,15 +242,21 @@ public final class CellCheck {
         return ReferenceView.of(cell.references(), detections);
     }
 
-    private void warnIfSmall(MarkerObservation observation) {
-        String detectorSays = "marker " + observation.id() + " is small";
-        if (detections.warnings().stream().anyMatch(w -> w.startsWith(detectorSays))) {
-            return;
+    /** One warning for all markers of the cell that the image shows too small. */
+    private void warnOfSmallMarkers() {
+        StringBuilder small = new StringBuilder();
+        for (MarkerObservation m : detections.markers()) {
+            boolean ofCell = cell.references().stream().anyMatch(r -> r.id() == m.id())
+                    || cell.objects().stream().anyMatch(o -> o.id() == m.id());
+            if (ofCell && m.shortestSidePx() < SMALLEST_SIDE_PX) {
+                small.append(small.length() == 0 ? "" : ", ")
+                        .append(String.format(Locale.ROOT, "%d (%.1f px)", m.id(), m.shortestSidePx()));
+            }
         }
-        if (observation.shortestSidePx() < SMALLEST_SIDE_PX) {
-            warnings.add(String.format(Locale.ROOT, "marker %d is only %.0f px wide: below %.0f px corners get imprecise "
-                    + "and markers get lost; use a larger marker or move the camera closer", observation.id(),
-                    observation.shortestSidePx(), SMALLEST_SIDE_PX));
+        if (small.length() > 0) {
+            warnings.add(String.format(Locale.ROOT, "small in the image: marker %s; below %.0f px of side corners get "
+                    + "imprecise and markers are missed, plan for %.0f px: larger markers or a closer camera", small,
+                    SMALLEST_SIDE_PX, ADVISED_SIDE_PX));
         }
     }
 
@@ -291,7 +329,6 @@ public final class CellCheck {
             }
             warnings.add("the " + settings.initial().optionName() + " estimate found no camera pose; pnp was used instead");
         }
-        ReferenceNoise ownNoise = settings.model().noise(view, pixelStdPx, settings.kappa());
         PosePrior posePrior = null;
         if (settings.posePriorAllowed() && view.size() <= 2) {
             posePrior = new PosePrior(CameraState.of(view.cameraFromSet(initial), cell.camera()), PRIOR_STD_MM,
@@ -299,7 +336,10 @@ public final class CellCheck {
             posePriorText = String.format(Locale.ROOT, "N(initial estimate, %.0f mm, %.1f rad)", PRIOR_STD_MM,
                     PRIOR_STD_RAD);
         }
-        CameraModeFinder finder = new CameraModeFinder(view, cell.camera(), ownNoise, intrinsics, posePrior);
+        PosePrior prior = posePrior;
+        Function<ReferenceView, CameraModeFinder> finders = references -> new CameraModeFinder(references, cell.camera(),
+                settings.model().noise(references, pixelStdPx, settings.kappa()), intrinsics, prior);
+        CameraModeFinder finder = finders.apply(view);
         List<PoseMode> modes = finder.modes(initial);
         if (modes.isEmpty() && settings.initial() != InitialPose.PNP) {
             modes = finder.modes(InitialPose.PNP.estimate(view, cell.camera()));
@@ -307,7 +347,7 @@ public final class CellCheck {
         if (modes.isEmpty()) {
             throw noPose();
         }
-        return new CameraTarget(view, settings, intrinsics, posePrior, notNegligible(modes), initial);
+        return new CameraTarget(view, settings, intrinsics, posePrior, notNegligible(modes), initial, finders);
     }
 
     private InputRefusedException noPose() {
@@ -347,12 +387,7 @@ public final class CellCheck {
         }
         boolean noisy = settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION;
         modes = noisy ? notNegligible(modes) : modes.subList(0, 1);
-        ObjectTarget bare = new ObjectTarget(marker, corners, pixelStdPx, modes, TunedMixture.ofModes(modes));
-        if (!noisy) {
-            return bare;
-        }
-        return new ObjectTarget(marker, corners, pixelStdPx, modes, TunedMixture.tune(bare.posterior(), modes,
-                RandomStreams.of(settings.seed(), STREAM_OBJECT_TUNING, marker.id())).proposal());
+        return new ObjectTarget(marker, corners, pixelStdPx, modes, TunedMixture.ofModes(modes));
     }
 
     // ---- quick look
@@ -421,7 +456,7 @@ public final class CellCheck {
         Verdict verdict = verdict(estimate, diagnostics);
         return new CheckResult(cell, detections, settings, verdict, reason(verdict, estimate, diagnostics), estimate,
                 quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
-                quantities.layout, last.iterationsPerChain(), posePriorText);
+                quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed);
     }
 
     private Verdict verdict(CellEstimate estimate, Diagnostics diagnostics) {

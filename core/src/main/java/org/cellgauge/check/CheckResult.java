@@ -26,11 +26,12 @@ public final class CheckResult {
     private final QuantityLayout layout;
     private final int iterationsPerChain;
     private final String posePrior;
+    private final SamplerKind samplerUsed;
 
     CheckResult(Cell cell, Detections detections, CheckSettings settings, Verdict verdict, String reason,
             CellEstimate estimate, CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx,
             Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
-            QuantityLayout layout, int iterationsPerChain, String posePrior) {
+            QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
@@ -47,6 +48,7 @@ public final class CheckResult {
         this.layout = layout;
         this.iterationsPerChain = iterationsPerChain;
         this.posePrior = posePrior;
+        this.samplerUsed = samplerUsed;
     }
 
     /**
@@ -191,5 +193,14 @@ public final class CheckResult {
      */
     public String posePrior() {
         return posePrior;
+    }
+
+    /**
+     * The sampler that made the draws.
+     *
+     * @return the one asked for, unless the posterior was too far from Gaussian for it
+     */
+    public SamplerKind samplerUsed() {
+        return samplerUsed;
     }
 }

@@ -27,6 +27,10 @@ final class ObjectTarget {
         this.proposal = proposal;
     }
 
+    ObjectTarget withProposal(StudentTMixture fitted) {
+        return new ObjectTarget(marker, cornersPx, pixelStdPx, modes, fitted);
+    }
+
     ObjectPosterior posterior() {
         return new ObjectPosterior(cornersPx, marker.sizeMm(), pixelStdPx, modes.get(0).state());
     }

@@ -146,6 +146,40 @@ public final class PoseMode {
     }
 
     /**
+     * Whitened residuals of one marker, projected minus observed.
+     *
+     * @param marker index of the marker
+     * @return a copy of 8 values
+     */
+    public double[] whitenedResiduals(int marker) {
+        return java.util.Arrays.copyOfRange(residuals, 8 * marker, 8 * marker + 8);
+    }
+
+    /**
+     * Covariance of the whitened residuals of one marker under the linearised model, {@code I - J C J^T}: what the fit
+     * leaves of them.
+     *
+     * @param marker index of the marker
+     * @return 8x8 row by row; 0 in a direction that the pose absorbs entirely
+     */
+    public double[] redundancy(int marker) {
+        double[] out = new double[64];
+        for (int i = 0; i < 8; i++) {
+            for (int k = 0; k < 8; k++) {
+                double s = i == k ? 1 : 0;
+                for (int a = 0; a < columns; a++) {
+                    for (int b = 0; b < columns; b++) {
+                        s -= jacobian[(8 * marker + i) * columns + a] * covariance[a * columns + b]
+                                * jacobian[(8 * marker + k) * columns + b];
+                    }
+                }
+                out[8 * i + k] = s;
+            }
+        }
+        return out;
+    }
+
+    /**
      * Number of markers the fit rests on.
      *
      * @return at least 1

@@ -43,11 +43,8 @@ import org.cellgauge.geometry.PinholeCamera;
  * is one setting for the whole process, so no detector touches it: see {@link BoofThreads}.
  */
 public final class BoofMarkerDetector implements MarkerDetector {
-    /** Sides below this many pixels are found unreliably once the image is a little blurred. */
-    public static final double SMALL_SIDE_PX = 25;
     private static final int NONE = -1;
     private static final byte[] NO_PIXELS = new byte[0];
-    private static final double ADVISED_SIDE_PX = 32;
     /** Deviation of a corner that is still believed: several times the 0.4 px of real footage. */
     private static final double RESIDUAL_LIMIT_PX = 1.5;
     /**
@@ -282,12 +279,6 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         Candidate best = squares.get(0);
         accepted.add(best.observation);
-        double side = best.observation.shortestSidePx();
-        if (side < SMALL_SIDE_PX) {
-            warnings.add(String.format(Locale.ROOT, "marker %d is small: its shortest side is %.1f px in the image, "
-                    + "below %.0f px it is easily missed or misread; use a larger marker or a closer camera (%.0f px "
-                    + "are good)", id, side, SMALL_SIDE_PX, ADVISED_SIDE_PX));
-        }
         if (!best.refined) {
             warnings.add(String.format(Locale.ROOT, "marker %d: its edges are too blurred, short or covered to be "
                     + "measured finely; its corners are coarse", id));

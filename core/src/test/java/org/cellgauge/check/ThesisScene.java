@@ -27,6 +27,7 @@ public final class ThesisScene {
     private final Map<Integer, RigidTransform> objects = new LinkedHashMap<>();
     private final Map<Integer, double[]> grips = new LinkedHashMap<>();
     private Placement placement = new Placement(5, 5, 5, 0.01);
+    private final Map<Integer, double[]> shifts = new LinkedHashMap<>();
     private double pixelStdPx = 0.3;
     private OptionalDouble target = OptionalDouble.empty();
     private PinholeCamera camera = CAMERA;
@@ -104,6 +105,14 @@ public final class ThesisScene {
         return this;
     }
 
+    /** Puts a reference off its nominal place along one world axis, in the place of its random error there. */
+    public ThesisScene shifted(int id, int axis, double mm) {
+        double[] shift = {Double.NaN, Double.NaN, Double.NaN};
+        shift[axis] = mm;
+        shifts.put(id, shift);
+        return this;
+    }
+
     public Map<Integer, RigidTransform> objects() {
         return objects;
     }
@@ -142,8 +151,10 @@ public final class ThesisScene {
                     stdRad * random.nextGaussian()};
                 double[] t = nominal.translationMm();
                 RigidTransform turn = RigidTransform.ofRotationVector(w, new double[3]);
+                double[] shift = shifts.get(id);
                 for (int i = 0; i < 3; i++) {
-                    t[i] += stdMm * random.nextGaussian();
+                    double error = stdMm * random.nextGaussian();
+                    t[i] += shift == null || Double.isNaN(shift[i]) ? error : shift[i];
                 }
                 pose = RigidTransform.of(turn.compose(nominal).rotation(), t);
             }
