@@ -31,8 +31,14 @@ public final class MarkerPoseFinder {
      * @return cameraFromMarker, or null if the corners are of no pose at all
      */
     public static RigidTransform best(double[] cornersPx, double sizeMm, PinholeCamera camera) {
-        List<PoseMode> modes = modes(cornersPx, sizeMm, camera, 1);
-        return modes.isEmpty() ? null : modes.get(0).state().cameraFromSet();
+        PoseMode best = null;
+        // the smallest residuals decide: weights depend on a corner noise that is not stated here
+        for (PoseMode mode : modes(cornersPx, sizeMm, camera, 1)) {
+            if (best == null || mode.halfChiSquare() < best.halfChiSquare()) {
+                best = mode;
+            }
+        }
+        return best == null ? null : best.state().cameraFromSet();
     }
 
     /**
