@@ -127,7 +127,7 @@ public final class PoseMode {
      * How the estimate answers to the image corners of one marker: the gain {@code C J_m^T W_m} of the linearised fit.
      *
      * @param marker index of the marker
-     * @return dimension x 8 row by row: change of the estimate by change of each residual, per px
+     * @return dimension x 8 row by row: change of the estimate by change of each observed coordinate, per px
      */
     public double[] gain(int marker) {
         double[] gain = new double[columns * 8];
