@@ -1,15 +1,13 @@
 package org.cellgauge.overlay;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Locale;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.vision.Detections;
-import org.cellgauge.vision.MarkerObservation;
 
-/** The overlay of a check at whatever stage. */
+/** The overlay of a check at whatever stage: detected, at the quick look, running, finished. */
 public final class CellOverlay {
     private CellOverlay() {
     }
@@ -21,7 +19,33 @@ public final class CellOverlay {
      * @return what to draw over its photo
      */
     public static Overlay of(CheckResult result) {
-        return of(result.cell(), result.detections(), result.estimate());
+        Status status;
+        String headline;
+        switch (result.verdict()) {
+            case PASS:
+                status = Status.PASS;
+                headline = "PASS";
+                break;
+            case FAIL:
+                status = Status.FAIL;
+                headline = "TARGET MISSED";
+                break;
+            case NOT_CONVERGED:
+                status = Status.NOT_CONVERGED;
+                headline = "NOT CONVERGED \u2013 no figure to trust";
+                break;
+            case AMBIGUOUS:
+                status = Status.AMBIGUOUS;
+                headline = "AMBIGUOUS \u2013 two poses explain the photo";
+                break;
+            default:
+                status = Status.NEUTRAL;
+                headline = "NO TARGET SET";
+                break;
+        }
+        boolean trusted = status != Status.NOT_CONVERGED;
+        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referencesUsed(),
+                trusted ? CellDrawing.Stage.FINAL : CellDrawing.Stage.NOT_CONVERGED).draw(status, headline, result.reason());
     }
 
     /**
@@ -33,7 +57,12 @@ public final class CellOverlay {
      * @return what to draw over the photo
      */
     public static Overlay of(Cell cell, Detections detections, CheckUpdate update) {
-        return update.result() != null ? of(update.result()) : of(cell, detections, update.estimate());
+        if (update.result() != null) {
+            return of(update.result());
+        }
+        String headline = update.phase() == CheckUpdate.Phase.QUICK_LOOK ? "QUICK LOOK"
+                : String.format(Locale.ROOT, "SAMPLING \u2013 %d iterations per chain", update.iterationsPerChain());
+        return preliminary(cell, detections, update.estimate(), headline);
     }
 
     /**
@@ -45,13 +74,25 @@ public final class CellOverlay {
      * @return what to draw over the photo; its figures are marked as not converged yet
      */
     public static Overlay of(Cell cell, Detections detections, CellEstimate estimate) {
-        List<Shape> shapes = new ArrayList<>();
-        double unit = Overlay.unitPx(detections.widthPx(), detections.heightPx());
-        for (MarkerObservation m : detections.markers()) {
-            double[] p = m.cornersPx();
-            shapes.add(new Polyline(Role.OBJECT_OUTLINE, Status.NEUTRAL, 1.5 * unit, false, p[0], p[1], p[2], p[3], p[4],
-                    p[5], p[6], p[7], p[0], p[1]));
-        }
-        return new Overlay(detections.widthPx(), detections.heightPx(), Status.NEUTRAL, 1, 100, shapes);
+        return preliminary(cell, detections, estimate, "QUICK LOOK");
+    }
+
+    private static Overlay preliminary(Cell cell, Detections detections, CellEstimate estimate, String headline) {
+        return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY).draw(Status.NEUTRAL,
+                headline, "Figures are preliminary: the chains have not converged yet.");
+    }
+
+    /**
+     * The overlay of a photo that was not, or could not be, checked: what was detected and a word about it.
+     *
+     * @param cell the cell
+     * @param detections the markers of the photo
+     * @param status {@link Status#FAIL} where the photo was refused, {@link Status#NEUTRAL} where it only waits
+     * @param headline a few words, for instance {@code NO REFERENCE IN THE PHOTO}
+     * @param reason a sentence
+     * @return what to draw over the photo
+     */
+    public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline, String reason) {
+        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY).draw(status, headline, reason);
     }
 }

@@ -14,6 +14,8 @@ public enum Role {
     REFERENCE_OUTLINE,
     /** Outline of a reference where the estimated camera pose and its nominal place put it. */
     REFERENCE_EXPECTED,
+    /** Outline of a detected marker that the cell file does not name. */
+    FOREIGN_OUTLINE,
     /** Outline of an object as it was detected. */
     OBJECT_OUTLINE,
     /** Outline of an object by one of several poses that explain its corners. */

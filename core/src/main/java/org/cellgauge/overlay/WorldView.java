@@ -1,0 +1,165 @@
+package org.cellgauge.overlay;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+
+/**
+ * The world as a camera sees it: points and lines of the world in image px, without what is behind the camera, beyond the
+ * reach of its lens model or outside the image.
+ */
+final class WorldView {
+    /** Points nearer to the camera's plane than this count as not in front of it. */
+    static final double NEAR_MM = 1;
+    /** Pieces a line is cut into, so that the lens bends it: 1/64 of the image bends by far less than a pixel. */
+    private static final int PIECES = 64;
+    private static final double FOLD_SCAN_STEP = 1e-3;
+    /** 87 degrees off the axis; nothing a pinhole camera sees lies beyond. */
+    private static final double LARGEST_RADIUS = 20;
+
+    private final PinholeCamera camera;
+    private final RigidTransform cameraFromWorld;
+    private final double largestRadius;
+
+    WorldView(PinholeCamera camera, RigidTransform worldFromCamera) {
+        this.camera = camera;
+        this.cameraFromWorld = worldFromCamera.inverse();
+        this.largestRadius = foldRadius(camera);
+    }
+
+    /**
+     * Where the radial polynomial r (1 + k1 r² + k2 r⁴ + k3 r⁶) stops growing: its model puts points beyond back into the
+     * image, where no light of theirs falls.
+     *
+     * @param camera the camera
+     * @return undistorted normalised radius, at most {@value #LARGEST_RADIUS}
+     */
+    static double foldRadius(PinholeCamera camera) {
+        double k1 = camera.get(PinholeCamera.K1);
+        double k2 = camera.get(PinholeCamera.K2);
+        double k3 = camera.get(PinholeCamera.K3);
+        if (k1 == 0 && k2 == 0 && k3 == 0) {
+            return LARGEST_RADIUS;
+        }
+        for (double r = FOLD_SCAN_STEP; r < LARGEST_RADIUS; r += FOLD_SCAN_STEP) {
+            double s = r * r;
+            if (1 + s * (3 * k1 + s * (5 * k2 + s * 7 * k3)) <= 0) {
+                return r - FOLD_SCAN_STEP;
+            }
+        }
+        return LARGEST_RADIUS;
+    }
+
+    /** The pixel position of a point of the world, perhaps outside the image; null where the camera cannot see it. */
+    double[] project(double[] worldMm) {
+        double[] p = cameraFromWorld.apply(worldMm);
+        if (!(p[2] > NEAR_MM) || !(Math.hypot(p[0], p[1]) / p[2] < largestRadius)) {
+            return null;
+        }
+        return camera.project(p[0], p[1], p[2]);
+    }
+
+    /** Whether a pixel position lies in the image. */
+    boolean inImage(double[] px) {
+        return px != null && px[0] >= 0 && px[0] <= camera.widthPx() && px[1] >= 0 && px[1] <= camera.heightPx();
+    }
+
+    /** The visible parts of a straight line of the world. */
+    List<double[]> line(double[] fromMm, double[] toMm) {
+        return path(PIECES, fromMm, toMm);
+    }
+
+    /** The visible parts of straight lines of the world through corners, each cut into pieces. */
+    List<double[]> path(int pieces, double[]... cornersMm) {
+        List<double[]> visible = new ArrayList<>();
+        List<Double> run = new ArrayList<>();
+        for (int c = 0; c + 1 < cornersMm.length; c++) {
+            for (int i = c == 0 ? 0 : 1; i <= pieces; i++) {
+                double t = (double) i / pieces;
+                double[] p = new double[3];
+                for (int k = 0; k < 3; k++) {
+                    p[k] = (1 - t) * cornersMm[c][k] + t * cornersMm[c + 1][k];
+                }
+                double[] px = project(p);
+                if (px == null) {
+                    finish(run, visible);
+                } else {
+                    run.add(px[0]);
+                    run.add(px[1]);
+                }
+            }
+        }
+        finish(run, visible);
+        return visible;
+    }
+
+    private void finish(List<Double> run, List<double[]> visible) {
+        if (run.size() >= 4) {
+            visible.addAll(clip(run.stream().mapToDouble(Double::doubleValue).toArray(), camera.widthPx(),
+                    camera.heightPx()));
+        }
+        run.clear();
+    }
+
+    /**
+     * The parts of a polyline within an image (Liang and Barsky, "A new concept and method for line clipping", 1984).
+     *
+     * @param points u0, v0, u1, v1, …
+     * @param width of the image
+     * @param height of the image
+     * @return polylines within [0, width] x [0, height]
+     */
+    static List<double[]> clip(double[] points, double width, double height) {
+        List<double[]> parts = new ArrayList<>();
+        List<Double> part = new ArrayList<>();
+        for (int i = 0; i + 3 < points.length; i += 2) {
+            double u = points[i];
+            double v = points[i + 1];
+            double du = points[i + 2] - u;
+            double dv = points[i + 3] - v;
+            double from = 0;
+            double to = 1;
+            double[] steps = {-du, du, -dv, dv};
+            double[] rooms = {u, width - u, v, height - v};
+            for (int k = 0; k < 4; k++) {
+                if (steps[k] < 0) {
+                    from = Math.max(from, rooms[k] / steps[k]);
+                } else if (steps[k] > 0) {
+                    to = Math.min(to, rooms[k] / steps[k]);
+                } else if (rooms[k] < 0) {
+                    to = -1;
+                }
+            }
+            if (!(from <= to)) {
+                flush(part, parts);
+                continue;
+            }
+            if (from > 0) {
+                flush(part, parts);
+            }
+            if (part.isEmpty()) {
+                add(part, u + from * du, v + from * dv, width, height);
+            }
+            add(part, u + to * du, v + to * dv, width, height);
+            if (to < 1) {
+                flush(part, parts);
+            }
+        }
+        flush(part, parts);
+        return parts;
+    }
+
+    /** Adds a point, rounding that carried it beyond the edge taken off. */
+    private static void add(List<Double> part, double u, double v, double width, double height) {
+        part.add(Math.min(Math.max(u, 0), width));
+        part.add(Math.min(Math.max(v, 0), height));
+    }
+
+    private static void flush(List<Double> part, List<double[]> parts) {
+        if (part.size() >= 4) {
+            parts.add(part.stream().mapToDouble(Double::doubleValue).toArray());
+        }
+        part.clear();
+    }
+}
