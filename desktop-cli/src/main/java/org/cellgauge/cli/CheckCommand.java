@@ -3,7 +3,9 @@ package org.cellgauge.cli;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStreamWriter;
 import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -60,9 +62,9 @@ import picocli.CommandLine.Spec;
             "report.html and summary.csv of the run. Results of earlier runs of the same names are replaced.",
             "The table goes to standard output, progress and messages to standard error.",
             "",
-            "Exit codes: 0 target met or none set, 1 internal error, 2 usage, 3 input refused or results not",
-            "writable, 4 target missed, 5 not converged or pose ambiguous: no figure to trust. Of several photos the",
-            "most serious counts: 1, then 3, 5, 4, 0."})
+            "Exit codes: 0 target met or none set, 1 internal error, 2 usage, 3 input refused or results",
+            "not writable, 4 target missed, 5 not converged or pose ambiguous: no figure to trust. Of several",
+            "photos the most serious counts: 1, then 3, 5, 4, 0."})
 public final class CheckCommand implements Callable<Integer> {
     private static final Path DEFAULT_FOLDER = Path.of("cellgauge-out");
 
@@ -147,10 +149,15 @@ public final class CheckCommand implements Callable<Integer> {
             } catch (InputRefusedException e) {
                 run.refused(input, ExitCodes.INPUT_REFUSED, "refused", e);
             } catch (CheckOutput.UnwritableException e) {
+                run.endOfTable();
                 throw e;
             } catch (RuntimeException e) {
                 // one photo must not cost the others their results
                 run.refused(input, ExitCodes.INTERNAL_ERROR, "internal error", e);
+            } catch (OutOfMemoryError e) {
+                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(input.file() + ": this "
+                        + "takes more memory than Java may use (" + Runtime.getRuntime().maxMemory() / (1 << 20)
+                        + " MB); use smaller images, fewer chains or fewer iterations"));
             }
         }
         return run.finish();
@@ -255,6 +262,7 @@ public final class CheckCommand implements Callable<Integer> {
         private final SummaryCsv summary = new SummaryCsv();
         private final TextTable table = new TextTable(2);
         private final Map<String, Integer> tally = new LinkedHashMap<>();
+        private boolean withResult;
         private int done;
         private int exitCode;
         private long startedNs = System.nanoTime();
@@ -276,6 +284,7 @@ public final class CheckCommand implements Callable<Integer> {
                 files(input, outcome, text);
             }
             summary.add(input, result);
+            withResult = true;
             note(CheckText.word(result.verdict()));
             exitCode = ExitCodes.moreSerious(exitCode, ExitCodes.of(result.verdict()));
             ObjectEstimate worst = null;
@@ -284,13 +293,14 @@ public final class CheckCommand implements Callable<Integer> {
             }
             String std = worst == null ? "-" : CheckText.fixed(worst.worstStdMm(), 2);
             table.row(input.name(), CheckText.word(result.verdict()), std, worst == null ? "" : "object " + worst.id(),
-                    CheckText.fixed(result.diagnostics().rHatMax(), 3),
+                    CheckText.fixed(result.diagnostics().rHatMax(), 4),
                     CheckText.fixed(Math.min(result.diagnostics().essBulkMin(), result.diagnostics().essTailMin()), 0));
             if (json) {
                 stdout.print(batch && done > 1 ? ",\n" + text.stripTrailing() : text.stripTrailing());
             } else if (!batch) {
-                stdout.println(Main.coloured(CheckText.word(result.verdict()), ExitCodes.of(result.verdict())) + "  "
-                        + CheckText.wrap(input.file() + ": " + result.reason(), "      ").stripTrailing());
+                String word = CheckText.word(result.verdict());
+                String line = CheckText.wrap(word + "  " + input.file() + ": " + result.reason(), "      ");
+                stdout.print(Main.coloured(word, ExitCodes.of(result.verdict())) + line.substring(word.length()));
                 stdout.print(CheckText.of(result));
             }
             stdout.flush();
@@ -299,33 +309,32 @@ public final class CheckCommand implements Callable<Integer> {
 
         private void files(CheckInput input, Outcome outcome, String text) {
             CheckResult result = outcome.result();
-            Map<String, byte[]> files = new LinkedHashMap<>();
+            Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
+            for (int i = 1; i <= result.draws().size(); i++) {
+                int chain = i;
+                files.put(input.name() + ".chain-" + chain + ".csv", bytes -> {
+                    Writer writer = new OutputStreamWriter(bytes, StandardCharsets.UTF_8);
+                    StanCsv.write(result, chain, input.file().getFileName().toString(), version, writer);
+                    writer.flush();
+                });
+            }
             try {
-                for (int chain = 1; chain <= result.draws().size(); chain++) {
-                    StringBuilder csv = new StringBuilder();
-                    StanCsv.write(result, chain, input.file().getFileName().toString(), version, csv);
-                    files.put(input.name() + ".chain-" + chain + ".csv", csv.toString().getBytes(StandardCharsets.UTF_8));
-                }
-                stages.end("chain files");
                 BufferedImage picture = OverlayPainter.paint(outcome.photo(), CellOverlay.of(result));
-                files.put(input.name() + ".overlay.png", Pictures.png(picture));
+                byte[] png = Pictures.png(picture);
+                files.put(input.name() + ".overlay.png", bytes -> bytes.write(png));
                 report.add(input, result, Pictures.jpeg(picture, reportWidthPx()));
-                stages.end("pictures");
             } catch (IOException e) {
                 throw new IllegalStateException("encoding in memory failed", e);
             }
-            files.put(input.name() + ".result.json", text.getBytes(StandardCharsets.UTF_8));
+            stages.end("pictures");
+            files.put(input.name() + ".result.json", text(text));
             output.write(files);
-            removeOlderChains(input.name(), result.draws().size());
+            output.deleteChainsFrom(input.name(), result.draws().size() + 1);
             stages.end("writing");
         }
 
-        /** A run with fewer chains than an earlier one must not leave chains of that one beside its own. */
-        private void removeOlderChains(String name, int chains) {
-            int next = chains + 1;
-            while (output.delete(name + ".chain-" + next + ".csv")) {
-                next++;
-            }
+        private static WholeFiles.Content text(String text) {
+            return bytes -> bytes.write(text.getBytes(StandardCharsets.UTF_8));
         }
 
         /** Reports of many photos must stay small enough to open. */
@@ -337,6 +346,10 @@ public final class CheckCommand implements Callable<Integer> {
             String message = code == ExitCodes.INPUT_REFUSED ? e.getMessage() : Main.inShort(e);
             main.report(e, code, spec.commandLine());
             exitCode = ExitCodes.moreSerious(exitCode, code);
+            if (output != null) {
+                // what an earlier run found must not be taken for the answer of this one
+                output.deleteResults(input.name());
+            }
             summary.add(input, word, message);
             report.add(input, word, message);
             note(word);
@@ -359,21 +372,29 @@ public final class CheckCommand implements Callable<Integer> {
             }
         }
 
-        int finish() {
-            List<String> parts = new ArrayList<>();
-            tally.forEach((word, number) -> parts.add(number + " " + word));
-            String total = (count == 1 ? "1 photo: " : count + " photos: ") + String.join(", ", parts);
+        /** Ends what is printed as data, also where the run cannot go on. */
+        void endOfTable() {
             if (json) {
                 stdout.println(batch ? "]" : "");
             } else if (batch) {
                 stdout.print(table.text(""));
-                stdout.println(total);
             }
             stdout.flush();
-            if (output != null) {
-                Map<String, byte[]> files = new LinkedHashMap<>();
-                files.put("summary.csv", summary.text().getBytes(StandardCharsets.UTF_8));
-                files.put("report.html", report.html(total).getBytes(StandardCharsets.UTF_8));
+        }
+
+        int finish() {
+            List<String> parts = new ArrayList<>();
+            tally.forEach((word, number) -> parts.add(number + " " + word));
+            String total = (count == 1 ? "1 photo: " : count + " photos: ") + String.join(", ", parts);
+            endOfTable();
+            if (batch && !json) {
+                stdout.println(total);
+                stdout.flush();
+            }
+            if (output != null && (batch || withResult)) {
+                Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
+                files.put("summary.csv", text(summary.text()));
+                files.put("report.html", text(report.html(total)));
                 output.write(files);
                 stages.end("report");
                 err.println("Results in " + output + ": open " + Path.of(output.toString(), "report.html"));

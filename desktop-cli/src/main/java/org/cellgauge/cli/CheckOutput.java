@@ -29,20 +29,22 @@ final class CheckOutput {
     }
 
     /**
-     * Makes the folder where it is missing.
+     * A folder for results, made when the first are written; that it can be is judged now, before hours of work.
      *
      * @param folder where results are to go
-     * @return the folder, ready to be written to
+     * @return the folder
      * @throws UnwritableException if it cannot be made or written to; the message says what to do
      */
     static CheckOutput into(Path folder) {
-        try {
-            Files.createDirectories(folder);
-        } catch (IOException e) {
-            throw unwritable(folder, e);
+        Path existing = folder.toAbsolutePath().normalize();
+        while (existing.getParent() != null && !Files.exists(existing)) {
+            existing = existing.getParent();
         }
-        if (!Files.isWritable(folder)) {
-            throw unwritable(folder, new AccessDeniedException(folder.toString()));
+        if (!Files.isDirectory(existing)) {
+            throw unwritable(existing, new FileAlreadyExistsException(existing.toString()));
+        }
+        if (!Files.isWritable(existing)) {
+            throw unwritable(existing, new AccessDeniedException(existing.toString()));
         }
         return new CheckOutput(folder);
     }
@@ -53,20 +55,35 @@ final class CheckOutput {
      * @param files content by file name
      * @throws UnwritableException if they cannot be written
      */
-    void write(Map<String, byte[]> files) {
-        Map<Path, byte[]> contents = new LinkedHashMap<>();
-        files.forEach((name, bytes) -> contents.put(folder.resolve(name), bytes));
+    void write(Map<String, WholeFiles.Content> files) {
+        Map<Path, WholeFiles.Content> contents = new LinkedHashMap<>();
+        files.forEach((name, content) -> contents.put(folder.resolve(name), content));
         try {
-            WholeFiles.write(contents);
+            Files.createDirectories(folder);
+            WholeFiles.writeContents(contents);
         } catch (IOException e) {
             throw unwritable(folder, e);
         }
     }
 
-    /** Deletes a file of an earlier run; whether there was one. */
-    boolean delete(String name) {
+    /** Deletes chains of an earlier run with more of them than this one. */
+    void deleteChainsFrom(String name, int chain) {
+        int next = chain;
+        while (delete(name + ".chain-" + next + ".csv")) {
+            next++;
+        }
+    }
+
+    /** Deletes what an earlier run wrote under a name. */
+    void deleteResults(String name) {
+        delete(name + ".result.json");
+        delete(name + ".overlay.png");
+        deleteChainsFrom(name, 1);
+    }
+
+    private boolean delete(String file) {
         try {
-            return Files.deleteIfExists(folder.resolve(name));
+            return Files.deleteIfExists(folder.resolve(file));
         } catch (IOException e) {
             throw unwritable(folder, e);
         }
@@ -79,7 +96,7 @@ final class CheckOutput {
         } else if (e instanceof AccessDeniedException) {
             why = "no permission to write here; name another folder with --out";
         } else if (e instanceof NoSuchFileException) {
-            why = "the folder is gone; make it again or name another with --out";
+            why = "this folder cannot be made or is gone; name another with --out";
         } else {
             String reason = e instanceof FileSystemException && ((FileSystemException) e).getReason() != null
                     ? ((FileSystemException) e).getReason() : e.getMessage();

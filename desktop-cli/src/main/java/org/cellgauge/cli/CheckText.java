@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.Diagnostics;
@@ -22,6 +23,8 @@ import org.cellgauge.sampling.AcceptanceCount;
 final class CheckText {
     private static final int WIDTH = 100;
     private static final double NEGLIGIBLE_SHARE = 0.005;
+    /** How the budget names the share of one reference's placement. */
+    private static final String PLACEMENT = "placement of reference ";
 
     private CheckText() {
     }
@@ -64,8 +67,10 @@ final class CheckText {
         String caution = caution(result);
         String beside = caution.isEmpty() ? "" : " - " + caution.toUpperCase(Locale.ROOT);
         camera(result, beside, text);
-        if (!result.estimate().objects().isEmpty()) {
+        if (!result.cell().objects().isEmpty()) {
             objects(result, beside, text);
+        }
+        if (!result.estimate().objects().isEmpty()) {
             budgets(result, text);
         }
         modes(result, text);
@@ -113,7 +118,12 @@ final class CheckText {
                 ? ", against a target std of " + plain(target.getAsDouble()) + " mm" : "").append(beside).append('\n');
         TextTable table = new TextTable(1);
         table.row("", "x", "y", "z", "std x", "std y", "std z", target.isPresent() ? "target" : "");
-        for (ObjectEstimate object : result.estimate().objects()) {
+        for (ObjectMarker marker : result.cell().objects()) {
+            ObjectEstimate object = result.estimate().object(marker.id());
+            if (object == null) {
+                table.row("object " + marker.id(), "-", "-", "-", "-", "-", "-", "not seen");
+                continue;
+            }
             double[] mean = object.pose().mean();
             double[] std = object.pose().std();
             table.row("object " + object.id(), fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2), fixed(std[0], 2),
@@ -143,17 +153,39 @@ final class CheckText {
         text.append(wrap("  " + what + ": " + sources(budget.shares()), "    "));
     }
 
-    /** Sources by falling share, those below half a percent left out. */
+    /** Sources by falling share, those of one kind together, those below half a percent left out. */
     static String sources(Map<String, Double> shares) {
-        List<Map.Entry<String, Double>> sorted = new ArrayList<>(shares.entrySet());
-        sorted.sort((a, b) -> Double.compare(b.getValue(), a.getValue()));
+        Map<String, Double> kinds = new LinkedHashMap<>();
+        Map<String, List<String>> parts = new LinkedHashMap<>();
+        for (Map.Entry<String, Double> e : falling(shares)) {
+            String kind = e.getKey();
+            if (kind.startsWith(PLACEMENT)) {
+                kind = "placement of references";
+                if (e.getValue() >= NEGLIGIBLE_SHARE) {
+                    parts.computeIfAbsent(kind, k -> new ArrayList<>())
+                            .add(e.getKey().substring(PLACEMENT.length()) + ": " + percent(e.getValue()));
+                }
+            }
+            kinds.merge(kind, e.getValue(), Double::sum);
+        }
         List<String> words = new ArrayList<>();
-        for (Map.Entry<String, Double> e : sorted) {
+        for (Map.Entry<String, Double> e : falling(kinds)) {
             if (e.getValue() >= NEGLIGIBLE_SHARE) {
-                words.add(e.getKey() + " " + Math.round(100 * e.getValue()) + " %");
+                String detail = parts.containsKey(e.getKey()) ? " (" + String.join(", ", parts.get(e.getKey())) + ")" : "";
+                words.add(e.getKey() + " " + percent(e.getValue()) + detail);
             }
         }
         return String.join(", ", words);
+    }
+
+    private static List<Map.Entry<String, Double>> falling(Map<String, Double> shares) {
+        List<Map.Entry<String, Double>> sorted = new ArrayList<>(shares.entrySet());
+        sorted.sort((a, b) -> Double.compare(b.getValue(), a.getValue()));
+        return sorted;
+    }
+
+    private static String percent(double share) {
+        return Math.round(100 * share) + " %";
     }
 
     private static void modes(CheckResult result, StringBuilder text) {
@@ -187,10 +219,10 @@ final class CheckText {
         Diagnostics d = result.diagnostics();
         CheckSettings s = result.settings();
         String word = d.converged() ? "converged" : "not converged";
-        return String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective draws %s%s%n"
-                + "        (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.chains(),
-                result.iterationsPerChain(), s.warmup(), fixed(d.rHatMax(), 3), fixed(d.essBulkMin(), 0), "",
-                fixed(d.essTailMin(), 0), fixed(100 * d.mcseStdRelMax(), 1)).replace(System.lineSeparator(), "\n");
+        return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective draws %s "
+                + "(bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.chains(), result.iterationsPerChain(),
+                s.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0), fixed(d.essTailMin(), 0),
+                fixed(100 * d.mcseStdRelMax(), 1)), "        ").stripTrailing();
     }
 
     private static String acceptanceLine(CheckResult result) {
@@ -248,6 +280,9 @@ final class CheckText {
         String rest = text;
         while (rest.length() > WIDTH) {
             int at = rest.lastIndexOf(' ', WIDTH);
+            if (rest.startsWith(" %", at)) {
+                at = rest.lastIndexOf(' ', at - 1);     // a number and its sign stay together
+            }
             if (at <= indent.length() + 1) {
                 break;
             }

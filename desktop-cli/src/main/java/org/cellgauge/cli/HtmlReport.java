@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.ModeEstimate;
@@ -64,7 +65,7 @@ final class HtmlReport {
         double worst = result.estimate().objects().stream().mapToDouble(ObjectEstimate::worstStdMm).max()
                 .orElse(Double.NaN);
         overviewRow(id, input, key, CheckText.word(result.verdict()), CheckText.fixed(worst, 2) + caution(result),
-                CheckText.fixed(result.diagnostics().rHatMax(), 3), result.reason());
+                CheckText.fixed(result.diagnostics().rHatMax(), 4), result.reason());
         section(id, input, key, CheckText.word(result.verdict()), result.reason());
         sections.append("<p><img alt=\"").append(escape("Photo " + input.name() + " with markers, frames and 95 % ellipses"))
                 .append("\" src=\"data:image/jpeg;base64,").append(Base64.getEncoder().encodeToString(jpeg))
@@ -141,7 +142,7 @@ final class HtmlReport {
     // ---- tables of one photo
 
     private void objects(CheckResult result) {
-        if (result.estimate().objects().isEmpty()) {
+        if (result.cell().objects().isEmpty()) {
             return;
         }
         OptionalDouble target = result.cell().targetStdMm();
@@ -149,7 +150,12 @@ final class HtmlReport {
                 ? ", against a target std of " + CheckText.plain(target.getAsDouble()) + " mm" : "")
                 .append(caution(result)).append("</h3>\n");
         header("", "x", "y", "z", "std x", "std y", "std z", "target");
-        for (ObjectEstimate object : result.estimate().objects()) {
+        for (ObjectMarker marker : result.cell().objects()) {
+            ObjectEstimate object = result.estimate().object(marker.id());
+            if (object == null) {
+                row(escape("object " + marker.id()), "-", "-", "-", "-", "-", "-", "not seen");
+                continue;
+            }
             double[] std = object.pose().std();
             point(result, "object " + object.id(), object.pose().mean(), std);
             if (object.grip() != null) {

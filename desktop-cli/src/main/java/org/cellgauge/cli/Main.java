@@ -4,8 +4,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import java.util.List;
 import java.util.Properties;
 import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.cellgauge.cell.InputRefusedException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -21,6 +24,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
         subcommands = {CheckCommand.class, SimulateCommand.class})
 public final class Main implements Callable<Integer> {
     private static final int HELP_WIDTH = 100;
+    private static final Pattern UNKNOWN_OPTION = Pattern.compile("Unknown option: '([^']*)'");
 
     @Option(names = "--debug", scope = ScopeType.INHERIT,
             description = "Shows stack traces of internal errors and how long the stages take.")
@@ -57,6 +61,8 @@ public final class Main implements Callable<Integer> {
         Main main = new Main();
         main.commandLine = new CommandLine(main);
         main.commandLine.setUsageHelpWidth(HELP_WIDTH);
+        // a mistyped option after "--detections FILE" must not pass for one more file
+        main.commandLine.setUnmatchedOptionsAllowedAsOptionParameters(false);
         main.commandLine.setParameterExceptionHandler((e, args) -> usage(e));
         main.commandLine.setExecutionExceptionHandler((e, command, parsed) -> main.report(e,
                 e instanceof InputRefusedException ? ExitCodes.INPUT_REFUSED : ExitCodes.INTERNAL_ERROR, command));
@@ -66,8 +72,16 @@ public final class Main implements Callable<Integer> {
     private static int usage(ParameterException e) {
         CommandLine command = e.getCommandLine();
         PrintWriter err = command.getErr();
-        err.println(e.getMessage());
-        UnmatchedArgumentException.printSuggestions(e, err);
+        Matcher unknown = UNKNOWN_OPTION.matcher(e.getMessage());
+        if (unknown.lookingAt()) {
+            // what else picocli has to say follows from the unknown option, and hides its suggestions
+            err.println(unknown.group());
+            UnmatchedArgumentException.printSuggestions(
+                    new UnmatchedArgumentException(command, List.of(unknown.group(1))), err);
+        } else {
+            err.println(e.getMessage());
+            UnmatchedArgumentException.printSuggestions(e, err);
+        }
         err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         err.flush();
         return ExitCodes.USAGE;

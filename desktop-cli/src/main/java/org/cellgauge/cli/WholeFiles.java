@@ -1,6 +1,8 @@
 package org.cellgauge.cli;
 
+import java.io.BufferedOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,23 +17,48 @@ public final class WholeFiles {
     private WholeFiles() {
     }
 
+    /** What a file is to hold, written piece by piece: large files never stand in memory as a whole. */
+    public interface Content {
+        /**
+         * Writes all of it.
+         *
+         * @param out receives the bytes; buffered, not closed by this
+         * @throws IOException if {@code out} throws it
+         */
+        void writeTo(OutputStream out) throws IOException;
+    }
+
     /**
-     * Writes files that belong together. All are complete on the disk before the first takes its name, so an error
-     * while writing (a full disk, say) leaves the old files untouched and nothing behind.
+     * Writes files that belong together, as {@link #writeContents}.
      *
      * @param contents bytes by file, moved in this order; the folders must exist
      * @throws IOException if a file cannot be written
      */
     public static void write(Map<Path, byte[]> contents) throws IOException {
+        Map<Path, Content> all = new LinkedHashMap<>();
+        contents.forEach((place, bytes) -> all.put(place, out -> out.write(bytes)));
+        writeContents(all);
+    }
+
+    /**
+     * Writes files that belong together. All are complete on the disk before the first takes its name, so an error
+     * while writing (a full disk, say) leaves the old files untouched and nothing behind.
+     *
+     * @param contents contents by file, moved in this order; the folders must exist
+     * @throws IOException if a file cannot be written
+     */
+    public static void writeContents(Map<Path, Content> contents) throws IOException {
         Map<Path, Path> waiting = new LinkedHashMap<>();
         try {
-            for (Map.Entry<Path, byte[]> entry : contents.entrySet()) {
+            for (Map.Entry<Path, Content> entry : contents.entrySet()) {
                 Path place = entry.getKey();
                 // not createTempFile: that hides the file from everyone but its owner, and the rights stay on moving
                 Path temporary = place.resolveSibling("." + place.getFileName() + "." + ProcessHandle.current().pid()
                         + ".part");
                 waiting.put(place, temporary);
-                Files.write(temporary, entry.getValue());
+                try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(temporary), 1 << 16)) {
+                    entry.getValue().writeTo(out);
+                }
             }
             List<Path> done = new ArrayList<>();
             for (Map.Entry<Path, Path> entry : waiting.entrySet()) {
