@@ -184,7 +184,7 @@ public final class CellCheck {
     private Diagnostics diagnosed(List<Draws> draws, CellQuantities quantities, boolean[] judged) {
         int count = draws.get(0).count();
         if (diagnostics == null || diagnosedDraws != count) {
-            diagnostics = Diagnostics.of(draws, quantities.layout, judged);
+            diagnostics = Diagnostics.of(draws, quantities.layout, judged, quantities.measured());
             diagnosedDraws = count;
         }
         return diagnostics;

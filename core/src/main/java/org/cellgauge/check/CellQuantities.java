@@ -94,6 +94,21 @@ final class CellQuantities {
         return judged;
     }
 
+    /**
+     * Which quantities' deviations must be known to the precision asked for: all judged ones, but for the rotation of an
+     * object with a second mode, whose deviation hangs on how often a rare mode is visited.
+     */
+    boolean[] measured() {
+        boolean[] measured = judged();
+        for (ObjectTarget object : objects) {
+            if (object.modes.size() > 1) {
+                int first = layout.indexOf("object_" + object.marker.id() + "_wx_rad");
+                java.util.Arrays.fill(measured, first, first + 3, false);
+            }
+        }
+        return measured;
+    }
+
     /** Unknown intrinsics of a state, in the order of the layout. */
     int readIntrinsics(CameraState state, double[] out, int at) {
         int next = at;

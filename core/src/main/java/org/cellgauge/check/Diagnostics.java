@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.statistics.ChainDiagnostics;
@@ -19,7 +20,7 @@ public final class Diagnostics {
     private final double mcseStdRelMax;
     private final String worst;
 
-    private Diagnostics(Map<String, ChainDiagnostics> parameters, boolean[] judged) {
+    private Diagnostics(Map<String, ChainDiagnostics> parameters, boolean[] judged, boolean[] measured) {
         this.parameters = Collections.unmodifiableMap(parameters);
         Convergence overall = Convergence.CONVERGED;
         double rHat = 0;
@@ -30,6 +31,7 @@ public final class Diagnostics {
         double worstBulk = Double.POSITIVE_INFINITY;
         int i = 0;
         for (Map.Entry<String, ChainDiagnostics> e : parameters.entrySet()) {
+            boolean toMeasure = measured[i];
             if (!judged[i++]) {
                 continue;
             }
@@ -46,7 +48,9 @@ public final class Diagnostics {
             rHat = defined && !Double.isNaN(rHat) ? Math.max(rHat, d.rHat()) : Double.NaN;
             bulk = defined && !Double.isNaN(bulk) ? Math.min(bulk, d.essBulk()) : Double.NaN;
             tail = defined && !Double.isNaN(tail) ? Math.min(tail, d.essTail()) : Double.NaN;
-            mcse = defined && !Double.isNaN(mcse) ? Math.max(mcse, d.mcseSd() / d.std()) : Double.NaN;
+            if (toMeasure) {
+                mcse = defined && !Double.isNaN(mcse) ? Math.max(mcse, d.mcseSd() / d.std()) : Double.NaN;
+            }
         }
         convergence = overall;
         rHatMax = rHat;
@@ -62,18 +66,24 @@ public final class Diagnostics {
      * @param chains draws of each chain, all equally many
      * @param layout quantities of a draw
      * @param judged whether a quantity counts for the overall judgement; the others are reported alone
+     * @param measured whether the Monte Carlo error of its deviation counts too
      * @return the diagnostics
      */
-    static Diagnostics of(List<Draws> chains, QuantityLayout layout, boolean[] judged) {
-        Map<String, ChainDiagnostics> parameters = new LinkedHashMap<>();
-        for (int q = 0; q < layout.size(); q++) {
+    static Diagnostics of(List<Draws> chains, QuantityLayout layout, boolean[] judged, boolean[] measured) {
+        ChainDiagnostics[] all = new ChainDiagnostics[layout.size()];
+        // quantities do not depend on each other, so the order in which threads take them changes nothing
+        IntStream.range(0, all.length).parallel().forEach(q -> {
             double[][] series = new double[chains.size()][];
             for (int c = 0; c < series.length; c++) {
                 series[c] = chains.get(c).series(q);
             }
-            parameters.put(layout.names().get(q), ChainDiagnostics.of(series));
+            all[q] = ChainDiagnostics.of(series);
+        });
+        Map<String, ChainDiagnostics> parameters = new LinkedHashMap<>();
+        for (int q = 0; q < all.length; q++) {
+            parameters.put(layout.names().get(q), all[q]);
         }
-        return new Diagnostics(parameters, judged);
+        return new Diagnostics(parameters, judged, measured);
     }
 
     /**
@@ -131,7 +141,8 @@ public final class Diagnostics {
     }
 
     /**
-     * Largest Monte Carlo error of a standard deviation, relative to it.
+     * Largest Monte Carlo error of a standard deviation, relative to it. The rotation of an object with a second pose
+     * mode is left out: rare visits to that mode make up its deviation, and {@link #parameters()} has its error.
      *
      * @return share; NaN if a quantity has none
      */
