@@ -1,0 +1,482 @@
+package org.cellgauge.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.cellgauge.geometry.RigidTransform;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class CheckCommandTest {
+    @TempDir
+    private Path folder;
+    private Path cell;
+    private Path corners;
+    private Path out;
+
+    @BeforeEach
+    void writeInputs() throws IOException {
+        cell = SmallCell.write(folder);
+        corners = SmallCell.writeDetections(folder.resolve("corners.json"), 1);
+        out = folder.resolve("out");
+    }
+
+    private CommandCall check(Object... args) {
+        List<String> all = new ArrayList<>(List.of("check", "--cell", cell.toString()));
+        for (Object arg : args) {
+            all.add(arg.toString());
+        }
+        return CommandCall.of(all.toArray(new String[0]));
+    }
+
+    private static Set<String> names(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return new TreeSet<>(files.map(f -> f.getFileName().toString()).toList());
+        }
+    }
+
+    private static Map<String, String> contents(Path folder) throws IOException {
+        Map<String, String> contents = new TreeMap<>();
+        for (String name : names(folder)) {
+            contents.put(name, new String(Files.readAllBytes(folder.resolve(name)), StandardCharsets.ISO_8859_1));
+        }
+        return contents;
+    }
+
+    private static JsonObject json(Path file) throws IOException {
+        return JsonParser.parseString(Files.readString(file)).getAsJsonObject();
+    }
+
+    private static double[] numbers(JsonElement array) {
+        double[] values = new double[array.getAsJsonArray().size()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = array.getAsJsonArray().get(i).getAsDouble();
+        }
+        return values;
+    }
+
+    private static double[][] matrix(JsonElement rows) {
+        return rows.getAsJsonArray().asList().stream().map(CheckCommandTest::numbers).toArray(double[][]::new);
+    }
+
+    // ---- exit codes
+
+    @Test
+    void exitCodesTellTheVerdict() {
+        CommandCall pass = check("--detections", corners, "--target", 5, "--out", out);
+        assertEquals(0, pass.code(), pass.err());
+        assertTrue(pass.out().startsWith("pass  "), pass.out());
+        CommandCall fail = check("--detections", corners, "--target", 0.1, "--out", out);
+        assertEquals(4, fail.code(), fail.err());
+        assertTrue(fail.out().startsWith("FAIL  "), fail.out());
+        // 40 kept draws of 4 chains cannot have 400 effective ones
+        CommandCall short40 = check("--detections", corners, "--iterations", 20, "--warmup", 10, "--out", out);
+        assertEquals(5, short40.code(), short40.err());
+    }
+
+    @Test
+    void withoutATargetThereIsNoneToMiss() throws IOException {
+        Files.writeString(cell, SmallCell.YAML.replace("target: {std_mm: 2.0}\n", ""));
+        assertEquals(0, check("--detections", corners, "--out", out).code());
+        JsonObject result = json(out.resolve("corners.result.json"));
+        assertEquals("no-target", result.get("verdict").getAsString());
+        assertTrue(result.getAsJsonObject("objects").getAsJsonObject("5").get("within_target").isJsonNull());
+    }
+
+    @Test
+    void figuresThatHaveNotConvergedStandBesideThatWord() throws IOException {
+        CommandCall call = check("--detections", corners, "--iterations", 20, "--warmup", 10, "--out", out);
+        call.out().lines().filter(line -> line.matches(" *(object \\d+|its gripping point) +-?\\d.*"))
+                .forEach(line -> assertTrue(line.endsWith("not converged"), line));
+        call.out().lines().filter(line -> line.contains(" in world"))
+                .forEach(line -> assertTrue(line.endsWith("NOT CONVERGED"), line));
+        JsonObject result = json(out.resolve("corners.result.json"));
+        assertEquals("not-converged", result.get("verdict").getAsString());
+        assertFalse(result.getAsJsonObject("diagnostics").get("converged").getAsBoolean());
+        assertTrue(result.getAsJsonObject("objects").getAsJsonObject("5").get("within_target").isJsonNull());
+        String report = Files.readString(out.resolve("report.html"));
+        assertTrue(report.contains("not converged"));
+    }
+
+    @Test
+    void theMostSeriousCodeOfABatchWins() {
+        assertEquals(3, ExitCodes.moreSerious(3, 5));
+        assertEquals(1, ExitCodes.moreSerious(3, 1));
+        assertEquals(5, ExitCodes.moreSerious(4, 5));
+        assertEquals(4, ExitCodes.moreSerious(4, 0));
+    }
+
+    // ---- the result file
+
+    @Test
+    void theResultFileHoldsWhatItsReadersCountOn() throws Exception {
+        assertEquals(0, check("--detections", corners, "--target", 5, "--seed", 7, "--out", out).code());
+        JsonObject result = json(out.resolve("corners.result.json"));
+        assertEquals(1, result.get("schema").getAsInt());
+        assertEquals("pass", result.get("verdict").getAsString());
+        assertEquals(Set.of("name", "sha256"), result.getAsJsonObject("input").keySet());
+        assertEquals("corners.json", result.getAsJsonObject("input").get("name").getAsString());
+        byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(corners));
+        assertEquals(HexFormat.of().formatHex(digest), result.getAsJsonObject("input").get("sha256").getAsString());
+        for (String key : List.of("reason", "settings", "camera", "objects", "diagnostics", "acceptance", "warnings",
+                "version")) {
+            assertTrue(result.has(key), key);
+        }
+        assertFalse(result.has("intrinsics"));
+        JsonObject settings = result.getAsJsonObject("settings");
+        assertEquals(7, settings.get("seed").getAsLong());
+        assertEquals("rigid-marker", settings.get("model").getAsString());
+        assertTrue(settings.get("iterations").isJsonNull());
+        assertFalse(settings.has("threads"));
+        JsonObject camera = result.getAsJsonObject("camera");
+        assertEquals("camera in world", camera.get("frame").getAsString());
+        assertEquals("[\"x_mm\",\"y_mm\",\"z_mm\",\"psi_rad\",\"theta_rad\",\"phi_rad\"]", camera.get("order").toString());
+        assertPose(camera);
+        JsonObject object = result.getAsJsonObject("objects").getAsJsonObject("20");
+        assertEquals("object in world", object.getAsJsonObject("pose").get("frame").getAsString());
+        assertPose(object.getAsJsonObject("pose"));
+        double sum = 0;
+        for (JsonElement share : object.getAsJsonObject("budget").asMap().values()) {
+            sum += share.getAsDouble();
+        }
+        assertEquals(1, sum, 1e-12);
+        JsonObject grip = object.getAsJsonObject("grip");
+        double[][] covariance = matrix(grip.get("covariance"));
+        assertEquals(3, numbers(grip.get("mean")).length);
+        for (int i = 0; i < 3; i++) {
+            assertEquals(Math.sqrt(covariance[i][i]), numbers(grip.get("std"))[i], 1e-12);
+        }
+        JsonObject ellipse = object.getAsJsonObject("ellipse95_px");
+        assertEquals(2, numbers(ellipse.get("centre")).length);
+        double[] axes = numbers(ellipse.get("semi_axes"));
+        assertTrue(axes[0] >= axes[1] && axes[1] > 0);
+        assertFalse(result.getAsJsonObject("objects").getAsJsonObject("5").has("grip"));
+        JsonObject diagnostics = result.getAsJsonObject("diagnostics");
+        assertTrue(diagnostics.get("converged").getAsBoolean());
+        assertTrue(diagnostics.get("r_hat_max").getAsDouble() < 1.01);
+        assertTrue(diagnostics.get("ess_bulk_min").getAsDouble() >= 400);
+        assertTrue(diagnostics.get("ess_tail_min").getAsDouble() >= 400);
+        assertTrue(diagnostics.get("mcse_std_rel_max").getAsDouble() < 0.02);
+        assertTrue(diagnostics.getAsJsonObject("parameters").has("object_20_grip_z_mm"));
+        JsonObject accepted = result.getAsJsonObject("acceptance").getAsJsonObject("independence");
+        assertTrue(accepted.get("accepted").getAsLong() > accepted.get("rejected").getAsLong());
+    }
+
+    private static void assertPose(JsonObject pose) {
+        double[] mean = numbers(pose.get("mean"));
+        double[] std = numbers(pose.get("std"));
+        double[][] covariance = matrix(pose.get("covariance"));
+        double[][] tangent = matrix(pose.get("tangent_covariance"));
+        for (int i = 0; i < 6; i++) {
+            assertEquals(Math.sqrt(covariance[i][i]), std[i], 1e-12);
+            for (int j = 0; j < 6; j++) {
+                assertEquals(covariance[i][j], covariance[j][i], 0);
+                if (i < 3 && j < 3) {
+                    assertEquals(covariance[i][j], tangent[i][j], 1e-9 * std[i] * std[j]);
+                }
+            }
+            assertTrue(i < 3 || (mean[i] > -Math.PI && mean[i] <= Math.PI));
+        }
+    }
+
+    @Test
+    void posesLieWithinTheirUncertaintyOfTheTruth() throws IOException {
+        assertEquals(0, check("--detections", corners, "--target", 5, "--out", out).code());
+        JsonObject result = json(out.resolve("corners.result.json"));
+        // References stand exactly where the cell file says: errors are those of corners alone, far below the stated std.
+        // A mixed-up frame or angle order would be off by many of them
+        double[] truth = {200, 150, 900, 3.1, 0.05, 0.02};
+        JsonObject camera = result.getAsJsonObject("camera");
+        for (int i = 0; i < 6; i++) {
+            assertEquals(truth[i], numbers(camera.get("mean"))[i], 3 * numbers(camera.get("std"))[i]);
+        }
+        JsonObject grip = result.getAsJsonObject("objects").getAsJsonObject("20").getAsJsonObject("grip");
+        double[] gripTruth = RigidTransform.ofEuler(110, 150, 0, 0, 0.4, -0.2).apply(0, 0, 100);
+        for (int i = 0; i < 3; i++) {
+            assertEquals(gripTruth[i], numbers(grip.get("mean"))[i], 3 * numbers(grip.get("std"))[i]);
+        }
+    }
+
+    @Test
+    void standardOutputOfJsonIsTheResultFile() throws IOException {
+        CommandCall call = check("--detections", corners, "--json", "--out", out, "--target", 5);
+        assertEquals(Files.readString(out.resolve("corners.result.json")).trim(), call.out().trim());
+    }
+
+    @Test
+    void jsonAloneWritesNoFiles() throws IOException {
+        Set<String> before = names(folder);
+        CommandCall call = check("--detections", corners, "--json", "--target", 5);
+        assertEquals(0, call.code(), call.err());
+        assertEquals(1, JsonParser.parseString(call.out()).getAsJsonObject().get("schema").getAsInt());
+        assertEquals(before, names(folder));
+        assertFalse(Files.exists(Path.of("cellgauge-out")));
+    }
+
+    @Test
+    void jsonOfSeveralInputsIsAListOfThoseThatGaveAResult() throws IOException {
+        Path other = SmallCell.writeDetections(folder.resolve("other.json"), 2);
+        Path faulty = Files.writeString(folder.resolve("faulty.json"), "{");
+        CommandCall call = check("--detections", corners, faulty, other, "--json", "--target", 5);
+        assertEquals(3, call.code());
+        JsonArray list = JsonParser.parseString(call.out()).getAsJsonArray();
+        assertEquals(2, list.size());
+        assertEquals("other.json", list.get(1).getAsJsonObject().getAsJsonObject("input").get("name").getAsString());
+    }
+
+    @Test
+    void unknownIntrinsicsHaveTheirOwnKey() throws IOException {
+        check("--detections", corners, "--estimate", "focal", "--iterations", 400, "--out", out);
+        JsonObject intrinsics = json(out.resolve("corners.result.json")).getAsJsonObject("intrinsics");
+        assertEquals("[\"fx_px\",\"fy_px\"]", intrinsics.get("names").toString());
+        double[][] covariance = matrix(intrinsics.get("covariance"));
+        assertEquals(Math.sqrt(covariance[1][1]), numbers(intrinsics.get("std"))[1], 1e-12);
+        assertEquals(600, numbers(intrinsics.get("mean"))[0], 4 * numbers(intrinsics.get("std"))[0]);
+    }
+
+    @Test
+    void thesisPresetSetsAllAndOptionsBesideItStillCount() throws IOException {
+        check("--detections", corners, "--preset", "thesis", "--chains", 2, "--iterations", 6000, "--out", out);
+        JsonObject settings = json(out.resolve("corners.result.json")).getAsJsonObject("settings");
+        assertEquals("corner-cube", settings.get("model").getAsString());
+        assertEquals("thesis-mixture", settings.get("sampler").getAsString());
+        assertEquals("average", settings.get("initial").getAsString());
+        assertEquals("none", settings.get("object_noise").getAsString());
+        assertEquals(0.5, settings.get("kappa").getAsDouble());
+        assertEquals(2, settings.get("chains").getAsInt());
+        assertEquals(6000, settings.get("iterations").getAsInt());
+        assertEquals(5000, settings.get("warmup").getAsInt());
+        assertTrue(names(out).contains("corners.chain-2.csv"));
+    }
+
+    @Test
+    void whatDoesNotExistIsNull() throws IOException {
+        // 10 kept draws are too few for effective sample sizes
+        check("--detections", corners, "--iterations", 20, "--warmup", 10, "--out", out);
+        String text = Files.readString(out.resolve("corners.result.json"));
+        assertFalse(text.contains("NaN") || text.contains("Infinity"), text);
+        assertTrue(json(out.resolve("corners.result.json")).getAsJsonObject("diagnostics").get("ess_bulk_min")
+                .isJsonNull());
+    }
+
+    // ---- reproducibility
+
+    @Test
+    void theSameSeedGivesTheSameFilesForAnyNumberOfThreads() throws IOException {
+        check("--detections", corners, "--seed", 3, "--threads", 1, "--out", out);
+        Path second = folder.resolve("second");
+        check("--detections", corners, "--seed", 3, "--threads", 2, "--out", second);
+        assertEquals(contents(out), contents(second));
+        check("--detections", corners, "--seed", 4, "--threads", 2, "--out", second);
+        assertNotEquals(contents(out).get("corners.chain-1.csv"), contents(second).get("corners.chain-1.csv"));
+    }
+
+    // ---- files
+
+    @Test
+    void aPhotoIsCheckedFromItsPixelsOn() throws IOException {
+        SmallCell.writePhotos(cell, folder, "photo", 1);
+        CommandCall call = check(folder.resolve("photo.png"), "--target", 5, "--out", out);
+        assertEquals(0, call.code(), call.err());
+        assertEquals(Set.of("photo.result.json", "photo.overlay.png", "photo.chain-1.csv", "photo.chain-2.csv",
+                "photo.chain-3.csv", "photo.chain-4.csv", "report.html", "summary.csv"), names(out));
+        BufferedImage overlay = ImageIO.read(out.resolve("photo.overlay.png").toFile());
+        assertEquals(SmallCell.WIDTH, overlay.getWidth());
+        assertEquals(SmallCell.HEIGHT, overlay.getHeight());
+    }
+
+    @Test
+    void chainsAreStanCsvOfTheDrawsThatWereKept() throws IOException {
+        check("--detections", corners, "--iterations", 300, "--warmup", 100, "--chains", 2, "--out", out);
+        JsonObject result = json(out.resolve("corners.result.json"));
+        List<String> expected = new ArrayList<>(result.getAsJsonObject("diagnostics").getAsJsonObject("parameters")
+                .keySet());
+        double sum = 0;
+        for (int chain = 1; chain <= 2; chain++) {
+            List<String> lines = Files.readAllLines(out.resolve("corners.chain-" + chain + ".csv"));
+            List<String> comments = lines.stream().filter(l -> l.startsWith("#")).toList();
+            assertTrue(comments.stream().anyMatch(l -> l.matches("# *num_samples = 200")));
+            assertTrue(comments.contains("# id = " + chain));
+            List<String> data = lines.stream().filter(l -> !l.startsWith("#")).toList();
+            assertEquals(expected, Arrays.asList(data.get(0).split(",")));
+            assertEquals("lp__", data.get(0).split(",")[0]);
+            assertEquals(1 + 200, data.size());
+            int x = expected.indexOf("camera_x_mm");
+            int psi = expected.indexOf("camera_psi_rad");
+            for (String line : data.subList(1, data.size())) {
+                String[] values = line.split(",");
+                assertEquals(expected.size(), values.length);
+                sum += Double.parseDouble(values[x]);
+                double angle = Double.parseDouble(values[psi]);
+                assertTrue(angle > -Math.PI && angle <= Math.PI);
+            }
+        }
+        // the same draws as the result's: to the rounding of a sum of 400 numbers
+        assertEquals(numbers(result.getAsJsonObject("camera").get("mean"))[0], sum / 400, 1e-9);
+        assertFalse(names(out).contains("corners.chain-3.csv"));
+    }
+
+    @Test
+    void aRunWithFewerChainsLeavesNoneOfAnEarlierOne() throws IOException {
+        check("--detections", corners, "--iterations", 100, "--chains", 3, "--out", out);
+        check("--detections", corners, "--iterations", 100, "--chains", 1, "--out", out);
+        assertTrue(names(out).contains("corners.chain-1.csv"));
+        assertFalse(names(out).contains("corners.chain-2.csv"));
+        assertFalse(names(out).contains("corners.chain-3.csv"));
+    }
+
+    @Test
+    void summaryHasARowForEveryPhotoAndObject() throws IOException {
+        Path other = SmallCell.writeDetections(folder.resolve("other.json"), 2);
+        Path faulty = Files.writeString(folder.resolve("faulty, \"quoted\".json"), "{");
+        check("--detections", corners, faulty, other, "--target", 5, "--out", out);
+        List<String> lines = Files.readAllLines(out.resolve("summary.csv"));
+        assertEquals(1 + 2 + 1 + 2, lines.size());
+        List<String> header = Arrays.asList(lines.get(0).split(","));
+        String[] row = lines.get(2).split(",");
+        assertEquals("corners", row[header.indexOf("name")]);
+        assertEquals("20", row[header.indexOf("object")]);
+        assertEquals("true", row[header.indexOf("within_target")]);
+        double[] mean = numbers(json(out.resolve("corners.result.json")).getAsJsonObject("objects").getAsJsonObject("20")
+                .getAsJsonObject("pose").get("mean"));
+        assertEquals(mean[2], Double.parseDouble(row[header.indexOf("z_mm")]), 0);
+        assertTrue(lines.get(3).contains("\"faulty, \"\"quoted\"\"\",refused,"), lines.get(3));
+    }
+
+    @Test
+    void theReportHoldsAllItShows() throws IOException {
+        SmallCell.writePhotos(cell, folder, "a<b", 1);
+        check(folder.resolve("a<b.png"), "--detections", corners, "--target", 5, "--out", out);
+        String report = Files.readString(out.resolve("report.html"));
+        assertTrue(report.contains("data:image/jpeg;base64,/9j/"), "no picture in it");
+        assertTrue(report.contains("a&lt;b") && !report.contains("a<b"), "names must be escaped");
+        for (String outside : List.of("http:", "https:", "src=\"/", "<script", "<link", "@import", "url(")) {
+            assertFalse(report.contains(outside), outside);
+        }
+    }
+
+    @Test
+    void aPhotoBesideItsDetectionsIsTheGroundOfTheOverlay() throws IOException {
+        SmallCell.writePhotos(cell, folder, "none", 1);      // the name that the detections file states
+        check("--detections", corners, "--iterations", 100, "--out", out);
+        BufferedImage with = ImageIO.read(out.resolve("corners.overlay.png").toFile());
+        Files.delete(folder.resolve("none.png"));
+        check("--detections", corners, "--iterations", 100, "--out", out);
+        BufferedImage without = ImageIO.read(out.resolve("corners.overlay.png").toFile());
+        int differing = 0;
+        for (int y = 0; y < with.getHeight(); y++) {
+            for (int x = 0; x < with.getWidth(); x++) {
+                differing += with.getRGB(x, y) != without.getRGB(x, y) ? 1 : 0;
+            }
+        }
+        assertTrue(differing > with.getWidth() * with.getHeight() / 2, differing + " pixels differ");
+    }
+
+    // ---- batches
+
+    @Test
+    void oneBadPhotoCostsTheOthersNothing() throws IOException {
+        Path photos = folder.resolve("photos");
+        SmallCell.writePhotos(cell, photos, "photo", 2);
+        byte[] first = Files.readAllBytes(photos.resolve("photo-1.png"));
+        Files.write(photos.resolve("photo-0.png"), Arrays.copyOf(first, first.length / 2));
+        CommandCall call = check(photos, "--target", 5, "--out", out);
+        assertEquals(3, call.code(), call.err());
+        assertTrue(names(out).containsAll(Set.of("photo-1.result.json", "photo-2.result.json", "report.html",
+                "summary.csv")));
+        assertFalse(names(out).contains("photo-0.result.json"));
+        assertTrue(call.err().contains("photo-0.png: it is cut short"), call.err());
+        assertTrue(call.err().contains("[3/3] photo-2: pass"), call.err());
+        assertTrue(call.out().contains("3 photos: 1 refused, 2 pass"), call.out());
+    }
+
+    @Test
+    void inputsOfOneNameAreToldApart() throws IOException {
+        Path other = SmallCell.writeDetections(Files.createDirectories(folder.resolve("b")).resolve("corners.json"), 2);
+        Path taken = SmallCell.writeDetections(folder.resolve("corners-2.json"), 3);
+        CommandCall call = check("--detections", corners, other, taken, "--iterations", 100, "--out", out);
+        assertTrue(names(out).containsAll(Set.of("corners.result.json", "corners-2.result.json",
+                "corners-3.result.json")), names(out).toString());
+        assertTrue(call.err().contains(other + " are called corners-3"), call.err());
+        assertNotEquals(json(out.resolve("corners.result.json")).get("input"),
+                json(out.resolve("corners-3.result.json")).get("input"));
+    }
+
+    @Test
+    void aFileNamedTwiceIsCheckedOnce() throws IOException {
+        CommandCall call = check("--detections", corners, corners, "--iterations", 100, "--out", out);
+        assertTrue(call.err().contains("named twice"), call.err());
+        assertFalse(names(out).contains("corners-2.result.json"));
+    }
+
+    @Test
+    void overlaysOfAnEarlierRunAreNoPhotos() throws IOException {
+        Path photos = folder.resolve("photos");
+        SmallCell.writePhotos(cell, photos, "photo", 1);
+        check(photos, "--iterations", 100, "--out", photos);
+        CommandCall again = check(photos, "--iterations", 100, "--out", photos);
+        assertTrue(again.out().contains("1 photo: "), again.out());
+    }
+
+    // ---- what people read
+
+    @Test
+    void theTableNamesWhatWasNotSeen() throws IOException {
+        String text = Files.readString(corners);
+        Files.writeString(corners, text.replace("\"id\": 20,", "\"id\": 21,"));
+        CommandCall call = check("--detections", corners, "--target", 5, "--out", out);
+        assertEquals(4, call.code(), call.err());
+        assertTrue(call.out().lines().anyMatch(l -> l.matches(" *object 20 .*not seen")), call.out());
+        assertTrue(call.out().contains("not in the cell file: 21"), call.out());
+    }
+
+    @Test
+    void theTableFitsATerminalOf100ColumnsAndIsPlainText() throws IOException {
+        CommandCall call = check("--detections", corners, "--out", out);
+        call.out().lines().filter(l -> !l.contains(corners.toString()))
+                .forEach(l -> assertTrue(l.length() <= 100, l.length() + ": " + l));
+        assertTrue(call.out().chars().allMatch(c -> c == '\n' || c >= ' ' && c < 0x7F), call.out());
+    }
+
+    @Test
+    void helpShowsExamplesAndExitCodes() {
+        CommandCall call = CommandCall.of("check", "--help");
+        assertEquals(0, call.code());
+        assertTrue(call.out().contains("cellgauge check --cell cell.yaml photo.png"), call.out());
+        assertTrue(call.out().contains("Exit codes"), call.out());
+        assertTrue(CommandCall.of("--help").out().contains("check"));
+    }
+
+    @Test
+    void debugTellsHowLongTheStagesTake() {
+        CommandCall call = check("--detections", corners, "--iterations", 100, "--json", "--debug");
+        assertTrue(call.err().lines().anyMatch(l -> l.matches("Time: .*detections file \\d+ ms.*check \\d+ ms.*")),
+                call.err());
+        assertArrayEquals(new String[0], check("--detections", corners, "--iterations", 100, "--json").err().lines()
+                .toArray());
+    }
+}
