@@ -560,8 +560,21 @@ public final class CellCheck {
         String axisName = "xyz".substring(axis, axis + 1);
         String target = cell.targetStdMm().isPresent()
                 ? String.format(Locale.ROOT, " against a target of %s mm", plain(cell.targetStdMm().getAsDouble())) : "";
-        return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %s%s; %.0f %% of this variance comes from the "
-                + "%s.", std, axisName, name, target, 100 * share, source);
+        return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %s%s; %.0f %% of this variance comes from %s.",
+                std, axisName, name, target, 100 * share, inWords(source));
+    }
+
+    private static String inWords(String source) {
+        switch (source) {
+            case "corner noise of object":
+                return "noise in the object's own corners";
+            case "corner noise of references":
+                return "noise in the references' corners";
+            case "intrinsics":
+                return "the unknown intrinsics";
+            default:
+                return "the " + source;
+        }
     }
 
     private static String plain(double value) {
