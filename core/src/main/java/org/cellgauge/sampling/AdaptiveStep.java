@@ -15,12 +15,14 @@ public final class AdaptiveStep implements Proposal {
     private static final double SHORT_STEP_SHARE = 0.05;
     private static final double SHORT_STEP_FACTOR = 0.1;
     private static final int REFACTOR_EVERY = 100;
+    private static final int FORGET_FIRST = 2000;
 
     private final int dimension;
     private final double[] factor;
     private final double[] trial;
     private final double[] gaussians;
     private final RunningMoments moments;
+    private long taken;
     private boolean learning = true;
 
     /**
@@ -84,20 +86,20 @@ public final class AdaptiveStep implements Proposal {
 
     private void learn(double[] x) {
         moments.add(x);
-        long n = moments.count();
-        if (n % REFACTOR_EVERY != 0 || n < 20L * dimension) {
-            return;
-        }
-        for (int i = 0; i < dimension; i++) {
-            for (int j = 0; j <= i; j++) {
-                trial[i * dimension + j] = moments.covariance(i, j);
+        taken++;
+        // a short stretch of a chain shows less than its target's spread: wait for a quarter of the way again
+        if (taken % REFACTOR_EVERY == 0 && moments.count() >= Math.max(20L * dimension, taken / 4)) {
+            for (int i = 0; i < dimension; i++) {
+                for (int j = 0; j <= i; j++) {
+                    trial[i * dimension + j] = moments.covariance(i, j);
+                }
+            }
+            // a chain that has hardly moved has no covariance to learn from yet
+            if (Cholesky.factor(trial, dimension)) {
+                System.arraycopy(trial, 0, factor, 0, trial.length);
             }
         }
-        // a chain that has hardly moved has no covariance to learn from yet
-        if (Cholesky.factor(trial, dimension)) {
-            System.arraycopy(trial, 0, factor, 0, trial.length);
-        }
-        if (n >= 2000 && Long.bitCount(n / 1000) == 1 && n % 1000 == 0) {
+        if (taken % FORGET_FIRST == 0 && Long.bitCount(taken / FORGET_FIRST) == 1) {
             // early draws come from before the chain has found the bulk: forget them at 2000, 4000, 8000, …
             moments.clear();
         }

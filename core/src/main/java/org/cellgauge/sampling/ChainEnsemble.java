@@ -89,7 +89,7 @@ public final class ChainEnsemble {
 
     private void run(FlowableEmitter<EnsembleSnapshot> emitter) {
         if (!started.compareAndSet(false, true)) {
-            emitter.onError(new IllegalStateException("an ensemble runs once"));
+            emitter.tryOnError(new IllegalStateException("an ensemble runs once"));
             return;
         }
         ExecutorService executor = Executors.newFixedThreadPool(threads, task -> {
@@ -99,7 +99,7 @@ public final class ChainEnsemble {
         });
         try {
             int done = 0;
-            int roundEnd = Math.min(length.iterations(), length.warmup() + length.firstRound());
+            int roundEnd = (int) Math.min(length.iterations(), (long) length.warmup() + length.firstRound());
             while (!emitter.isCancelled()) {
                 int partEnd = Math.min(roundEnd, done + PUBLISH_EVERY);
                 advance(executor, emitter, done, partEnd);

@@ -37,7 +37,12 @@ public final class GaussianStep implements Proposal {
         System.arraycopy(from, 0, to, 0, from.length);
         for (int i = first; i < first + count; i++) {
             double moved = from[i] + std * random.nextGaussian();
-            to[i] = period > 0 ? moved - period * Math.floor(moved / period) : moved;
+            if (period > 0) {
+                moved -= period * Math.floor(moved / period);
+                // a tiny negative value plus the period rounds to the period itself
+                moved = moved < period ? moved : 0;
+            }
+            to[i] = moved;
         }
         return 0;
     }

@@ -200,8 +200,15 @@ public final class ImportanceTuning {
         return weights;
     }
 
-    /** Effective share of the draws, 1 / (N sum w²) (Kong 1992). */
+    /** Effective share of the draws, 1 / (N sum w²) (Kong 1992); 0 where no draw met the target at all. */
     private static double efficiency(double[] logWeights, double power) {
+        boolean met = false;
+        for (double w : logWeights) {
+            met |= w > Double.NEGATIVE_INFINITY;
+        }
+        if (!met) {
+            return 0;
+        }
         double sum = 0;
         for (double w : normalised(logWeights, power)) {
             sum += w * w;
