@@ -39,9 +39,11 @@ final class CellDrawing {
     private static final double REASON_CAP_U = 8.5;
     private static final double LABEL_CAP_U = 8.5;
     private static final double SMALL_CAP_U = 7.2;
-    private static final double REGULAR = 0.125;
+    private static final double REGULAR = 0.135;
     private static final double BOLD = 0.17;
     private static final double OUTLINE_U = 1.6;
+    /** Wider, for the expected outline to lie upon. */
+    private static final double REFERENCE_U = 2.4;
     private static final double THIN_U = 0.8;
     private static final double GRID_U = 0.7;
     private static final double AXIS_U = 2;
@@ -67,6 +69,8 @@ final class CellDrawing {
     private double gridMm = Double.NaN;
     private boolean axesVisible;
     private double magnification = 1;
+    /** Where leaders go among the shapes: below the panels, so that they cross no text. */
+    private int belowPanels;
 
     /**
      * A drawing.
@@ -103,6 +107,7 @@ final class CellDrawing {
                 object(object);
             }
         }
+        belowPanels = shapes.size();
         panels(status, headline, reason);
         labels();
         return new Overlay(detections.widthPx(), detections.heightPx(), status, magnification, gridMm, shapes);
@@ -264,10 +269,14 @@ final class CellDrawing {
                 status = status(m.id());
             }
             boolean foreign = role == Role.FOREIGN_OUTLINE;
-            line(role, status, foreign ? THIN_U : OUTLINE_U, foreign, p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[0],
+            line(role, status, foreign ? THIN_U : role == Role.REFERENCE_OUTLINE ? REFERENCE_U : OUTLINE_U, foreign, p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[0],
                     p[1]);
             placer.keepOff(boxOf(m).grown(4 * unit));
         }
+    }
+
+    private boolean inImage(Box box) {
+        return box.right() >= 0 && box.bottom() >= 0 && box.left() <= width && box.top() <= height;
     }
 
     private static Box boxOf(MarkerObservation m) {
@@ -352,6 +361,7 @@ final class CellDrawing {
             double[] grip = view.project(object.grip().meanMm());
             for (double[] part : view.line(object.pose().meanTransform().translationMm(), object.grip().meanMm())) {
                 shapes.add(new Polyline(Role.GRIP_LINE, status, 1.2 * unit, unsure, part));
+                placer.avoid(Box.around(Collections.singletonList(part)).grown(2 * unit));
             }
             ellipse(Role.GRIP_ELLIPSE, status, unsure, object.gripEllipse95Px());
             if (view.inImage(grip)) {
@@ -369,6 +379,7 @@ final class CellDrawing {
         double[] tip = pose.apply(0, 0, 3 * sizeMm);
         for (double[] part : view.line(pose.translationMm(), tip)) {
             shapes.add(new Polyline(Role.OBJECT_MODE, Status.AMBIGUOUS, (THIN_U + 0.6) * unit, second, part));
+            placer.avoid(Box.around(Collections.singletonList(part)).grown(2 * unit));
         }
     }
 
@@ -378,6 +389,9 @@ final class CellDrawing {
         }
         EllipseShape drawn = new EllipseShape(role, status, 1.4 * unit, dashed, new Ellipse(e.centreX(), e.centreY(),
                 e.semiMajor() * magnification, e.semiMinor() * magnification, e.angleRad()));
+        if (!inImage(drawn.bounds())) {
+            return;
+        }
         shapes.add(drawn);
         placer.avoid(drawn.bounds());
     }
@@ -621,7 +635,7 @@ final class CellDrawing {
     private void labels() {
         for (ObjectMarker o : cell.objects()) {
             MarkerObservation m = detections.find(o.id());
-            if (m != null) {
+            if (m != null && inImage(boxOf(m))) {
                 label(boxOf(m), status(o.id()), objectLines(o.id()));
             }
         }
@@ -712,13 +726,16 @@ final class CellDrawing {
                     .at(box.left(), box.top()));
         }
         for (int i = 0; i < lines.size(); i++) {
-            shapes.add(new TextShape(Role.LABEL, Status.NEUTRAL, i == 0 ? 0.14 : REGULAR, box.left() + pad + markCaps * cap,
+            shapes.add(new TextShape(Role.LABEL, Status.NEUTRAL, REGULAR, box.left() + pad + markCaps * cap,
                     baseline + i * StrokeFont.LINE_SPACING * cap, cap, lines.get(i)));
         }
     }
 
     /** A label without a panel. */
     private void name(Box target, Status status, String text) {
+        if (!inImage(target)) {
+            return;
+        }
         double inCaps = StrokeFont.widthInCapHeights(text);
         double cap = Math.min(fitting(inCaps, 0), SMALL_CAP_U * unit);
         Box box = placer.place(inCaps * cap, (StrokeFont.ASCENT + StrokeFont.DESCENT) * cap, target);
@@ -737,8 +754,11 @@ final class CellDrawing {
             double v = (target.top() + target.bottom()) / 2;
             double lu = Math.min(Math.max(u, label.left()), label.right());
             double lv = Math.min(Math.max(v, label.top()), label.bottom());
-            line(Role.LEADER, status, THIN_U, false, lu, lv, Math.min(Math.max(lu, target.left()), target.right()),
-                    Math.min(Math.max(lv, target.top()), target.bottom()));
+            double[] points = {lu, lv, Math.min(Math.max(lu, target.left()), target.right()),
+                Math.min(Math.max(lv, target.top()), target.bottom())};
+            for (double[] part : WorldView.clip(points, width, height)) {
+                shapes.add(belowPanels, new Polyline(Role.LEADER, status, THIN_U * unit, false, part));
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ final class LabelPlacer {
     /** Price of covering what must not be covered, in distances per share of the label's area. */
     private static final double HARD = 1e5;
     /** Price of covering what better stays visible. */
-    private static final double SOFT = 60;
+    private static final double SOFT = 200;
 
     private final Box area;
     private final double unitPx;

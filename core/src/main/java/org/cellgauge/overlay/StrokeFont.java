@@ -259,8 +259,8 @@ public final class StrokeFont {
         t.put('f', new Glyph(4.8, "A 5 11.3 3 3.2 80 180 L 2 0 M 0 10 L 4.8 10"));
         t.put('g', new Glyph(7.8, "E 3.9 5 3.9 5 M 7.8 10 L 7.8 -0.6 A 4 -0.6 3.8 3.6 0 -150"));
         t.put('h', new Glyph(7.2, "M 0 14.5 L 0 0 M 0 6 A 3.6 6.2 3.6 3.8 180 0 L 7.2 0"));
-        t.put('i', new Glyph(1, "M 0.5 10 L 0.5 0 M 0.5 13.5 L 0.5 13.7"));
-        t.put('j', new Glyph(2.4, "M 1.9 10 L 1.9 -2 A -0.4 -2 2.3 2.2 0 -80 M 1.9 13.5 L 1.9 13.7"));
+        t.put('i', new Glyph(1, "M 0.5 10 L 0.5 0 M 0.5 13.4 L 0.5 14.2"));
+        t.put('j', new Glyph(2.4, "M 1.9 10 L 1.9 -2 A -0.4 -2 2.3 2.2 0 -80 M 1.9 13.4 L 1.9 14.2"));
         t.put('k', new Glyph(7, "M 0 14.5 L 0 0 M 6.6 10 L 0 3.8 M 2.5 6.1 L 7 0"));
         t.put('l', new Glyph(2.4, "M 0.5 14.5 L 0.5 2 A 2.5 2 2 2 180 270"));
         t.put('m', new Glyph(12, "M 0 10 L 0 0 M 0 6.4 A 3 6.7 3 3.3 180 0 L 6 0 M 6 6.4 A 9 6.7 3 3.3 180 0 L 12 0"));
@@ -280,12 +280,12 @@ public final class StrokeFont {
     }
 
     private static void signs(Map<Character, Glyph> t) {
-        t.put('.', new Glyph(1, "M 0.5 0 L 0.5 0.3"));
+        t.put('.', new Glyph(1, "M 0.5 0 L 0.5 1"));
         t.put(',', new Glyph(1.2, "M 0.9 0.4 L 0.1 -2.6"));
-        t.put(':', new Glyph(1, "M 0.5 0 L 0.5 0.3 M 0.5 8.7 L 0.5 9"));
-        t.put(';', new Glyph(1.2, "M 0.9 0.4 L 0.1 -2.6 M 0.8 8.7 L 0.8 9"));
-        t.put('!', new Glyph(1, "M 0.5 14 L 0.5 4.4 M 0.5 0 L 0.5 0.3"));
-        t.put('?', new Glyph(7, "A 3.5 10.6 3.4 3.4 165 -60 L 3.6 5.8 L 3.6 4.3 M 3.6 0 L 3.6 0.3"));
+        t.put(':', new Glyph(1, "M 0.5 0 L 0.5 1 M 0.5 8.2 L 0.5 9.2"));
+        t.put(';', new Glyph(1.2, "M 0.9 0.4 L 0.1 -2.6 M 0.8 8.2 L 0.8 9.2"));
+        t.put('!', new Glyph(1, "M 0.5 14 L 0.5 4.4 M 0.5 0 L 0.5 1"));
+        t.put('?', new Glyph(7, "A 3.5 10.6 3.4 3.4 165 -60 L 3.6 5.8 L 3.6 4.3 M 3.6 0 L 3.6 1"));
         t.put('\'', new Glyph(1, "M 0.5 14 L 0.5 10.6"));
         t.put('\u2019', new Glyph(1.2, "M 0.9 14 L 0.3 10.6"));
         t.put('"', new Glyph(4, "M 0.5 14 L 0.5 10.6 M 3.5 14 L 3.5 10.6"));
@@ -326,7 +326,7 @@ public final class StrokeFont {
         t.put('\u00b0', new Glyph(4.4, "E 2.2 12 2.2 2.2"));
         t.put('\u00b2', new Glyph(5, "A 2.5 12.6 2.2 2.2 165 -35 L 0.2 7.4 L 5 7.4"));
         t.put('\u00b7', new Glyph(1, "M 0.5 5.9 L 0.5 6.2"));
-        t.put('\u2026', new Glyph(9, "M 0.5 0 L 0.5 0.3 M 4.5 0 L 4.5 0.3 M 8.5 0 L 8.5 0.3"));
+        t.put('\u2026', new Glyph(9, "M 0.5 0 L 0.5 1 M 4.5 0 L 4.5 1 M 8.5 0 L 8.5 1"));
         t.put('\u00b5', new Glyph(7.2, "M 0 10 L 0 -4 M 0 3.8 A 3.6 3.8 3.6 3.8 180 360 M 7.2 10 L 7.2 0"));
     }
 }

@@ -128,16 +128,20 @@ public final class OverlayPainter {
             g.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), shape.dashed() ? 25 : 60));
             g.fill(path);
         }
-        // no rim where it would hide the detected outline that the expected one is to be compared with
-        if (shape.role() != Role.REFERENCE_EXPECTED) {
-            double rim = shape instanceof TextShape ? 1.3 * unit : 1.6 * unit;
-            g.setColor(shape.role() == Role.WORLD_GRID ? GRID_RIM : RIM);
-            g.setStroke(stroke(shape, shape.strokePx() + rim, unit));
-            g.draw(path);
-        }
+        g.setColor(shape.role() == Role.WORLD_GRID ? GRID_RIM : RIM);
+        g.setStroke(stroke(shape, shape.strokePx() + rim(shape) * unit, unit));
+        g.draw(path);
         g.setColor(colour);
         g.setStroke(stroke(shape, shape.strokePx(), unit));
         g.draw(path);
+    }
+
+    /** By how much the dark rim is wider than the line, in units. */
+    private static double rim(Shape shape) {
+        if (shape.role() == Role.REFERENCE_EXPECTED) {
+            return 0.6;     // narrow, so as not to hide the detected outline that it is to be compared with
+        }
+        return shape instanceof TextShape ? 2.6 : 2;
     }
 
     private static BasicStroke stroke(Shape shape, double width, double unit) {
