@@ -269,8 +269,8 @@ final class CellDrawing {
                 status = status(m.id());
             }
             boolean foreign = role == Role.FOREIGN_OUTLINE;
-            line(role, status, foreign ? THIN_U : role == Role.REFERENCE_OUTLINE ? REFERENCE_U : OUTLINE_U, foreign, p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[0],
-                    p[1]);
+            double strokeU = foreign ? THIN_U : role == Role.REFERENCE_OUTLINE ? REFERENCE_U : OUTLINE_U;
+            line(role, status, strokeU, foreign, p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[0], p[1]);
             placer.keepOff(boxOf(m).grown(4 * unit));
         }
     }
@@ -365,7 +365,8 @@ final class CellDrawing {
             }
             ellipse(Role.GRIP_ELLIPSE, status, unsure, object.gripEllipse95Px());
             if (view.inImage(grip)) {
-                MarkShape cross = new MarkShape(Role.GRIP_POINT, status, 1.6 * unit, Mark.PLUS, grip[0], grip[1], 6 * unit);
+                MarkShape cross = new MarkShape(Role.GRIP_POINT, status, 1.6 * unit, Mark.PLUS, grip[0], grip[1],
+                        6 * unit);
                 shapes.add(cross);
                 placer.keepOff(cross.bounds());
             }
@@ -461,7 +462,8 @@ final class CellDrawing {
         Shape at(double left, double top);
     }
 
-    private Content text(Role role, Status status, double weight, double left, double baseline, double cap, String text) {
+    private Content text(Role role, Status status, double weight, double left, double baseline, double cap,
+            String text) {
         return (u, v) -> new TextShape(role, status, weight, u + left, v + baseline, cap, text);
     }
 
@@ -616,16 +618,17 @@ final class CellDrawing {
                         half * 0.7);
             case WORLD_GRID:
             case OBJECT_MODE:
-                return (u, v) -> new Polyline(e.role, e.status, (e.role == Role.WORLD_GRID ? GRID_U : THIN_U + 0.6) * unit,
-                        e.dashed, u + left, v + middle, u + left + size, v + middle);
+                double lineU = e.role == Role.WORLD_GRID ? GRID_U : THIN_U + 0.6;
+                return (u, v) -> new Polyline(e.role, e.status, lineU * unit, e.dashed, u + left, v + middle,
+                        u + left + size, v + middle);
             default:
                 double h = half * 0.7;
+                double edgeU = e.role == Role.REFERENCE_EXPECTED ? THIN_U : OUTLINE_U;
                 return (u, v) -> {
                     double cu = u + left + half;
                     double cv = v + middle;
-                    return new Polyline(e.role, e.status,
-                            (e.role == Role.REFERENCE_EXPECTED ? THIN_U : OUTLINE_U) * unit, e.dashed, cu - h, cv - h, cu + h,
-                            cv - h, cu + h, cv + h, cu - h, cv + h, cu - h, cv - h);
+                    return new Polyline(e.role, e.status, edgeU * unit, e.dashed, cu - h, cv - h, cu + h, cv - h,
+                            cu + h, cv + h, cu - h, cv + h, cu - h, cv - h);
                 };
         }
     }
@@ -682,7 +685,8 @@ final class CellDrawing {
     private static String shares(List<ModeEstimate> modes) {
         StringBuilder text = new StringBuilder();
         for (ModeEstimate mode : modes) {
-            text.append(text.length() == 0 ? ", " : " / ").append(String.format(Locale.ROOT, "%.0f %%", 100 * mode.weight()));
+            text.append(text.length() == 0 ? ", " : " / ");
+            text.append(String.format(Locale.ROOT, "%.0f %%", 100 * mode.weight()));
         }
         return text.toString();
     }

@@ -43,9 +43,10 @@ public final class CellOverlay {
                 headline = "NO TARGET SET";
                 break;
         }
-        boolean trusted = status != Status.NOT_CONVERGED;
-        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referencesUsed(),
-                trusted ? CellDrawing.Stage.FINAL : CellDrawing.Stage.NOT_CONVERGED).draw(status, headline, result.reason());
+        CellDrawing.Stage stage = status == Status.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
+                : CellDrawing.Stage.FINAL;
+        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referencesUsed(), stage)
+                .draw(status, headline, result.reason());
     }
 
     /**
@@ -92,7 +93,9 @@ public final class CellOverlay {
      * @param reason a sentence
      * @return what to draw over the photo
      */
-    public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline, String reason) {
-        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY).draw(status, headline, reason);
+    public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
+            String reason) {
+        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY).draw(status, headline,
+                reason);
     }
 }

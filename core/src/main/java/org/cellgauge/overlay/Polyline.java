@@ -20,7 +20,8 @@ public final class Polyline extends Shape {
     public Polyline(Role role, Status status, double strokePx, boolean dashed, double... pointsPx) {
         super(role, status, strokePx, dashed);
         if (pointsPx.length < 4 || pointsPx.length % 2 != 0) {
-            throw new IllegalArgumentException("a polyline takes at least two points, not " + pointsPx.length + " values");
+            throw new IllegalArgumentException("a polyline takes at least two points, not " + pointsPx.length
+                    + " values");
         }
         for (double v : pointsPx) {
             if (!Double.isFinite(v)) {

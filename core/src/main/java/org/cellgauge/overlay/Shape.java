@@ -62,8 +62,8 @@ public abstract class Shape {
     /**
      * The shape as lines.
      *
-     * @return polylines, each an array u0, v0, u1, v1, … of at least two points; a dot is a line of length near 0; a closed
-     *     one ends where it begins
+     * @return polylines, each an array u0, v0, u1, v1, … of at least two points; a closed one ends where
+     *     it begins
      */
     public abstract List<double[]> strokes();
 

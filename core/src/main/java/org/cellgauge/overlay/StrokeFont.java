@@ -11,10 +11,10 @@ import java.util.Map;
  * Letters as lines: text that every painter can draw, that measures the same everywhere and needs no installed font (a
  * Java runtime without a window system often has none).
  *
- * <p>Drawn for this program. A glyph is a path on a grid where a capital is 14 high, a small letter 10, the baseline 0 and
- * y points up: {@code M x y} begins a line, {@code L x y} draws to a point, {@code A x y rx ry from to} an arc of the
- * ellipse around (x, y) by angles in degrees, counter-clockwise where {@code to} is larger, joined to the line before it,
- * {@code E x y rx ry} a whole ellipse on its own.
+ * <p>Drawn for this program. A glyph is a path on a grid where a capital is 14 high, a small letter 10, the baseline 0
+ * and y points up: {@code M x y} begins a line, {@code L x y} draws to a point, {@code A x y rx ry from to} an arc of
+ * the ellipse around (x, y) by angles in degrees, counter-clockwise where {@code to} is larger, joined to the line
+ * before it, {@code E x y rx ry} a whole ellipse on its own.
  */
 public final class StrokeFont {
     /** How far the tallest letters reach above the baseline, in cap heights. */
@@ -317,7 +317,8 @@ public final class StrokeFont {
         t.put('#', new Glyph(9.6, "M 3.2 14 L 1.6 0 M 8 14 L 6.4 0 M 0.4 9.6 L 9.6 9.6 M 0 4.4 L 9.2 4.4"));
         t.put('$', new Glyph(8.8, "A 4.4 10 3.9 3 35 270 A 4.4 3.8 4.4 3.2 90 -150 M 4.4 15 L 4.4 -1.5"));
         t.put('%', new Glyph(12.4, "M 10.2 14 L 2.2 0 E 2.7 10.8 2.7 3.2 E 9.7 3.2 2.7 3.2"));
-        t.put('&', new Glyph(10, "M 10 0 L 2.6 9.6 A 4.8 11.5 2.6 2.5 215 -40 L 2.3 6.8 A 4 3.6 4 3.6 125 320 L 9.6 6.4"));
+        t.put('&', new Glyph(10, "M 10 0 L 2.6 9.6 A 4.8 11.5 2.6 2.5 215 -40 "
+                + "L 2.3 6.8 A 4 3.6 4 3.6 125 320 L 9.6 6.4"));
         t.put('@', new Glyph(13, "E 6.3 5.6 2.7 3.2 M 9 8.8 L 9 4.2 A 10.9 4.2 1.9 1.8 180 360 A 6.4 6 6.4 7.5 0 300"));
         t.put('^', new Glyph(7, "M 0 10 L 3.5 14 L 7 10"));
         t.put('`', new Glyph(2.5, "M 0 14 L 2.5 11.4"));

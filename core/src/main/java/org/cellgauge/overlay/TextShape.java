@@ -66,15 +66,16 @@ public final class TextShape extends Shape {
     }
 
     /**
-     * The box of the line: its width by {@link StrokeFont}, from the tops of capitals to the ends of descenders, whatever
-     * letters occur.
+     * The box of the line: its width by {@link StrokeFont}, from the tops of capitals to the ends of descenders,
+     * whatever letters occur.
      *
      * @return the box
      */
     @Override
     public Box bounds() {
         return new Box(leftPx, baselinePx - StrokeFont.ASCENT * capHeightPx,
-                leftPx + StrokeFont.widthInCapHeights(text) * capHeightPx, baselinePx + StrokeFont.DESCENT * capHeightPx);
+                leftPx + StrokeFont.widthInCapHeights(text) * capHeightPx,
+                baselinePx + StrokeFont.DESCENT * capHeightPx);
     }
 
     @Override

@@ -6,8 +6,8 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 
 /**
- * The world as a camera sees it: points and lines of the world in image px, without what is behind the camera, beyond the
- * reach of its lens model or outside the image.
+ * The world as a camera sees it: points and lines of the world in image px, without what is behind the camera, beyond
+ * the reach of its lens model or outside the image.
  */
 final class WorldView {
     /** Points nearer to the camera's plane than this count as not in front of it. */
@@ -29,8 +29,8 @@ final class WorldView {
     }
 
     /**
-     * Where the radial polynomial r (1 + k1 r² + k2 r⁴ + k3 r⁶) stops growing: its model puts points beyond back into the
-     * image, where no light of theirs falls.
+     * Where the radial polynomial r (1 + k1 r² + k2 r⁴ + k3 r⁶) stops growing: its model puts points beyond back into
+     * the image, where no light of theirs falls.
      *
      * @param camera the camera
      * @return undistorted normalised radius, at most {@value #LARGEST_RADIUS}

@@ -8,7 +8,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class StrokeFontTest {
-    private static final String BEYOND_ASCII = "\u03c3\u00b1\u00d7\u00b0\u00b2\u2013\u2014\u2026\u2019\u2264\u2265\u2248\u00b5\u2212";
+    private static final String BEYOND_ASCII = "\u03c3\u00b1\u00d7\u00b0\u00b2"
+            + "\u2013\u2014\u2026\u2019\u2264\u2265\u2248\u00b5\u2212";
 
     @Test
     void hasAllPrintableCharactersAndTheSignsOfMessages() {
@@ -32,7 +33,8 @@ class StrokeFontTest {
             // a quarter of the gap between letters may be taken by a serif or a bow
             assertTrue(box.left() > 100 - 0.9 && box.right() < 100 + 14 * StrokeFont.widthInCapHeights(text) + 0.9,
                     c + " sticks out sideways: " + box);
-            assertTrue(box.top() >= 200 - 14 * StrokeFont.ASCENT - 1e-9 && box.bottom() <= 200 + 14 * StrokeFont.DESCENT,
+            assertTrue(box.top() >= 200 - 14 * StrokeFont.ASCENT - 1e-9
+                    && box.bottom() <= 200 + 14 * StrokeFont.DESCENT,
                     c + " sticks out of its line: " + box);
         }
     }

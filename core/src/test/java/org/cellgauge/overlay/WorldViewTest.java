@@ -45,7 +45,8 @@ class WorldViewTest {
         WorldView view = new WorldView(barrel(0), RigidTransform.IDENTITY);
         assertNull(view.project(new double[] {1, 1, -100}));
         assertNull(view.project(new double[] {1, 1, 0}));
-        assertArrayEquals(new double[] {320 + 300 * 0.1, 240 - 300 * 0.2}, view.project(new double[] {10, -20, 100}), 1e-9);
+        assertArrayEquals(new double[] {320 + 300 * 0.1, 240 - 300 * 0.2},
+                view.project(new double[] {10, -20, 100}), 1e-9);
     }
 
     @Test
@@ -74,7 +75,8 @@ class WorldViewTest {
 
     @Test
     void aLineThroughTheImageIsCutAtItsEdges() {
-        List<double[]> parts = WorldView.clip(new double[] {-100, 100, 300, 100, 300, -50, 400, -50, 400, 50}, 640, 480);
+        List<double[]> parts = WorldView.clip(new double[] {-100, 100, 300, 100, 300, -50, 400, -50, 400, 50}, WIDTH,
+                HEIGHT);
         assertEquals(2, parts.size());
         assertArrayEquals(new double[] {0, 100, 300, 100, 300, 0}, parts.get(0), 1e-12);
         assertArrayEquals(new double[] {400, 0, 400, 50}, parts.get(1), 1e-12);

@@ -22,9 +22,9 @@ import org.cellgauge.vision.GreyImage;
 /**
  * Paints an overlay over its photo, without a window system and without fonts.
  *
- * <p>Colours are those of Okabe and Ito ("Color Universal Design", 2008), which people with any of the common colour vision
- * deficiencies tell apart, the green and the blue a little lighter for dark photos. Every line lies on a dark rim, so that
- * it shows on bright and on dark photos.
+ * <p>Colours are those of Okabe and Ito ("Color Universal Design", 2008), which people with any of the common colour
+ * vision deficiencies tell apart, the green and the blue a little lighter for dark photos. Every line lies on a dark
+ * rim, so that it shows on bright and on dark photos.
  */
 public final class OverlayPainter {
     private static final Color ORANGE = new Color(0xE69F00);
@@ -115,7 +115,8 @@ public final class OverlayPainter {
         if (shape instanceof PanelShape) {
             Box b = shape.bounds();
             double round = 6 * unit;
-            RoundRectangle2D panel = new RoundRectangle2D.Double(b.left(), b.top(), b.width(), b.height(), round, round);
+            RoundRectangle2D panel = new RoundRectangle2D.Double(b.left(), b.top(), b.width(), b.height(), round,
+                    round);
             g.setColor(PANEL);
             g.fill(panel);
             g.setColor(colour);

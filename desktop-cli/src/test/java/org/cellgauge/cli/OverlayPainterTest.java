@@ -116,9 +116,11 @@ class OverlayPainterTest {
     /** Machines without a window system often have no fonts, and Java fails when it looks for them. */
     @Test
     void fontsAreNeverTouched() throws Exception {
-        Process process = new ProcessBuilder(System.getProperty("java.home") + File.separator + "bin" + File.separator
-                + "java", "-Djava.awt.headless=true", "-Xlog:class+load", "-cp", place(PaintOnce.class) + File.pathSeparator
-                + place(OverlayPainter.class) + File.pathSeparator + place(Overlay.class), PaintOnce.class.getName()).redirectErrorStream(true).start();
+        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+        String classes = String.join(File.pathSeparator, place(PaintOnce.class), place(OverlayPainter.class),
+                place(Overlay.class));
+        Process process = new ProcessBuilder(java, "-Djava.awt.headless=true", "-Xlog:class+load", "-cp", classes,
+                PaintOnce.class.getName()).redirectErrorStream(true).start();
         String log = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), log.substring(Math.max(0, log.length() - 2000)));
         assertTrue(log.contains("org.cellgauge.cli.OverlayPainter "), "the log names loaded classes");
@@ -126,8 +128,8 @@ class OverlayPainterTest {
         assertFalse(log.contains(" sun.awt.FontConfiguration"), "fonts were looked for");
     }
 
-    private static Path place(Class<?> type) throws URISyntaxException {
-        return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI());
+    private static String place(Class<?> type) throws URISyntaxException {
+        return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
     }
 
     /** Paints the sample in a process of its own. */
