@@ -95,8 +95,8 @@ public final class CheckCommand implements Callable<Integer> {
     private boolean json;
 
     @Option(names = "--target", paramLabel = "MM",
-            description = "Largest standard deviation allowed on any axis of any object and gripping point, mm, in place "
-                    + "of the cell file's.")
+            description = "Largest standard deviation allowed on any axis of any object and gripping point, mm, in "
+                    + "place of the cell file's.")
     private Double targetMm;
 
     @Mixin
@@ -117,7 +117,8 @@ public final class CheckCommand implements Callable<Integer> {
     public Integer call() {
         settings = options.settings(spec.commandLine());
         if (targetMm != null && !(targetMm > 0 && Double.isFinite(targetMm))) {
-            throw new ParameterException(spec.commandLine(), "--target: must be a positive number of mm, not " + targetMm);
+            throw new ParameterException(spec.commandLine(),
+                    "--target: must be a positive number of mm, not " + targetMm);
         }
         if (images.isEmpty() && detectionsFiles.isEmpty()) {
             throw new ParameterException(spec.commandLine(),
@@ -156,8 +157,8 @@ public final class CheckCommand implements Callable<Integer> {
                 // one photo must not cost the others their results
                 run.refused(input, ExitCodes.INTERNAL_ERROR, "internal error", e);
             } catch (OutOfMemoryError e) {
-                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(input.file() + ": this "
-                        + "takes more memory than Java may use (" + Runtime.getRuntime().maxMemory() / (1 << 20)
+                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(input.file()
+                        + ": this takes more memory than Java may use (" + Runtime.getRuntime().maxMemory() / (1 << 20)
                         + " MB); use smaller images, fewer chains or fewer iterations"));
             }
         }

@@ -68,8 +68,8 @@ record CheckInput(Path file, boolean isDetections, String name, String refusal) 
         }
         if (files.isEmpty()) {
             found.add(new CheckInput(folder, false, baseName(folder), folder
-                    + ": no image in this folder; photos end in .png, .jpg, .bmp, .tif or .gif (folders within it are not "
-                    + "searched)"));
+                    + ": no image in this folder; photos end in .png, .jpg, .bmp, .tif or .gif (folders within it are "
+                    + "not searched)"));
         }
         Collections.sort(files);
         files.forEach(file -> found.add(new CheckInput(file, false, baseName(file), null)));

@@ -15,14 +15,14 @@ import picocli.CommandLine.ParameterException;
 /** Options common to the commands that sample. What is not given stays as the preset or the default has it. */
 final class CheckOptions {
     @Option(names = "--preset", paramLabel = "thesis",
-            description = "Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of steps, "
-                    + "1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no noise of the "
+            description = "Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of "
+                    + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no noise of the "
                     + "objects' own corners. Options given besides still count.")
     private String preset;
 
     @Option(names = "--model", paramLabel = "rigid-marker|corner-cube",
-            description = "How placement errors move corners: each reference as a rigid whole (default), or every corner "
-                    + "on its own as in the thesis.")
+            description = "How placement errors move corners: each reference as a rigid whole (default), or every "
+                    + "corner on its own as in the thesis.")
     private String model;
 
     @Option(names = "--kappa", paramLabel = "K",
@@ -37,8 +37,8 @@ final class CheckOptions {
     private Integer chains;
 
     @Option(names = "--iterations", paramLabel = "N",
-            description = "Iterations of each chain, warm-up included. Without it: as many as a Monte Carlo error of 2 %% "
-                    + "in every standard deviation takes, at most 50000.")
+            description = "Iterations of each chain, warm-up included. Without it: as many as a Monte Carlo error of "
+                    + "2 %% in every standard deviation takes, at most 50000.")
     private Integer iterations;
 
     @Option(names = "--warmup", paramLabel = "N",
@@ -55,16 +55,17 @@ final class CheckOptions {
     private String estimate;
 
     @Option(names = "--focal-prior-std", paramLabel = "PX",
-            description = "With --estimate focal: standard deviation of what is known of fx and fy beforehand, about the "
-                    + "camera file's values, px (200).")
+            description = "With --estimate focal: standard deviation of what is known of fx and fy beforehand, about "
+                    + "the camera file's values, px (200).")
     private Double focalPriorStdPx;
 
-    @Option(names = "--initial", paramLabel = "average|ransac|pnp", description = "First estimate of the camera pose (pnp).")
+    @Option(names = "--initial", paramLabel = "average|ransac|pnp",
+            description = "First estimate of the camera pose (pnp).")
     private String initial;
 
     @Option(names = "--object-noise", paramLabel = "detection|none",
-            description = "Whether the noise in an object's own corners counts (detection), or the camera's part alone is "
-                    + "wanted (none).")
+            description = "Whether the noise in an object's own corners counts (detection), or the camera's part alone "
+                    + "is wanted (none).")
     private String objectNoise;
 
     @Option(names = "--threads", paramLabel = "N",

@@ -126,8 +126,8 @@ final class CheckText {
             }
             double[] mean = object.pose().mean();
             double[] std = object.pose().std();
-            table.row("object " + object.id(), fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2), fixed(std[0], 2),
-                    fixed(std[1], 2), fixed(std[2], 2), mark(result, Math.max(std[0], Math.max(std[1], std[2]))));
+            table.row("object " + object.id(), fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2),
+                    fixed(std[0], 2), fixed(std[1], 2), fixed(std[2], 2), mark(result, Math.max(std[0], Math.max(std[1], std[2]))));
             PointEstimate grip = object.grip();
             if (grip != null) {
                 double[] g = grip.meanMm();
@@ -171,7 +171,8 @@ final class CheckText {
         List<String> words = new ArrayList<>();
         for (Map.Entry<String, Double> e : falling(kinds)) {
             if (e.getValue() >= NEGLIGIBLE_SHARE) {
-                String detail = parts.containsKey(e.getKey()) ? " (" + String.join(", ", parts.get(e.getKey())) + ")" : "";
+                String detail = parts.containsKey(e.getKey())
+                        ? " (" + String.join(", ", parts.get(e.getKey())) + ")" : "";
                 words.add(e.getKey() + " " + percent(e.getValue()) + detail);
             }
         }
@@ -219,9 +220,9 @@ final class CheckText {
         Diagnostics d = result.diagnostics();
         CheckSettings s = result.settings();
         String word = d.converged() ? "converged" : "not converged";
-        return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective draws %s "
-                + "(bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.chains(), result.iterationsPerChain(),
-                s.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0), fixed(d.essTailMin(), 0),
+        return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective "
+                + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.chains(),
+                result.iterationsPerChain(), s.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0), fixed(d.essTailMin(), 0),
                 fixed(100 * d.mcseStdRelMax(), 1)), "        ").stripTrailing();
     }
 
@@ -241,7 +242,8 @@ final class CheckText {
         for (ObjectEstimate sampled : result.estimate().objects()) {
             ObjectEstimate quick = result.quickLook().object(sampled.id());
             for (int i = 0; i < 3; i++) {
-                ratios.put(sampled.pose().std()[i] / quick.pose().std()[i], "xyz".charAt(i) + " of object " + sampled.id());
+                ratios.put(sampled.pose().std()[i] / quick.pose().std()[i],
+                        "xyz".charAt(i) + " of object " + sampled.id());
             }
         }
         TreeMap<Double, String> sorted = new TreeMap<>(ratios);

@@ -17,8 +17,8 @@ import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.statistics.ChainDiagnostics;
 
 /**
- * The report of a run, {@code report.html}: one page that holds all it shows, pictures and styles included. Verdicts are
- * told apart by word and shape, never by colour alone.
+ * The report of a run, {@code report.html}: one page that holds all it shows, pictures and styles included. Verdicts
+ * are told apart by word and shape, never by colour alone.
  */
 final class HtmlReport {
     private static final String STYLE = "body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:76rem;"
@@ -67,7 +67,7 @@ final class HtmlReport {
         overviewRow(id, input, key, CheckText.word(result.verdict()), CheckText.fixed(worst, 2) + caution(result),
                 CheckText.fixed(result.diagnostics().rHatMax(), 4), result.reason());
         section(id, input, key, CheckText.word(result.verdict()), result.reason());
-        sections.append("<p><img alt=\"").append(escape("Photo " + input.name() + " with markers, frames and 95 % ellipses"))
+        sections.append("<p><img alt=\"").append(escape(input.name() + ": markers, frames and 95 % ellipses"))
                 .append("\" src=\"data:image/jpeg;base64,").append(Base64.getEncoder().encodeToString(jpeg))
                 .append("\"></p>\n");
         if (!result.warnings().isEmpty()) {
@@ -116,7 +116,8 @@ final class HtmlReport {
         switch (key) {
             case "pass":
                 shape = "<circle cx=\"8\" cy=\"8\" r=\"7\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\"/>"
-                        + "<path d=\"M4.5 8.5l2.5 2.5 4.5-5.5\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\"/>";
+                        + "<path d=\"M4.5 8.5l2.5 2.5 4.5-5.5\" fill=\"none\" "
+                        + "stroke=\"currentColor\" stroke-width=\"2\"/>";
                 break;
             case "not-converged":
             case "ambiguous":
@@ -130,8 +131,8 @@ final class HtmlReport {
                 shape = "<path d=\"M5 1h6l4 4v6l-4 4H5l-4-4V5z\" fill=\"currentColor\"/>"
                         + "<path d=\"M5 5l6 6M11 5l-6 6\" stroke=\"#fff\" stroke-width=\"2\"/>";
         }
-        return "<span class=\"verdict " + key + "\"><svg viewBox=\"0 0 16 16\" aria-hidden=\"true\">" + shape + "</svg> "
-                + escape(word) + "</span>";
+        return "<span class=\"verdict " + key + "\"><svg viewBox=\"0 0 16 16\" aria-hidden=\"true\">" + shape
+                + "</svg> " + escape(word) + "</span>";
     }
 
     private static String caution(CheckResult result) {
@@ -299,8 +300,8 @@ final class HtmlReport {
                 + (result.cell().pixelStdPx().isPresent() ? "" : " (estimated)"));
         values.put("references used", result.referencesUsed().toString().replaceAll("[\\[\\]]", ""));
         sections.append("<details><summary>Settings</summary>\n<table>\n");
-        values.forEach((name, value) -> sections.append("<tr><td>").append(escape(name)).append("</td><td class=\"text\">")
-                .append(escape(value)).append("</td></tr>\n"));
+        values.forEach((name, value) -> sections.append("<tr><td>").append(escape(name))
+                .append("</td><td class=\"text\">").append(escape(value)).append("</td></tr>\n"));
         sections.append("</table></details>\n");
     }
 

@@ -40,7 +40,8 @@ public final class Main implements Callable<Integer> {
      */
     @Override
     public Integer call() {
-        throw new ParameterException(commandLine, "no command given; a call begins with, for instance, 'cellgauge check'");
+        throw new ParameterException(commandLine,
+                "no command given; a call begins with, for instance, 'cellgauge check'");
     }
 
     /**
@@ -123,8 +124,8 @@ public final class Main implements Callable<Integer> {
 
     /** A word in the colour of its meaning, where a terminal shows it and the user has not asked for none. */
     static String coloured(String word, int exitCode) {
-        String colour = exitCode == ExitCodes.OK ? "fg(green),bold" : exitCode == ExitCodes.TARGET_MISSED ? "fg(red),bold"
-                : "fg(yellow),bold";
+        String colour = exitCode == ExitCodes.OK ? "fg(green),bold"
+                : exitCode == ExitCodes.TARGET_MISSED ? "fg(red),bold" : "fg(yellow),bold";
         // picocli asks for a terminal, NO_COLOR and the like
         return CommandLine.Help.Ansi.AUTO.string("@|" + colour + " " + word + "|@");
     }

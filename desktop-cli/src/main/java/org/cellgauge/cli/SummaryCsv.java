@@ -6,7 +6,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.ObjectEstimate;
 
-/** The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). Where nothing is known, nothing stands. */
+/** The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is not known is left empty. */
 final class SummaryCsv {
     private static final String[] COLUMNS = {"input", "name", "verdict", "object", "seen", "x_mm", "y_mm", "z_mm",
         "std_x_mm", "std_y_mm", "std_z_mm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_std_x_mm", "grip_std_y_mm",
@@ -51,7 +51,8 @@ final class SummaryCsv {
         numbers(cells, grip ? object.grip().stdMm() : null);
         cells.add(object == null ? "" : number(object.worstStdMm()));
         cells.add(number(result.cell().targetStdMm().orElse(Double.NaN)));
-        boolean judged = object != null && result.cell().targetStdMm().isPresent() && CheckText.caution(result).isEmpty();
+        boolean judged = object != null && result.cell().targetStdMm().isPresent()
+                && CheckText.caution(result).isEmpty();
         cells.add(judged ? String.valueOf(object.worstStdMm() <= result.cell().targetStdMm().getAsDouble()) : "");
         cells.add(String.valueOf(result.diagnostics().converged()));
         cells.add(number(result.diagnostics().rHatMax()));

@@ -154,7 +154,8 @@ class CheckCommandTest {
         assertFalse(settings.has("threads"));
         JsonObject camera = result.getAsJsonObject("camera");
         assertEquals("camera in world", camera.get("frame").getAsString());
-        assertEquals("[\"x_mm\",\"y_mm\",\"z_mm\",\"psi_rad\",\"theta_rad\",\"phi_rad\"]", camera.get("order").toString());
+        assertEquals("[\"x_mm\",\"y_mm\",\"z_mm\",\"psi_rad\",\"theta_rad\",\"phi_rad\"]",
+                camera.get("order").toString());
         assertPose(camera);
         JsonObject object = result.getAsJsonObject("objects").getAsJsonObject("20");
         assertEquals("object in world", object.getAsJsonObject("pose").get("frame").getAsString());
@@ -207,8 +208,8 @@ class CheckCommandTest {
     void posesLieWithinTheirUncertaintyOfTheTruth() throws IOException {
         assertEquals(0, check("--detections", corners, "--target", 5, "--out", out).code());
         JsonObject result = json(out.resolve("corners.result.json"));
-        // References stand exactly where the cell file says: errors are those of corners alone, far below the stated std.
-        // A mixed-up frame or angle order would be off by many of them
+        // References stand exactly where the cell file says: errors are those of corners alone, far below the stated
+        // std. A mixed-up frame or angle order would be off by many of them
         double[] truth = {200, 150, 900, 3.1, 0.05, 0.02};
         JsonObject camera = result.getAsJsonObject("camera");
         for (int i = 0; i < 6; i++) {
@@ -361,8 +362,8 @@ class CheckCommandTest {
         assertEquals("corners", row[header.indexOf("name")]);
         assertEquals("20", row[header.indexOf("object")]);
         assertEquals("true", row[header.indexOf("within_target")]);
-        double[] mean = numbers(json(out.resolve("corners.result.json")).getAsJsonObject("objects").getAsJsonObject("20")
-                .getAsJsonObject("pose").get("mean"));
+        double[] mean = numbers(json(out.resolve("corners.result.json")).getAsJsonObject("objects")
+                .getAsJsonObject("20").getAsJsonObject("pose").get("mean"));
         assertEquals(mean[2], Double.parseDouble(row[header.indexOf("z_mm")]), 0);
         assertTrue(lines.get(3).contains("\"faulty, \"\"quoted\"\"\",refused,"), lines.get(3));
     }

@@ -62,11 +62,12 @@ class CheckFaultsTest {
         cell("family.yaml", "square-binary", "square-binry");
         cell("id.yaml", "  5: {}", "  4097: {}");
         cell("version.yaml", "cellgauge: 1", "cellgauge: 2");
-        cell("focal.yaml", "camera: camera.yaml", "camera: {model: pinhole, pinhole: {fx: 0, fy: 600, cx: 320, cy: 240, "
-                + "width: 640, height: 480}}");
+        cell("focal.yaml", "camera: camera.yaml", "camera: {model: pinhole, pinhole: {fx: 0, fy: 600, cx: 320, "
+                + "cy: 240, width: 640, height: 480}}");
         cell("larger.yaml", "camera: camera.yaml", "camera: {model: pinhole, pinhole: {fx: 1200, fy: 1200, cx: 640, "
                 + "cy: 480, width: 1280, height: 960}}");
-        cell("others.yaml", "  944: {", "  945: {", "  22: {", "  23: {", "  911: {", "  912: {", "  1234: {", "  1235: {");
+        cell("others.yaml", "  944: {", "  945: {", "  22: {", "  23: {", "  911: {", "  912: {", "  1234: {",
+                "  1235: {");
         Files.writeString(folder.resolve("broken.yaml"), "cellgauge: [1\n");
         Files.write(folder.resolve("empty.yaml"), new byte[0]);
         Files.write(folder.resolve("binary.yaml"), new byte[] {0, 1, 2, (byte) 0xFE, (byte) 0xC0});

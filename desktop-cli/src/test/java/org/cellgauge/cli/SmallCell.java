@@ -87,8 +87,8 @@ final class SmallCell {
     /** Renders the cell as PNG files into a folder. */
     static void writePhotos(Path cell, Path folder, String name, int count) {
         CommandCall call = CommandCall.of("simulate", "--cell", cell.toString(), "--out", folder.toString(), "--object",
-                "5=290,150,0,22.9,0,17.2", "--object", "20=110,150,0,0,22.9,-11.5", "--camera-pose", CAMERA_POSE, "--name",
-                name, "--count", String.valueOf(count));
+                "5=290,150,0,22.9,0,17.2", "--object", "20=110,150,0,0,22.9,-11.5", "--camera-pose", CAMERA_POSE,
+                "--name", name, "--count", String.valueOf(count));
         if (call.code() != 0) {
             throw new IllegalStateException(call.err());
         }
