@@ -1,0 +1,54 @@
+package org.cellgauge.bench;
+
+import org.cellgauge.check.ThesisScene;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.pose.CameraModeFinder;
+import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.pose.RigidMarkerNoise;
+import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.vision.Detections;
+
+/** The thesis' scene with three references in the plane, 5 mm and 0.01 rad of placement error, 0.3 px of corner noise. */
+final class BenchScene {
+    static final double PIXEL_STD = 0.3;
+    private static final PinholeCamera DISTORTED = PinholeCamera.of(1280, 720,
+            new double[] {581, 581, 640, 360, 0, -0.25, 0.1, 0, 0.001, -0.001});
+
+    final ThesisScene scene;
+    final Detections detections;
+    final PinholeCamera camera;
+    final ReferenceView view;
+
+    BenchScene(boolean distorted) {
+        camera = distorted ? DISTORTED : ThesisScene.CAMERA;
+        scene = ThesisScene.inPlane(3).camera(camera);
+        detections = scene.detections(PIXEL_STD, RandomStreams.of(1), 5, 0.01);
+        view = ReferenceView.of(scene.cell().references(), detections);
+    }
+
+    CameraModeFinder finder() {
+        return new CameraModeFinder(view, camera, new RigidMarkerNoise(view, PIXEL_STD), IntrinsicsPrior.KNOWN, null);
+    }
+
+    PoseMode mode() {
+        return finder().modes(scene.worldFromCamera()).get(0);
+    }
+
+    /** 64 states within a deviation of the mode, so that no branch of a likelihood sees the same numbers for ever. */
+    static CameraState[] around(PoseMode mode) {
+        var random = RandomStreams.of(2);
+        CameraState[] states = new CameraState[64];
+        for (int i = 0; i < states.length; i++) {
+            double[] step = new double[6];
+            for (int k = 0; k < 6; k++) {
+                step[k] = Math.sqrt(mode.covariance()[7 * k]) * random.nextGaussian();
+            }
+            states[i] = new CameraState();
+            states[i].setMoved(mode.state(), step, 0);
+        }
+        return states;
+    }
+}
