@@ -22,8 +22,8 @@ import org.cellgauge.statistics.Ellipse;
  * The result file of a check, {@code NAME.result.json}.
  *
  * <p>Numbers keep every digit; what is not a number (a diagnostic that does not exist) is {@code null}, since JSON has
- * no NaN. There is no time stamp and no thread count in it: the same inputs, settings and seed give the same bytes. All of
- * it is ASCII (other characters are escaped), so that no setting of a terminal can spoil it.
+ * no NaN. There is no time stamp and no thread count in it: the same inputs, settings and seed give the same bytes. All
+ * of it is ASCII (other characters are escaped), so that no setting of a terminal can spoil it.
  */
 public final class ResultJson {
     /** Version of the format, the value of the key {@code schema}. */

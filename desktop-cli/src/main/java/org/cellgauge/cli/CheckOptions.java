@@ -16,8 +16,8 @@ import picocli.CommandLine.ParameterException;
 final class CheckOptions {
     @Option(names = "--preset", paramLabel = "thesis",
             description = "Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of "
-                    + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no noise of the "
-                    + "objects' own corners. Options given besides still count.")
+                    + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no noise of "
+                    + "the objects' own corners. Options given besides still count.")
     private String preset;
 
     @Option(names = "--model", paramLabel = "rigid-marker|corner-cube",

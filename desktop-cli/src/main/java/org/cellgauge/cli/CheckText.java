@@ -127,7 +127,8 @@ final class CheckText {
             double[] mean = object.pose().mean();
             double[] std = object.pose().std();
             table.row("object " + object.id(), fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2),
-                    fixed(std[0], 2), fixed(std[1], 2), fixed(std[2], 2), mark(result, Math.max(std[0], Math.max(std[1], std[2]))));
+                    fixed(std[0], 2), fixed(std[1], 2), fixed(std[2], 2),
+                    mark(result, Math.max(std[0], Math.max(std[1], std[2]))));
             PointEstimate grip = object.grip();
             if (grip != null) {
                 double[] g = grip.meanMm();
@@ -222,7 +223,8 @@ final class CheckText {
         String word = d.converged() ? "converged" : "not converged";
         return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective "
                 + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.chains(),
-                result.iterationsPerChain(), s.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0), fixed(d.essTailMin(), 0),
+                result.iterationsPerChain(), s.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0),
+                fixed(d.essTailMin(), 0),
                 fixed(100 * d.mcseStdRelMax(), 1)), "        ").stripTrailing();
     }
 

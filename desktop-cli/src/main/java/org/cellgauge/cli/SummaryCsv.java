@@ -6,7 +6,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.ObjectEstimate;
 
-/** The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is not known is left empty. */
+/** The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is unknown is left empty. */
 final class SummaryCsv {
     private static final String[] COLUMNS = {"input", "name", "verdict", "object", "seen", "x_mm", "y_mm", "z_mm",
         "std_x_mm", "std_y_mm", "std_z_mm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_std_x_mm", "grip_std_y_mm",

@@ -229,6 +229,15 @@ class CheckCommandTest {
     }
 
     @Test
+    void namesInAnyScriptSurviveWhateverTheTerminalSpeaks() throws IOException {
+        Path file = Files.copy(corners, folder.resolve("Pr\u00fcfung \u96f6\u4ef6.json"));
+        CommandCall call = check("--detections", file, "--json", "--iterations", 100);
+        assertTrue(call.out().chars().allMatch(c -> c < 0x7F), call.out());
+        assertEquals("Pr\u00fcfung \u96f6\u4ef6.json", JsonParser.parseString(call.out()).getAsJsonObject()
+                .getAsJsonObject("input").get("name").getAsString());
+    }
+
+    @Test
     void jsonAloneWritesNoFiles() throws IOException {
         Set<String> before = names(folder);
         CommandCall call = check("--detections", corners, "--json", "--target", 5);
