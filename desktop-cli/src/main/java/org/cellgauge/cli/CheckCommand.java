@@ -22,6 +22,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputChecks;
@@ -253,6 +254,10 @@ public final class CheckCommand implements Callable<Integer> {
         }
     }
 
+    /** The overlay as its own file, and smaller for the report. */
+    private record Picture(byte[] png, byte[] jpeg) {
+    }
+
     /** What a run prints, writes and returns. */
     private final class Run {
         private final int count;
@@ -311,6 +316,8 @@ public final class CheckCommand implements Callable<Integer> {
 
         private void files(CheckInput input, Outcome outcome, String text) {
             CheckResult result = outcome.result();
+            // painted while the chains are written, which takes about as long
+            CompletableFuture<Picture> picture = CompletableFuture.supplyAsync(() -> picture(outcome));
             Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
             for (int i = 1; i <= result.draws().size(); i++) {
                 int chain = i;
@@ -320,21 +327,21 @@ public final class CheckCommand implements Callable<Integer> {
                     writer.flush();
                 });
             }
+            files.put(input.name() + ".overlay.png", bytes -> bytes.write(picture.join().png()));
+            files.put(input.name() + ".result.json", text(text));
+            output.write(files);
+            report.add(input, result, picture.join().jpeg());
+            output.deleteChainsFrom(input.name(), result.draws().size() + 1);
+            stages.end("files");
+        }
+
+        private Picture picture(Outcome outcome) {
+            BufferedImage painted = OverlayPainter.paint(outcome.photo(), CellOverlay.of(outcome.result()));
             try {
-                BufferedImage picture = OverlayPainter.paint(outcome.photo(), CellOverlay.of(result));
-                stages.end("painting");
-                byte[] png = Pictures.png(picture);
-                files.put(input.name() + ".overlay.png", bytes -> bytes.write(png));
-                stages.end("PNG");
-                report.add(input, result, Pictures.jpeg(picture, reportWidthPx()));
+                return new Picture(Pictures.png(painted), Pictures.jpeg(painted, reportWidthPx()));
             } catch (IOException e) {
                 throw new IllegalStateException("encoding in memory failed", e);
             }
-            stages.end("JPEG");
-            files.put(input.name() + ".result.json", text(text));
-            output.write(files);
-            output.deleteChainsFrom(input.name(), result.draws().size() + 1);
-            stages.end("writing");
         }
 
         private static WholeFiles.Content text(String text) {

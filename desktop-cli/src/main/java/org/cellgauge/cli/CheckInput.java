@@ -5,11 +5,12 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /**
  * One photo or detections file to check.
@@ -20,6 +21,7 @@ import java.util.Set;
  * @param refusal why there is nothing to check here; null where there is a file to try
  */
 record CheckInput(Path file, boolean isDetections, String name, String refusal) {
+    private static final Pattern NUMBER = Pattern.compile("\\d+");
     private static final Set<String> IMAGE_ENDINGS = Set.of("png", "jpg", "jpeg", "bmp", "tif", "tiff", "gif");
 
     /**
@@ -71,8 +73,14 @@ record CheckInput(Path file, boolean isDetections, String name, String refusal) 
                     + ": no image in this folder; photos end in .png, .jpg, .bmp, .tif or .gif (folders within it are "
                     + "not searched)"));
         }
-        Collections.sort(files);
+        files.sort(Comparator.comparing((Path file) -> countable(file.getFileName().toString()))
+                .thenComparing(Comparator.naturalOrder()));
         files.forEach(file -> found.add(new CheckInput(file, false, baseName(file), null)));
+    }
+
+    /** A name in which numbers sort by their value: photo-2 before photo-10. */
+    private static String countable(String name) {
+        return NUMBER.matcher(name).replaceAll(m -> "0".repeat(Math.max(0, 20 - m.group().length())) + m.group());
     }
 
     /** Overlays are pictures too, but our own: a second run over a folder of results must not check them. */

@@ -437,6 +437,16 @@ class CheckCommandTest {
     }
 
     @Test
+    void photosOfAFolderComeInTheOrderOfTheirNumbers() throws IOException {
+        for (String name : List.of("p10.png", "p9.png", "p1.png")) {
+            Files.write(folder.resolve(name), new byte[0]);
+        }
+        CommandCall call = check(folder, "--out", out);
+        assertEquals(List.of("p1", "p9", "p10"), call.out().lines().map(l -> l.split(" ")[0])
+                .filter(word -> word.matches("p\\d+")).toList());
+    }
+
+    @Test
     void aFileNamedTwiceIsCheckedOnce() throws IOException {
         CommandCall call = check("--detections", corners, corners, "--iterations", 100, "--out", out);
         assertTrue(call.err().contains("named twice"), call.err());
