@@ -11,7 +11,10 @@ import org.cellgauge.pose.RigidMarkerNoise;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.vision.Detections;
 
-/** The thesis' scene with three references in the plane, 5 mm and 0.01 rad of placement error, 0.3 px of corner noise. */
+/**
+ * The thesis' scene with three references in the plane, 5 mm and 0.01 rad of placement error, 0.3 px of corner
+ * noise.
+ */
 final class BenchScene {
     static final double PIXEL_STD = 0.3;
     private static final PinholeCamera DISTORTED = PinholeCamera.of(1280, 720,

@@ -140,7 +140,7 @@ class ProjectionTest {
         }
     }
 
-    /** Radius at which a lens with these radial terms folds back, by bisection on the derivative of r (1 + k1 r² + …). */
+    /** Radius at which a lens with these radial terms folds back: where the derivative of r (1 + k1 r² + …) is 0. */
     private static double fold(double k1, double k2) {
         double r = 0;
         while (1 + 3 * k1 * r * r + 5 * k2 * r * r * r * r > 0) {

@@ -75,7 +75,8 @@ class RotationsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, 0, 0", "3.08, 0.10, 0.02", "-2, 1.2, 0.7", "0.3, -1.5707963267948966, -2", "1, 1.5707963267948966, 0.5",
+    @CsvSource({"0, 0, 0", "3.08, 0.10, 0.02", "-2, 1.2, 0.7", "0.3, -1.5707963267948966, -2",
+        "1, 1.5707963267948966, 0.5",
         "0.1, 2.5, -3"})
     void matrixOfAnglesIsTheProductOfTheThreeTurns(double psi, double theta, double phi) {
         double[] r = new double[9];
@@ -162,7 +163,8 @@ class RotationsTest {
     void logarithmOfHalfTurnsIsTheAxisTimesPiUpToSign() {
         RandomGenerator random = new Well19937c(5);
         for (int i = 0; i < 50; i++) {
-            double[] n = i < 3 ? new double[] {i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0} : randomVector(random, 1);
+            double[] n = i < 3 ? new double[] {i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0} 
+                    : randomVector(random, 1);
             double[] r = new double[9];
             for (int k = 0; k < 9; k++) {
                 r[k] = 2 * n[k / 3] * n[k % 3] - (k % 4 == 0 ? 1 : 0);
@@ -233,6 +235,16 @@ class RotationsTest {
                 }
             }
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-6, 0.99e-4, 1.01e-4, 1e-3})
+    void inverseLeftJacobianOfSmallAnglesKeepsItsDigits(double angle) {
+        double[] j = new double[9];
+        Rotations.inverseLeftJacobian(angle, 0, 0, j);
+        // I - [w]/2 + (1/12 + |w|²/720 + …) [w]²
+        double square = -angle * angle * (1.0 / 12 + angle * angle / 720);
+        assertArrayEquals(new double[] {1, 0, 0, 0, 1 + square, angle / 2, 0, -angle / 2, 1 + square}, j, 3e-16);
     }
 
     @ParameterizedTest

@@ -34,7 +34,8 @@ class CameraModeFinderTest {
         ReferenceView view = InitialPoseTest.view(scene, scene.exactDetections());
         CameraState truth = CameraState.of(view.cameraFromSet(scene.worldFromCamera()), camera);
         RigidTransform start = RigidTransform.ofEuler(40, -30, 60, 0.02, -0.05, 0.1).compose(scene.worldFromCamera());
-        for (ReferenceNoise noise : new ReferenceNoise[] {new RigidMarkerNoise(view, 0.3), new CornerCubeNoise(view, 1)}) {
+        for (ReferenceNoise noise : new ReferenceNoise[] {new RigidMarkerNoise(view, 0.3),
+            new CornerCubeNoise(view, 1)}) {
             PoseMode mode = new CameraModeFinder(view, camera, noise, IntrinsicsPrior.KNOWN, null).modes(start).get(0);
             double[] step = mode.state().stepFrom(truth);
             for (int i = 0; i < 6; i++) {
@@ -111,7 +112,8 @@ class CameraModeFinderTest {
         var optimum = new LevenbergMarquardtOptimizer().withCostRelativeTolerance(1e-14)
                 .withParameterRelativeTolerance(1e-14).optimize(problem);
         double[] x = optimum.getPoint().toArray();
-        CameraState theirs = CameraState.of(view.cameraFromSet(RigidTransform.ofEuler(x[0], x[1], x[2], x[3], x[4], x[5])),
+        CameraState theirs = CameraState.of(view.cameraFromSet(RigidTransform.ofEuler(x[0], x[1], x[2], x[3], x[4],
+                x[5])),
                 camera);
         double[] step = mode.state().stepFrom(theirs);
         for (int i = 0; i < 6; i++) {
@@ -194,7 +196,8 @@ class CameraModeFinderTest {
         CameraModeFinder finder = new CameraModeFinder(view, ThesisScene.CAMERA, new RigidMarkerNoise(view, 0.3),
                 IntrinsicsPrior.focal(ThesisScene.CAMERA, 200), null);
         PoseMode a = finder.modes(scene.worldFromCamera()).get(0);
-        PoseMode b = finder.modes(RigidTransform.ofEuler(100, -50, 150, 0.1, 0.1, -0.3).compose(scene.worldFromCamera()))
+        PoseMode b = finder.modes(RigidTransform.ofEuler(100, -50, 150, 0.1, 0.1, -0.3)
+                .compose(scene.worldFromCamera()))
                 .get(0);
         assertEquals(8, a.dimension());
         double[] step = a.state().stepFrom(b.state());
@@ -216,7 +219,8 @@ class CameraModeFinderTest {
         assertTrue(modes.get(0).logWeight() >= modes.get(1).logWeight());
         double nearest = Double.POSITIVE_INFINITY;
         for (PoseMode mode : modes) {
-            nearest = Math.min(nearest, mode.state().cameraFromSet().angleRadTo(view.cameraFromSet(scene.worldFromCamera())));
+            nearest = Math.min(nearest, mode.state().cameraFromSet()
+                    .angleRadTo(view.cameraFromSet(scene.worldFromCamera())));
             ReprojectionFit fit = new ReprojectionFit(view.points(), view.observed(), IntrinsicsPrior.KNOWN, null);
             assertTrue(fit.freeze(noise, mode.state()));
             double at = fit.evaluate(mode.state(), false);
@@ -232,6 +236,18 @@ class CameraModeFinderTest {
             }
         }
         assertEquals(0, nearest, 1e-6);
+        // Laplace's mass: height of the normal density of the residuals times the volume of the mode
+        double[] mass = new double[2];
+        for (int i = 0; i < 2; i++) {
+            double[] placement = new double[64];
+            double[] pixel = new double[64];
+            noise.covariance(modes.get(i).state(), 0, placement, pixel);
+            SimpleMatrix residuals = new SimpleMatrix(8, 8, true, placement).plus(new SimpleMatrix(8, 8, true, pixel));
+            SimpleMatrix volume = new SimpleMatrix(6, 6, true, modes.get(i).covariance());
+            mass[i] = 0.5 * Math.log(volume.determinant()) - 0.5 * Math.log(residuals.determinant())
+                    - modes.get(i).halfChiSquare();
+        }
+        assertEquals(mass[0] - mass[1], modes.get(0).logWeight() - modes.get(1).logWeight(), 1e-4);
         // from either mode the same two are found
         List<PoseMode> again = finder.modes(view.worldFromCamera(modes.get(1).state().cameraFromSet()));
         assertEquals(2, again.size());
@@ -242,7 +258,8 @@ class CameraModeFinderTest {
     void referencesInSpaceAreNeverSeenMirrored() {
         ThesisScene scene = ThesisScene.oneRaised(4);
         ReferenceView view = InitialPoseTest.view(scene, scene.detections(0.3, RandomStreams.of(15), 5, 0.01));
-        only(new CameraModeFinder(view, ThesisScene.CAMERA, new RigidMarkerNoise(view, 0.3), IntrinsicsPrior.KNOWN, null)
+        only(new CameraModeFinder(view, ThesisScene.CAMERA, new RigidMarkerNoise(view, 0.3), IntrinsicsPrior.KNOWN,
+                null)
                 .modes(scene.worldFromCamera()));
     }
 }

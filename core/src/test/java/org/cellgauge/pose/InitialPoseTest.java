@@ -108,10 +108,19 @@ class InitialPoseTest {
     @Test
     void meanOfAnglesToBothSidesOfAHalfTurnStaysThere() {
         // camera looking straight down: psi of the single estimates scatters around pi
-        ThesisScene scene = ThesisScene.inPlane(4).cameraAt(RigidTransform.ofEuler(246, 190, 1070, Math.PI, 0.02, 0.01));
+        ThesisScene scene = ThesisScene.inPlane(4).cameraAt(RigidTransform.ofEuler(246, 190, 1070, Math.PI, 0.02,
+                0.01));
         ReferenceView view = view(scene, scene.detections(0.01, org.cellgauge.sampling.RandomStreams.of(1), 0, 0));
         RigidTransform mean = InitialPose.AVERAGE.estimate(view, ThesisScene.CAMERA);
         assertTrue(scene.worldFromCamera().angleRadTo(mean) < 0.2, mean::toString);
+    }
+
+    @Test
+    void meanOfNegativeAnglesIsNegative() {
+        ThesisScene scene = ThesisScene.inPlane(4)
+                .cameraAt(RigidTransform.ofEuler(300, 150, 1070, -3.08, -0.10, -2.5));
+        ReferenceView view = view(scene, scene.exactDetections());
+        assertPose(scene.worldFromCamera(), InitialPose.AVERAGE.estimate(view, ThesisScene.CAMERA), 1e-3, 1e-6);
     }
 
     @Test

@@ -61,7 +61,8 @@ class MarkerPoseFinderTest {
             double around = 2 * Math.PI * random.nextDouble();
             RigidTransform truth = RigidTransform.ofRotationVector(
                     new double[] {tilt * Math.cos(around), tilt * Math.sin(around), 0},
-                    new double[] {300 * random.nextGaussian(), 150 * random.nextGaussian(), 700 + 600 * random.nextDouble()})
+                    new double[] {300 * random.nextGaussian(), 150 * random.nextGaussian(),
+                        700 + 600 * random.nextDouble()})
                     .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 3 * random.nextDouble()));
             for (PinholeCamera camera : new PinholeCamera[] {CAMERA, InitialPoseTest.STRONG}) {
                 RigidTransform best = MarkerPoseFinder.best(corners(truth, camera), SIZE, camera);

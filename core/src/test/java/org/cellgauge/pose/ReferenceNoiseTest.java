@@ -25,10 +25,12 @@ class ReferenceNoiseTest {
     /** Four references, one raised, each turned and each placed with its own precision. */
     static List<Reference> references() {
         List<Reference> list = new ArrayList<>();
-        list.add(new Reference(944, 47, RigidTransform.ofEuler(492, 380, 0, 0.1, -0.2, 1), new Placement(5, 2, 8, 0.01)));
+        list.add(new Reference(944, 47, RigidTransform.ofEuler(492, 380, 0, 0.1, -0.2, 1),
+                new Placement(5, 2, 8, 0.01)));
         list.add(new Reference(1234, 60, RigidTransform.ofEuler(0, 380, 0, 0, 0.3, -2), new Placement(1, 1, 1, 0.05)));
         list.add(new Reference(911, 47, RigidTransform.ofEuler(492, 0, 0, 0, 0, 0), new Placement(0, 0, 20, 0)));
-        list.add(new Reference(22, 100, RigidTransform.ofEuler(0, -36, 165, 0.4, 0.1, 0.2), new Placement(3, 4, 5, 0.02)));
+        list.add(new Reference(22, 100, RigidTransform.ofEuler(0, -36, 165, 0.4, 0.1, 0.2),
+                new Placement(3, 4, 5, 0.02)));
         return list;
     }
 
@@ -182,7 +184,8 @@ class ReferenceNoiseTest {
         assertArrayEquals(new double[] {246, 181, 41.25}, view.centroidMm(), 1e-12);
         RigidTransform set = view.cameraFromSet(ThesisScene.WORLD_FROM_CAMERA);
         assertArrayEquals(ThesisScene.WORLD_FROM_CAMERA.inverse().apply(246, 181, 41.25), set.translationMm(), 1e-10);
-        assertArrayEquals(ThesisScene.WORLD_FROM_CAMERA.translationMm(), view.worldFromCamera(set).translationMm(), 1e-9);
+        assertArrayEquals(ThesisScene.WORLD_FROM_CAMERA.translationMm(), view.worldFromCamera(set).translationMm(),
+                1e-9);
         double[] corners = MarkerGeometry.cornersMm(references.get(1).worldFromMarker(), 60);
         assertEquals(corners[4] - 181, view.pointsMm()[16], 1e-12);
 

@@ -34,7 +34,8 @@ class CameraLikelihoodTest {
 
     private static List<Reference> references() {
         List<Reference> list = new ArrayList<>();
-        list.add(new Reference(944, 47, RigidTransform.ofEuler(492, 380, 0, 0.1, -0.2, 1), new Placement(5, 2, 8, 0.01)));
+        list.add(new Reference(944, 47, RigidTransform.ofEuler(492, 380, 0, 0.1, -0.2, 1),
+                new Placement(5, 2, 8, 0.01)));
         list.add(new Reference(911, 60, RigidTransform.ofEuler(492, 0, 0, 0, 0, 0), new Placement(1, 4, 20, 0)));
         list.add(new Reference(22, 47, RigidTransform.ofEuler(0, -36, 165, 0, 0, 0), new Placement(3, 4, 5, 0.02)));
         return list;
@@ -59,7 +60,10 @@ class CameraLikelihoodTest {
         return worldFromMarker.apply(local[3 * k], local[3 * k + 1], local[3 * k + 2]);
     }
 
-    /** Log density of N(0, J S J^T + sigma² I) of all residuals, covariances taken at one pose, residuals at another. */
+    /**
+     * Log density of N(0, J S J^T + sigma² I) of all residuals, covariances taken at one pose, residuals at
+     * another.
+     */
     private static double normal(ReferenceView view, RigidTransform frozen, RigidTransform at, PinholeCamera camera) {
         double sum = 0;
         for (int m = 0; m < view.size(); m++) {
@@ -153,7 +157,8 @@ class CameraLikelihoodTest {
                             for (double sy : new double[] {-kappa, kappa}) {
                                 for (double sz : new double[] {-kappa, kappa}) {
                                     double[] vertex = project(pose, new double[] {x[0] + sx * r.placement().stdMm(0),
-                                        x[1] + sy * r.placement().stdMm(1), x[2] + sz * r.placement().stdMm(2)}, camera);
+                                        x[1] + sy * r.placement().stdMm(1), x[2] + sz * r.placement().stdMm(2)},
+                                        camera);
                                     sigma[0] = Math.max(sigma[0], Math.abs(vertex[0] - uv[0]));
                                     sigma[1] = Math.max(sigma[1], Math.abs(vertex[1] - uv[1]));
                                 }

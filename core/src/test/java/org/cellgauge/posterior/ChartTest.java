@@ -59,7 +59,8 @@ class ChartTest {
     @Test
     void eulerChartIsTheCameraInTheWorld() {
         CameraState state = new CameraState();
-        new EulerChart(VIEW.centroidMm(), BASE, FOCAL).decode(new double[] {400, 90, 1000, 3, 0.2, -0.1, 570, 590}, state);
+        new EulerChart(VIEW.centroidMm(), BASE, FOCAL).decode(new double[] {400, 90, 1000, 3, 0.2, -0.1, 570, 590},
+                state);
         RigidTransform expected = VIEW.cameraFromSet(RigidTransform.ofEuler(400, 90, 1000, 3, 0.2, -0.1));
         assertArrayEquals(expected.rotation(), state.rotation, 1e-14);
         assertArrayEquals(expected.translationMm(), state.offset, 1e-10);
@@ -90,7 +91,10 @@ class ChartTest {
         return Math.log(Math.abs(j.determinant()));
     }
 
-    /** One posterior in two charts: densities differ by the volume that the change of coordinates takes, and nothing else. */
+    /**
+     * One posterior in two charts: densities differ by the volume that the change of coordinates takes, and
+     * nothing else.
+     */
     @Test
     void densitiesOfOnePosteriorInTwoChartsDifferByTheChangeOfVolume() {
         CameraChart centred = new CentredChart(BASE, FOCAL);
@@ -99,9 +103,10 @@ class ChartTest {
         ReprojectionFit.whitening(new RigidMarkerNoise(VIEW, 0.3), BASE, 3, whitening);
         PosePrior weak = new PosePrior(BASE, 1000, 0.7);
         for (RotationPrior prior : RotationPrior.values()) {
-            LogDensity inCentred = new CameraPosterior(centred, new RigidMarkerLikelihood(VIEW, whitening), prior, FOCAL,
+            LogDensity inCentred = new CameraPosterior(centred, new RigidMarkerLikelihood(VIEW, whitening), prior,
+                    FOCAL, weak);
+            LogDensity inEuler = new CameraPosterior(euler, new RigidMarkerLikelihood(VIEW, whitening), prior, FOCAL,
                     weak);
-            LogDensity inEuler = new CameraPosterior(euler, new RigidMarkerLikelihood(VIEW, whitening), prior, FOCAL, weak);
             RandomGenerator random = RandomStreams.of(3);
             for (int i = 0; i < 30; i++) {
                 double[] x = random(random, 1);
@@ -161,11 +166,24 @@ class ChartTest {
         CameraChart centred = new CentredChart(BASE, IntrinsicsPrior.KNOWN);
         assertEquals(Double.NEGATIVE_INFINITY, centred.logMeasure(new double[] {0, 0, 0, 0, 3.2, 0}), 0);
         assertEquals(Rotations.logHaarDensity(0, 3.1, 0), centred.logMeasure(new double[] {0, 0, 0, 0, 3.1, 0}), 0);
-        LogDensity density = new CameraPosterior(centred, state -> 0, RotationPrior.UNIFORM, IntrinsicsPrior.KNOWN, null);
+        LogDensity density = new CameraPosterior(centred, state -> 0, RotationPrior.UNIFORM, IntrinsicsPrior.KNOWN,
+                null);
         assertEquals(Double.NEGATIVE_INFINITY, density.at(new double[] {0, 0, 0, Double.NaN, 0, 0}), 0);
         LogDensity broken = new CameraPosterior(centred, state -> Double.NaN, RotationPrior.UNIFORM,
                 IntrinsicsPrior.KNOWN, null);
         assertEquals(Double.NEGATIVE_INFINITY, broken.at(new double[6]), 0);
+    }
+
+    @Test
+    void posteriorIsTheSumOfItsParts() {
+        CameraChart centred = new CentredChart(BASE, FOCAL);
+        PosePrior pose = new PosePrior(BASE, 100, 0.5);
+        LogDensity density = new CameraPosterior(centred, state -> 1000 + state.offset[0], RotationPrior.UNIFORM, FOCAL,
+                pose);
+        double[] x = {30, -200, 0, 0.6, 0, 0.8, 100, 0};
+        // Gaussians of 0.3, -2 and 0 deviations in position, of 2 in rotation and of 0.5 in the focal length
+        double priors = -0.5 * (0.09 + 4 + 4 + 0.25) + 2 * Math.log(Math.sin(0.5) / 0.5);
+        assertEquals(1000 + BASE.offset[0] + 30 + priors, density.at(x), 1e-9);
     }
 
     @Test

@@ -282,7 +282,8 @@ class ChainEnsembleTest {
                     }
                 }
             });
-            TestSubscriber<EnsembleSnapshot> subscriber = ensemble(walks, new RunLength(0, 5000, 5000), 2).stream().test();
+            TestSubscriber<EnsembleSnapshot> subscriber = ensemble(walks, new RunLength(0, 5000, 5000), 2).stream()
+                    .test();
             subscriber.assertError(failure);
             subscriber.assertNotComplete();
             assertFalse(subscriber.values().stream().anyMatch(EnsembleSnapshot::last));

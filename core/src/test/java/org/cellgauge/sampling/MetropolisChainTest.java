@@ -151,7 +151,10 @@ class MetropolisChainTest {
         }
     }
 
-    /** Steps that multiply by a log-normal factor reach each point with a density that falls with its distance from 0. */
+    /**
+     * Steps that multiply by a log-normal factor reach each point with a density that falls with its distance
+     * from 0.
+     */
     @Test
     void correctionOfAnAsymmetricProposalIsApplied() {
         Proposal factor = new Proposal() {
@@ -222,7 +225,8 @@ class MetropolisChainTest {
                     () -> new MetropolisChain(density(1, x -> bad), walk, new double[1], RandomStreams.of(1)));
         }
         double[] level = {0};
-        MetropolisChain chain = new MetropolisChain(density(1, x -> level[0]), walk, new double[1], RandomStreams.of(1));
+        MetropolisChain chain = new MetropolisChain(density(1, x -> level[0]), walk, new double[1],
+                RandomStreams.of(1));
         level[0] = -5;
         chain.densityChanged();
         assertEquals(-5, chain.logDensity(), 0);

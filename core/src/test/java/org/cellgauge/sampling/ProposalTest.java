@@ -96,7 +96,8 @@ class ProposalTest {
             for (int b = 0; b < 3; b++) {
                 double size = 5.0 / 3 * Math.sqrt(SCALE_A[4 * a] * SCALE_A[4 * b]);
                 // the kurtosis of t5 is 9, so a variance has the relative error sqrt(8/n): 5 of them
-                assertEquals(5.0 / 3 * SCALE_A[3 * a + b] / size, products[3 * a + b] / n / size, 5 * Math.sqrt(8.0 / n));
+                assertEquals(5.0 / 3 * SCALE_A[3 * a + b] / size, products[3 * a + b] / n / size,
+                        5 * Math.sqrt(8.0 / n));
             }
         }
     }

@@ -20,7 +20,8 @@ class RandomStreamsTest {
 
     @Test
     void seedsAndPathsThatDifferGiveOtherStreams() {
-        long[][] paths = {{}, {0}, {0, 0}, {1}, {1, 0}, {0, 1}, {2}, {-1}, {1, 2}, {2, 1}, {3, 0}, {0, 3}, {1, 1}, {1, 1, 1}};
+        long[][] paths = {{}, {0}, {0, 0}, {1}, {1, 0}, {0, 1}, {2}, {-1}, {1, 2}, {2, 1}, {3, 0}, {0, 3}, {1, 1},
+            {1, 1, 1}};
         Set<Long> first = new HashSet<>();
         int streams = 0;
         for (long seed : new long[] {0, 1, -1, 2, 42, Long.MAX_VALUE, Long.MIN_VALUE}) {
