@@ -287,8 +287,14 @@ public final class CheckCommand implements Callable<Integer> {
         void result(CheckInput input, Outcome outcome) {
             CheckResult result = outcome.result();
             String text = ResultJson.of(result, input.file().getFileName().toString(), outcome.sha256(), version);
+            CheckOutput.UnwritableException unwritable = null;
             if (output != null) {
-                files(input, outcome, text);
+                try {
+                    files(input, outcome, text);
+                } catch (CheckOutput.UnwritableException e) {
+                    // what was computed is at least shown
+                    unwritable = e;
+                }
             }
             summary.add(input, result);
             withResult = true;
@@ -312,6 +318,9 @@ public final class CheckCommand implements Callable<Integer> {
             }
             stdout.flush();
             progress(input, CheckText.word(result.verdict()) + (worst == null ? "" : ", worst std " + std + " mm"));
+            if (unwritable != null) {
+                throw unwritable;
+            }
         }
 
         private void files(CheckInput input, Outcome outcome, String text) {

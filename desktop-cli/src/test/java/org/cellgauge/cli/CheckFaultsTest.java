@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.google.gson.JsonParser;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
@@ -14,6 +15,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeAll;
@@ -246,6 +248,22 @@ class CheckFaultsTest {
         CommandCall call = CommandCall.of("chekc");
         assertEquals(2, call.code());
         assertTrue(call.err().contains("check"), call.err());
+    }
+
+    @Test
+    void aResultThatCannotBeWrittenIsStillShown() throws IOException {
+        // a folder in the place of the result file: no permission is needed to make it fail, so it does for root too
+        Path blocked = folder.resolve("blocked");
+        Files.createDirectories(blocked.resolve("good.result.json").resolve("in-the-way"));
+        CommandCall call = CommandCall.of("check", "--cell", folder.resolve("cell.yaml").toString(), "--detections",
+                folder.resolve("good.json").toString(), "--target", "5", "--json", "--out", blocked.toString());
+        assertEquals(3, call.code());
+        assertTrue(call.err().contains("cannot be written") && call.err().contains("--out"), call.err());
+        assertEquals(1, call.err().lines().count(), call.err());
+        assertEquals("pass", JsonParser.parseString(call.out()).getAsJsonObject().get("verdict").getAsString());
+        try (Stream<Path> files = Files.list(blocked)) {
+            assertTrue(files.noneMatch(f -> f.toString().endsWith(".part")), "temporary files are left");
+        }
     }
 
     @Test
