@@ -406,6 +406,7 @@ public final class CellCheck {
             }
             intrinsics = new IntrinsicsEstimate(names, mean, linear.intrinsicsCovariance());
         }
+        PinholeCamera lens = ImageEllipses.camera(cell.camera(), camera.intrinsicsPrior, intrinsics);
         List<ObjectEstimate> list = new ArrayList<>();
         for (ObjectTarget target : objects) {
             LinearModel.ObjectLink link = linear.new ObjectLink(target, 0);
@@ -418,10 +419,10 @@ public final class CellCheck {
             PointEstimate grip = link.grip();
             list.add(new ObjectEstimate(target.marker, pose, grip, link.budget(null, noise),
                     grip == null ? null : link.budget(target.marker.gripMm(), noise),
-                    ImageEllipses.of(cell.camera(), cameraPose, pose.meanTransform().translationMm(),
+                    ImageEllipses.of(lens, cameraPose, pose.meanTransform().translationMm(),
                             pose.positionCovarianceMm2()),
                     grip == null ? null
-                            : ImageEllipses.of(cell.camera(), cameraPose, grip.meanMm(), grip.covarianceMm2()),
+                            : ImageEllipses.of(lens, cameraPose, grip.meanMm(), grip.covarianceMm2()),
                     modes));
         }
         return new CellEstimate(cameraPose, Collections.singletonList(new ModeEstimate(1, cameraPose)), intrinsics, list);

@@ -203,4 +203,13 @@ public final class CheckResult {
     public SamplerKind samplerUsed() {
         return samplerUsed;
     }
+
+    /**
+     * Iterations of each chain that were not kept.
+     *
+     * @return the settings' number for the sampler that was used
+     */
+    public int warmup() {
+        return settings.toBuilder().sampler(samplerUsed).build().warmup();
+    }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.sampling.Draws;
@@ -33,6 +34,7 @@ final class Estimates {
             intrinsics = new IntrinsicsEstimate(quickLook.intrinsics().names(), summary.mean("intrinsics"),
                     summary.covariance("intrinsics"));
         }
+        PinholeCamera lens = ImageEllipses.camera(cell.camera(), quantities.camera.intrinsicsPrior, intrinsics);
         List<ObjectEstimate> objects = new ArrayList<>();
         for (int o = 0; o < quantities.objects.size(); o++) {
             ObjectTarget target = quantities.objects.get(o);
@@ -43,10 +45,10 @@ final class Estimates {
                     ? new PointEstimate(summary.mean(name + "_grip"), summary.covariance(name + "_grip")) : null;
             ObjectEstimate quick = quickLook.objects().get(o);
             objects.add(new ObjectEstimate(target.marker, pose, grip, quick.budget(), quick.gripBudget(),
-                    ImageEllipses.of(cell.camera(), camera, pose.meanTransform().translationMm(),
+                    ImageEllipses.of(lens, camera, pose.meanTransform().translationMm(),
                             pose.positionCovarianceMm2()),
                     grip == null ? null
-                            : ImageEllipses.of(cell.camera(), camera, grip.meanMm(), grip.covarianceMm2()),
+                            : ImageEllipses.of(lens, camera, grip.meanMm(), grip.covarianceMm2()),
                     modes(draws, name, "object in world", reference, target.modes.size(), pose)));
         }
         return new CellEstimate(camera, modes(draws, "camera", "camera in world", quantities.cameraReference,

@@ -2,6 +2,7 @@ package org.cellgauge.check;
 
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.Projection;
+import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.statistics.Ellipse;
 
 /** The 95 % region of a point in the world, carried into the image by the derivative of the projection at its mean. */
@@ -9,6 +10,19 @@ final class ImageEllipses {
     private static final double PROBABILITY = 0.95;
 
     private ImageEllipses() {
+    }
+
+    /** The camera with the intrinsics that were estimated in place of the file's. */
+    static PinholeCamera camera(PinholeCamera file, IntrinsicsPrior unknown, IntrinsicsEstimate estimate) {
+        if (estimate == null) {
+            return file;
+        }
+        double[] intrinsics = file.intrinsics();
+        double[] mean = estimate.mean();
+        for (int i = 0; i < mean.length; i++) {
+            intrinsics[unknown.index(i)] = mean[i];
+        }
+        return PinholeCamera.of(file.widthPx(), file.heightPx(), intrinsics);
     }
 
     /** The ellipse in px, or null where the point is not in front of the camera or its covariance is not finite. */

@@ -141,6 +141,7 @@ public final class ResultJson {
         json.name("kappa");
         number(s.kappa());
         json.name("sampler").value(s.sampler().optionName());
+        json.name("sampler_used").value(result.samplerUsed().optionName());
         json.name("chains").value(s.chains());
         OptionalInt fixed = s.iterations();
         json.name("iterations");
@@ -158,7 +159,7 @@ public final class ResultJson {
             json.value(s.maxIterations());
         }
         json.name("iterations_run").value(result.iterationsPerChain());
-        json.name("warmup").value(s.warmup());
+        json.name("warmup").value(result.warmup());
         json.name("seed").value(s.seed());
         json.name("estimate").value(s.estimate().optionName());
         json.name("focal_prior_std_px");

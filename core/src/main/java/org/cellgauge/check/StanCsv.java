@@ -36,10 +36,10 @@ public final class StanCsv {
         comment(out, "method = sample (Default)");
         comment(out, "  sample");
         comment(out, "    num_samples = " + draws.count());
-        comment(out, "    num_warmup = " + settings.warmup());
+        comment(out, "    num_warmup = " + result.warmup());
         comment(out, "    save_warmup = false (Default)");
         comment(out, "    thin = 1 (Default)");
-        comment(out, "    algorithm = " + settings.sampler().optionName());
+        comment(out, "    algorithm = " + result.samplerUsed().optionName());
         comment(out, "id = " + chain);
         comment(out, "data");
         comment(out, "  file = " + inputName);

@@ -6,7 +6,6 @@ import java.io.InputStream;
 import java.io.OutputStreamWriter;
 import java.io.PrintWriter;
 import java.io.Writer;
-import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -434,11 +433,6 @@ public final class CheckCommand implements Callable<Integer> {
         Stages(boolean wanted) {
             this.wanted = wanted;
             last = System.nanoTime();
-            if (wanted) {
-                nanoseconds.put("start of Java", 1_000_000L * (System.currentTimeMillis()
-                        - ManagementFactory.getRuntimeMXBean().getStartTime()));
-                last = System.nanoTime();
-            }
         }
 
         void end(String stage) {

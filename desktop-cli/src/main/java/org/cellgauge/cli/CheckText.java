@@ -223,7 +223,7 @@ final class CheckText {
         String word = d.converged() ? "converged" : "not converged";
         return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective "
                 + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.chains(),
-                result.iterationsPerChain(), s.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0),
+                result.iterationsPerChain(), result.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0),
                 fixed(d.essTailMin(), 0),
                 fixed(100 * d.mcseStdRelMax(), 1)), "        ").stripTrailing();
     }

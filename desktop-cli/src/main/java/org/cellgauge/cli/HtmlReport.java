@@ -289,7 +289,7 @@ final class HtmlReport {
         values.put("iterations", s.iterations().isPresent() ? String.valueOf(s.iterations().getAsInt())
                 : "until the Monte Carlo error of every std is below " + CheckText.plain(100 * s.targetMcseStdRel())
                         + " %, at most " + s.maxIterations());
-        values.put("warm-up", String.valueOf(s.warmup()));
+        values.put("warm-up", String.valueOf(result.warmup()));
         values.put("seed", String.valueOf(s.seed()));
         values.put("estimated intrinsics", s.estimate().optionName());
         values.put("initial estimate", s.initial().optionName());
