@@ -58,7 +58,7 @@ public final class Main implements Callable<Integer> {
      *
      * @return a new command line that answers every error with one message and an exit code
      */
-    static CommandLine commandLine() {
+    public static CommandLine commandLine() {
         Main main = new Main();
         main.commandLine = new CommandLine(main);
         main.commandLine.setUsageHelpWidth(HELP_WIDTH);
