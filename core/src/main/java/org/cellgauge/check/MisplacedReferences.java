@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.CameraModeFinder;
 import org.cellgauge.pose.CameraState;
@@ -17,19 +16,27 @@ import org.cellgauge.statistics.CoverageRegion;
 /**
  * Notices references that stand farther off than their stated precision allows.
  *
- * <p>For each reference the score test of a shift of its position, and of a turn about its centre, added to the linearised
- * model (a mean-shift outlier test: Cook and Weisberg, "Residuals and Influence in Regression", 1982, section 2.2, with
- * several coordinates at once; in photogrammetry data snooping, Baarda 1968). Under the model each statistic is chi-square
- * with 3 degrees of freedom; the level is shared over all references and both tests, so that a cell as stated raises a
- * warning less than once in a hundred times. The reference with the largest statistic is left out, the pose fitted
- * again, and the rest tested anew.
+ * <p>For each reference and each world axis the score test of a shift along the axis, and of a turn about it, added to the
+ * linearised model (a mean-shift outlier test: Cook and Weisberg, "Residuals and Influence in Regression", 1982, section
+ * 2.2; in photogrammetry data snooping, Baarda 1968). Under the model each statistic is standard normal. The level is
+ * shared over all tests (Bonferroni), so that a cell as stated raises a warning less than once in a hundred times, and
+ * most of it goes to the shifts that this cell would show (weights fixed by the layout alone keep the level: Genovese,
+ * Roeder and Wasserman, "False discovery control with p-value weighting", Biometrika 2006). One axis at a time finds more
+ * than three at once: the axis of sight, hardly determined, would raise the limit of the other two. The reference with the
+ * largest statistic is left out, the pose fitted again, and the rest tested anew.
  *
  * <p>What the camera pose can absorb cannot be noticed: three references in a plane determine it with next to nothing to
  * spare.
  */
 final class MisplacedReferences {
     /** False alarms per cell. */
-    static final double LEVEL = 0.008;
+    static final double LEVEL = 0.007;
+    /** Share of the level for shifts that the cell would show; the others, and all turns, share the rest. */
+    private static final double SEEN_SHARE = 0.85;
+    /** A shift of one stated deviation is seen where it moves its statistic by this much; 1 if nothing absorbed it. */
+    private static final double SEEN = 0.5;
+    /** Share of a coordinate's information below which what is left of it is rounding. */
+    private static final double ABSORBED = 1e-9;
 
     private MisplacedReferences() {
     }
@@ -38,27 +45,56 @@ final class MisplacedReferences {
     static final class Finding {
         final Reference reference;
         final boolean turned;
-        final double[] offset;
+        final int axis;
+        final double offset;
         final double statistic;
 
-        Finding(Reference reference, boolean turned, double[] offset, double statistic) {
+        Finding(Reference reference, boolean turned, int axis, double offset, double statistic) {
             this.reference = reference;
             this.turned = turned;
+            this.axis = axis;
             this.offset = offset;
             this.statistic = statistic;
         }
 
         String warning() {
             Placement placement = reference.placement();
+            String axisName = "xyz".substring(axis, axis + 1);
             if (turned) {
-                double angle = Math.sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
-                return String.format(Locale.ROOT, "reference %d seems turned by about %.1f degrees, which its stated "
-                        + "precision (%.2f degrees) does not allow: check how it is mounted", reference.id(),
-                        Math.toDegrees(angle), Math.toDegrees(placement.stdRad()));
+                return String.format(Locale.ROOT, "reference %d seems turned by about %.1f degrees about %s, which its "
+                        + "stated precision (%.2f degrees) does not allow: check how it is mounted", reference.id(),
+                        Math.toDegrees(offset), axisName, Math.toDegrees(placement.stdRad()));
             }
-            return String.format(Locale.ROOT, "reference %d seems off by about (%.1f, %.1f, %.1f) mm, which its stated "
-                    + "precision (%.1f, %.1f, %.1f mm) does not allow: measure its position again", reference.id(),
-                    offset[0], offset[1], offset[2], placement.stdMm(0), placement.stdMm(1), placement.stdMm(2));
+            return String.format(Locale.ROOT, "reference %d seems off by about %.1f mm along %s, which its stated "
+                    + "precision (%.1f mm) does not allow: measure its position again", reference.id(), offset, axisName,
+                    placement.stdMm(axis));
+        }
+    }
+
+    /** The score test of one coordinate of one reference's placement. */
+    private static final class Test {
+        final Reference reference;
+        final int coordinate;
+        final double score;
+        final double information;
+
+        Test(Reference reference, int coordinate, double score, double information) {
+            this.reference = reference;
+            this.coordinate = coordinate;
+            this.score = score;
+            this.information = information;
+        }
+
+        boolean isSeenShift() {
+            return coordinate < 3 && reference.placement().stdMm(coordinate) * Math.sqrt(information) > SEEN;
+        }
+
+        double statistic() {
+            return Math.abs(score) / Math.sqrt(information);
+        }
+
+        Finding finding() {
+            return new Finding(reference, coordinate >= 3, coordinate % 3, score / information, statistic());
         }
     }
 
@@ -76,7 +112,7 @@ final class MisplacedReferences {
         ReferenceView view = target.view;
         PoseMode mode = target.modes.get(0);
         while (view.size() >= 3) {
-            Finding worst = worst(view, mode, target.view.size());
+            Finding worst = worst(view, mode);
             if (worst == null) {
                 break;
             }
@@ -98,61 +134,63 @@ final class MisplacedReferences {
         return found;
     }
 
-    private static Finding worst(ReferenceView view, PoseMode mode, int tested) {
-        double limit = CoverageRegion.chiSquareQuantile(1 - LEVEL / (2.0 * tested), 3);
-        Finding worst = null;
+    private static Finding worst(ReferenceView view, PoseMode mode) {
+        List<Test> tests = tests(view, mode);
+        int seen = 0;
+        for (Test test : tests) {
+            seen += test.isSeenShift() ? 1 : 0;
+        }
+        double limitOfSeen = limit(SEEN_SHARE * LEVEL / seen);
+        double limitOfRest = limit((seen == 0 ? 1 : 1 - SEEN_SHARE) * LEVEL / (tests.size() - seen));
+        Test worst = null;
+        for (Test test : tests) {
+            if (test.statistic() > (test.isSeenShift() ? limitOfSeen : limitOfRest)
+                    && (worst == null || test.statistic() > worst.statistic())) {
+                worst = test;
+            }
+        }
+        return worst == null ? null : worst.finding();
+    }
+
+    /** Size that a standard normal value exceeds with the given probability; of either sign. */
+    private static double limit(double probability) {
+        return probability < 1 ? Math.sqrt(CoverageRegion.chiSquareQuantile(1 - probability, 1)) : 0;
+    }
+
+    private static List<Test> tests(ReferenceView view, PoseMode mode) {
+        List<Test> tests = new ArrayList<>();
         RigidMarkerNoise geometry = new RigidMarkerNoise(view, 1);
         CameraState state = mode.state();
+        double[] whitening = mode.whitening();
         double[] byPlacement = new double[48];
         for (int m = 0; m < view.size(); m++) {
             geometry.jacobian(state, m, byPlacement);
-            double[] whitening = mode.whitening();
-            double[] white = new double[64];
-            System.arraycopy(whitening, 64 * m, white, 0, 64);
             double[] residual = mode.whitenedResiduals(m);
             double[] spare = mode.redundancy(m);
-            for (int test = 0; test < 2; test++) {
-                double[][] d = new double[8][3];
+            for (int c = 0; c < 6; c++) {
+                double[] d = new double[8];
                 for (int i = 0; i < 8; i++) {
-                    for (int c = 0; c < 3; c++) {
-                        for (int k = 0; k <= i; k++) {
-                            d[i][c] += white[8 * i + k] * byPlacement[6 * k + 3 * test + c];
-                        }
+                    for (int k = 0; k <= i; k++) {
+                        d[i] += whitening[64 * m + 8 * i + k] * byPlacement[6 * k + c];
                     }
                 }
-                Finding finding = test(view.references().get(m), test == 1, d, residual, spare);
-                if (finding != null && finding.statistic > limit
-                        && (worst == null || finding.statistic > worst.statistic)) {
-                    worst = finding;
+                double score = 0;
+                double information = 0;
+                double whole = 0;
+                for (int i = 0; i < 8; i++) {
+                    whole += d[i] * d[i];
+                    // residuals are projected minus observed: a marker that is off by +s is predicted at -s
+                    score -= d[i] * residual[i];
+                    for (int k = 0; k < 8; k++) {
+                        information += d[i] * spare[8 * i + k] * d[k];
+                    }
+                }
+                // a direction that the pose absorbs entirely has nothing left to test
+                if (information > ABSORBED * whole) {
+                    tests.add(new Test(view.references().get(m), c, score, information));
                 }
             }
         }
-        return worst;
-    }
-
-    private static Finding test(Reference reference, boolean turned, double[][] d, double[] residual, double[] spare) {
-        double[] score = new double[3];
-        double[] variance = new double[9];
-        for (int a = 0; a < 3; a++) {
-            for (int i = 0; i < 8; i++) {
-                // residuals are projected minus observed: a marker that is off by +s is predicted at -s
-                score[a] -= d[i][a] * residual[i];
-                for (int k = 0; k < 8; k++) {
-                    for (int b = 0; b < 3; b++) {
-                        variance[3 * a + b] += d[i][a] * spare[8 * i + k] * d[k][b];
-                    }
-                }
-            }
-        }
-        double[] factor = variance.clone();
-        // a direction that the pose absorbs entirely has no variance left and cannot be tested
-        if (!Cholesky.factor(factor, 3)) {
-            return null;
-        }
-        double[] offset = score.clone();
-        Cholesky.solveLower(factor, 3, offset);
-        double statistic = offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2];
-        Cholesky.solveUpper(factor, 3, offset);
-        return new Finding(reference, turned, offset, statistic);
+        return tests;
     }
 }

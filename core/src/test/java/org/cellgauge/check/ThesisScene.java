@@ -27,16 +27,18 @@ public final class ThesisScene {
     private final Map<Integer, RigidTransform> objects = new LinkedHashMap<>();
     private final Map<Integer, double[]> grips = new LinkedHashMap<>();
     private Placement placement = new Placement(5, 5, 5, 0.01);
+    private final Map<Integer, Placement> placements = new LinkedHashMap<>();
     private final Map<Integer, double[]> shifts = new LinkedHashMap<>();
     private double pixelStdPx = 0.3;
     private OptionalDouble target = OptionalDouble.empty();
     private PinholeCamera camera = CAMERA;
     private RigidTransform worldFromCamera = WORLD_FROM_CAMERA;
 
-    /** References of the notes: in plane 1234, 911, 944, 22, then the fifth and sixth; or with 22 raised. */
+    /** References in the plane: 1234, 911, 944, 22, then the fifth and sixth; beyond these, six more between them. */
     public static ThesisScene inPlane(int count) {
         double[][] places = {{1234, 0, 380, 0}, {911, 492, 0, 0}, {944, 492, 380, 0}, {22, 0, 0, 0}, {7, 246, 380, 0},
-            {8, 246, 0, 0}};
+            {8, 246, 0, 0}, {9, 0, 190, 0}, {10, 492, 190, 0}, {11, 123, 380, 0}, {12, 369, 0, 0}, {13, 369, 380, 0},
+            {14, 123, 0, 0}};
         return of(places, count);
     }
 
@@ -85,6 +87,12 @@ public final class ThesisScene {
         return this;
     }
 
+    /** Precision of one reference alone, stated; its drawn errors are those of all. */
+    public ThesisScene placementOf(int id, double stdMm, double stdRad) {
+        placements.put(id, new Placement(stdMm, stdMm, stdMm, stdRad));
+        return this;
+    }
+
     public ThesisScene pixelStd(double px) {
         pixelStdPx = px;
         return this;
@@ -123,7 +131,8 @@ public final class ThesisScene {
 
     public Cell cell() {
         List<Reference> refs = new ArrayList<>();
-        references.forEach((id, pose) -> refs.add(new Reference(id, SIZE_MM, pose, placement)));
+        references.forEach((id, pose) -> refs.add(new Reference(id, SIZE_MM, pose,
+                placements.getOrDefault(id, placement))));
         List<ObjectMarker> objs = new ArrayList<>();
         objects.keySet().forEach(id -> objs.add(new ObjectMarker(id, SIZE_MM, grips.get(id))));
         return new Cell(camera, MarkerFamily.SQUARE_BINARY, refs, objs, OptionalDouble.of(pixelStdPx), target);
