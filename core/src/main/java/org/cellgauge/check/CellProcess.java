@@ -59,6 +59,7 @@ final class CellProcess implements ChainProcess {
     private static final class ObjectWalk {
         final ObjectTarget target;
         final ReprojectionFit fit;
+        final CameraState mode;
         final CameraState base;
         final CameraState state = new CameraState();
         final ObjectPosterior posterior;
@@ -68,6 +69,7 @@ final class CellProcess implements ChainProcess {
         ObjectWalk(ObjectTarget target, boolean noisy, RandomGenerator random) {
             this.target = target;
             fit = target.fit();
+            mode = target.modes.get(0).state();
             base = target.modes.get(0).state();
             grip = target.marker.gripMm();
             posterior = target.posterior();
@@ -80,8 +82,12 @@ final class CellProcess implements ChainProcess {
             }
         }
 
-        /** Solves the pose with other intrinsics, from the present solution on; the chain goes on around it. */
+        /**
+         * Solves the pose with other intrinsics; the chain goes on around it. Each solution starts at the mode and not at
+         * the last one, which may have slipped into the mirrored pose: a draw is a function of its own intrinsics alone.
+         */
         void solveAt(CameraState camera) {
+            base.copyFrom(mode);
             double stretch = camera.intrinsics[PinholeCamera.FX] / base.intrinsics[PinholeCamera.FX];
             System.arraycopy(camera.intrinsics, 0, base.intrinsics, 0, PinholeCamera.INTRINSICS);
             base.offset[2] *= stretch;
