@@ -33,11 +33,11 @@ class ArchitectureTest {
 
     /** The path of a photo through the library: each package may use those before it. */
     private static final List<String> ORDER =
-            List.of("geometry", "cell", "vision", "pose", "posterior", "sampling", "check", "overlay");
+            List.of("geometry", "cell", "vision", "pose", "posterior", "sampling", "check", "validation", "overlay");
 
     /** Mathematics alone: uses no other package, and is used only by these. */
     private static final String STATISTICS = BASE + "statistics..";
-    private static final List<String> USERS_OF_STATISTICS = List.of("sampling", "check", "overlay");
+    private static final List<String> USERS_OF_STATISTICS = List.of("sampling", "check", "validation", "overlay");
 
     private static final String[] BOOFCV = {"boofcv..", "georegression.."};
     private static final String RXJAVA = "io.reactivex..";

@@ -457,7 +457,7 @@ public final class CellCheck {
         Verdict verdict = verdict(estimate, diagnostics);
         return new CheckResult(cell, detections, settings, verdict, reason(verdict, estimate, diagnostics), estimate,
                 quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
-                quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed);
+                quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, camera);
     }
 
     private Verdict verdict(CellEstimate estimate, Diagnostics diagnostics) {

@@ -3,6 +3,9 @@ package org.cellgauge.check;
 import java.util.Collections;
 import java.util.List;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.pose.CameraState;
+import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.QuantityLayout;
@@ -27,11 +30,13 @@ public final class CheckResult {
     private final int iterationsPerChain;
     private final String posePrior;
     private final SamplerKind samplerUsed;
+    private final CameraTarget camera;
 
     CheckResult(Cell cell, Detections detections, CheckSettings settings, Verdict verdict, String reason,
             CellEstimate estimate, CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx,
             Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
-            QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed) {
+            QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
+            CameraTarget camera) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
@@ -49,6 +54,7 @@ public final class CheckResult {
         this.iterationsPerChain = iterationsPerChain;
         this.posePrior = posePrior;
         this.samplerUsed = samplerUsed;
+        this.camera = camera;
     }
 
     /**
@@ -211,5 +217,21 @@ public final class CheckResult {
      */
     public int warmup() {
         return settings.toBuilder().sampler(samplerUsed).build().warmup();
+    }
+
+    /**
+     * Logarithm of the posterior density of the camera pose, up to the constant of {@code lp__} among the draws and in
+     * the same coordinates, so that any pose can be compared with the draws. Intrinsics are those of the mode.
+     *
+     * @param worldFromCamera the pose
+     * @return the logarithm; negative infinity where the posterior has no density
+     */
+    public double cameraLogDensity(RigidTransform worldFromCamera) {
+        CameraPosterior posterior = samplerUsed == SamplerKind.THESIS_MIXTURE ? camera.euler() : camera.centred();
+        CameraState state = camera.modes.get(0).state();
+        RigidTransform cameraFromSet = camera.view.cameraFromSet(worldFromCamera);
+        System.arraycopy(cameraFromSet.rotation(), 0, state.rotation, 0, 9);
+        System.arraycopy(cameraFromSet.translationMm(), 0, state.offset, 0, 3);
+        return posterior.at(posterior.chart().encode(state));
     }
 }

@@ -21,7 +21,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /** Entry point of the command {@code cellgauge}. */
 @Command(name = "cellgauge", mixinStandardHelpOptions = true, versionProvider = Main.Version.class,
         description = "Honest uncertainties of camera and object poses in a robot cell.",
-        subcommands = {CheckCommand.class, SimulateCommand.class})
+        subcommands = {CheckCommand.class, SimulateCommand.class, ValidateCommand.class})
 public final class Main implements Callable<Integer> {
     private static final int HELP_WIDTH = 100;
     private static final Pattern UNKNOWN_OPTION = Pattern.compile("Unknown option: '([^']*)'");

@@ -136,11 +136,11 @@ public final class SimulateCommand implements Callable<Integer> {
         if (name.isEmpty() || name.startsWith(".") || name.contains("/") || name.contains("\\")) {
             throw usage("--name: '" + name + "' is no file name; folders go to --out");
         }
-        Map<Integer, RigidTransform> poses = objectPoses();
+        Map<Integer, RigidTransform> poses = ObjectPoses.parse(spec.commandLine(), objects);
         PrintWriter err = spec.commandLine().getErr();
         try {
             Cell cell = CellReader.read(cellFile);
-            requireObjects(cell, poses);
+            ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, poses);
             RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
             makeFolder();
             run(cell, new CellSimulation(cell, camera, poses, settings), poses, sensor);
@@ -218,37 +218,6 @@ public final class SimulateCommand implements Callable<Integer> {
             // said below, as for negative values
         }
         throw usage("--camera-jitter: '" + cameraJitter + "' is not MM,DEG with two values of at least 0, as in 5,0.5");
-    }
-
-    private Map<Integer, RigidTransform> objectPoses() {
-        Map<Integer, RigidTransform> poses = new LinkedHashMap<>();
-        for (String text : objects) {
-            int equals = text.indexOf('=');
-            int id;
-            try {
-                id = Integer.parseInt(text.substring(0, Math.max(0, equals)).trim());
-            } catch (NumberFormatException e) {
-                throw usage("--object: '" + text + "' does not start with a marker id and '=', as in 5=370,295,0");
-            }
-            try {
-                if (poses.put(id, PoseArgument.parse(text.substring(equals + 1)).pose()) != null) {
-                    throw usage("--object: marker " + id + " is given twice");
-                }
-            } catch (CommandLine.TypeConversionException e) {
-                throw usage("--object: " + e.getMessage());
-            }
-        }
-        return poses;
-    }
-
-    private void requireObjects(Cell cell, Map<Integer, RigidTransform> poses) {
-        List<Integer> known = cell.objects().stream().map(ObjectMarker::id).toList();
-        for (int id : poses.keySet()) {
-            if (!known.contains(id)) {
-                throw usage("--object: " + cellFile + " has no object " + id + "; its objects are "
-                        + (known.isEmpty() ? "none" : known));
-            }
-        }
     }
 
     private void makeFolder() throws IOException {

@@ -1,0 +1,282 @@
+package org.cellgauge.validation;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.apache.commons.math3.random.RandomGenerator;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.MarkerGeometry;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.geometry.Rotations;
+
+/**
+ * Where true poses come from: a proper prior about nominal poses, independent for the camera and for each object before
+ * the camera; immutable.
+ *
+ * <p>A pose is moved by {@code dp ~ N(0, stdMm^2 I)} and turned by {@code exp(w)}, {@code w ~ N(0, stdRad^2 I)}: for the
+ * camera p is the place of the references' centroid in the camera frame and R its rotation from the world, so that it
+ * swings about the scene and keeps looking at it; for an object p is its place in the camera frame, so that it moves with
+ * the camera. Both are truncated to poses from which the markers concerned (references where the cell file has them; the
+ * object) are seen from the front with all corners in the image. Deviations of 0 make it a single point: the nominal poses.
+ */
+public final class TruthPrior {
+    private static final int ATTEMPTS = 10_000;
+
+    private final Cell cell;
+    private final double stdMm;
+    private final double stdRad;
+    private final double[] centroid = new double[3];
+    private final RigidTransform cameraFromWorld;
+    private final double[] centroidInCamera;
+    private final Map<Integer, RigidTransform> cameraFromObjects = new LinkedHashMap<>();
+
+    /**
+     * A prior.
+     *
+     * @param cell the cell
+     * @param nominal mean poses; of every object of the cell
+     * @param stdMm standard deviation of each component of a place, mm, not negative
+     * @param stdRad standard deviation of each component of a rotation vector, rad, not negative and below 1
+     * @throws IllegalArgumentException if a deviation is out of range or only one of them is 0, or an object has no pose
+     * @throws InputRefusedException if a marker is not in the image at the nominal poses
+     */
+    public TruthPrior(Cell cell, CellTruth nominal, double stdMm, double stdRad) {
+        if (!(stdMm >= 0 && stdRad >= 0 && stdRad < 1 && Double.isFinite(stdMm)) || (stdMm == 0) != (stdRad == 0)) {
+            throw new IllegalArgumentException("the spread takes two positive values (rotations below 57 degrees), or 0 "
+                    + "twice");
+        }
+        this.cell = cell;
+        this.stdMm = stdMm;
+        this.stdRad = stdRad;
+        for (Reference r : cell.references()) {
+            for (int i = 0; i < 3; i++) {
+                centroid[i] += r.worldFromMarker().translationMm()[i] / cell.references().size();
+            }
+        }
+        cameraFromWorld = nominal.worldFromCamera().inverse();
+        centroidInCamera = cameraFromWorld.apply(centroid);
+        for (Reference r : cell.references()) {
+            requireSeen("reference " + r.id(), cameraFromWorld.compose(r.worldFromMarker()), r.sizeMm());
+        }
+        for (ObjectMarker o : cell.objects()) {
+            RigidTransform pose = nominal.worldFromObjects().get(o.id());
+            if (pose == null) {
+                throw new IllegalArgumentException("object " + o.id() + " has no pose");
+            }
+            cameraFromObjects.put(o.id(), cameraFromWorld.compose(pose));
+            requireSeen("object " + o.id(), cameraFromObjects.get(o.id()), o.sizeMm());
+        }
+    }
+
+    private void requireSeen(String name, RigidTransform cameraFromMarker, double sizeMm) {
+        if (!seen(cameraFromMarker, sizeMm)) {
+            throw new InputRefusedException(name + " is not seen from the camera pose: some corner is outside the image or "
+                    + "it shows its back; give another --camera-pose or --object pose");
+        }
+    }
+
+    /**
+     * Whether all truths are the nominal one.
+     *
+     * @return true if the prior has no width
+     */
+    public boolean isPoint() {
+        return stdMm == 0;
+    }
+
+    /**
+     * Draws a truth.
+     *
+     * @param random source of randomness
+     * @return poses of camera and objects
+     * @throws InputRefusedException if nearly all poses that the deviations suggest lose a marker from sight
+     */
+    public CellTruth draw(RandomGenerator random) {
+        RigidTransform camera = cameraFromWorld;
+        if (!isPoint()) {
+            camera = null;
+            for (int i = 0; camera == null; i++) {
+                RigidTransform moved = moved(RigidTransform.of(cameraFromWorld.rotation(), centroidInCamera), random);
+                double[] g = RigidTransform.of(moved.rotation(), new double[3]).apply(centroid);
+                double[] p = moved.translationMm();
+                RigidTransform suggested = RigidTransform.of(moved.rotation(),
+                        new double[] {p[0] - g[0], p[1] - g[1], p[2] - g[2]});
+                camera = referencesSeen(suggested) ? suggested : null;
+                requireHope(i, "the references");
+            }
+        }
+        RigidTransform worldFromCamera = camera.inverse();
+        Map<Integer, RigidTransform> objects = new LinkedHashMap<>();
+        for (ObjectMarker o : cell.objects()) {
+            RigidTransform pose = cameraFromObjects.get(o.id());
+            if (!isPoint()) {
+                RigidTransform nominal = pose;
+                pose = moved(nominal, random);
+                for (int i = 0; !seen(pose, o.sizeMm()); i++) {
+                    requireHope(i, "object " + o.id());
+                    pose = moved(nominal, random);
+                }
+            }
+            objects.put(o.id(), worldFromCamera.compose(pose));
+        }
+        return new CellTruth(worldFromCamera, objects);
+    }
+
+    private static void requireHope(int attempt, String what) {
+        if (attempt > ATTEMPTS) {
+            throw new InputRefusedException("true poses spread so wide hardly ever have " + what
+                    + " in the image; give a smaller --spread");
+        }
+    }
+
+    private RigidTransform moved(RigidTransform pose, RandomGenerator random) {
+        double[] t = pose.translationMm();
+        for (int i = 0; i < 3; i++) {
+            t[i] += stdMm * random.nextGaussian();
+        }
+        double[] w = new double[3];
+        do {
+            for (int i = 0; i < 3; i++) {
+                w[i] = stdRad * random.nextGaussian();
+            }
+        } while (w[0] * w[0] + w[1] * w[1] + w[2] * w[2] > Math.PI * Math.PI);
+        RigidTransform turn = RigidTransform.ofRotationVector(w, new double[3]);
+        return RigidTransform.of(turn.compose(RigidTransform.of(pose.rotation(), new double[3])).rotation(), t);
+    }
+
+    /**
+     * Logarithm of this prior's density of the camera pose by the measure that is flat in position and uniform over
+     * rotations, up to a constant: what a flat posterior has to be weighted with to become that under this prior.
+     *
+     * @param worldFromCamera a pose
+     * @return the logarithm; 0 for a prior without width
+     */
+    double logCamera(RigidTransform worldFromCamera) {
+        if (isPoint()) {
+            return 0;
+        }
+        RigidTransform pose = worldFromCamera.inverse();
+        return referencesSeen(pose) ? log(pose.rotation(), pose.apply(centroid), cameraFromWorld.rotation(), centroidInCamera)
+                : Double.NEGATIVE_INFINITY;
+    }
+
+    /**
+     * The same for an object's pose before the camera.
+     *
+     * @param object the object
+     * @param cameraFromObject its pose in the camera frame
+     * @return the logarithm
+     */
+    double logObject(ObjectMarker object, RigidTransform cameraFromObject) {
+        if (isPoint()) {
+            return 0;
+        }
+        RigidTransform nominal = cameraFromObjects.get(object.id());
+        return seen(cameraFromObject, object.sizeMm())
+                ? log(cameraFromObject.rotation(), cameraFromObject.translationMm(), nominal.rotation(),
+                        nominal.translationMm())
+                : Double.NEGATIVE_INFINITY;
+    }
+
+    private double log(double[] rotation, double[] place, double[] nominalRotation, double[] nominalPlace) {
+        double[] turned = new double[9];
+        double[] w = new double[3];
+        Rotations.multiplyTransposed(rotation, nominalRotation, turned);
+        Rotations.log(turned, w, 0);
+        double sum = 0;
+        for (int i = 0; i < 3; i++) {
+            double d = (place[i] - nominalPlace[i]) / stdMm;
+            double e = w[i] / stdRad;
+            sum += d * d + e * e;
+        }
+        // w is normal by Lebesgue's measure; the posterior's measure is Haar's
+        return -0.5 * sum - Rotations.logHaarDensity(w[0], w[1], w[2]);
+    }
+
+    private boolean referencesSeen(RigidTransform pose) {
+        for (Reference r : cell.references()) {
+            if (!seen(pose.compose(r.worldFromMarker()), r.sizeMm())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean seen(RigidTransform cameraFromMarker, double sizeMm) {
+        double[] r = cameraFromMarker.rotation();
+        double[] t = cameraFromMarker.translationMm();
+        // the marker's normal must point towards the camera, which is at the origin
+        if (!(r[2] * t[0] + r[5] * t[1] + r[8] * t[2] < 0)) {
+            return false;
+        }
+        double[] px = project(cell.camera(), cameraFromMarker, sizeMm);
+        if (px == null) {
+            return false;
+        }
+        for (int i = 0; i < 8; i += 2) {
+            if (!(px[i] >= 0 && px[i] <= cell.camera().widthPx() && px[i + 1] >= 0
+                    && px[i + 1] <= cell.camera().heightPx())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Corners in the image, 8 values, or null if one is not in front of the camera. */
+    static double[] project(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
+        double[] corners = MarkerGeometry.cornersMm(cameraFromMarker, sizeMm);
+        double[] px = new double[8];
+        for (int k = 0; k < 4; k++) {
+            double[] uv = camera.project(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+            if (uv == null) {
+                return null;
+            }
+            System.arraycopy(uv, 0, px, 2 * k, 2);
+        }
+        return px;
+    }
+
+    /**
+     * Nominal poses.
+     *
+     * @return mean of the prior
+     */
+    public CellTruth nominal() {
+        Map<Integer, RigidTransform> objects = new LinkedHashMap<>();
+        RigidTransform worldFromCamera = cameraFromWorld.inverse();
+        for (Map.Entry<Integer, RigidTransform> e : cameraFromObjects.entrySet()) {
+            objects.put(e.getKey(), worldFromCamera.compose(e.getValue()));
+        }
+        return new CellTruth(worldFromCamera, objects);
+    }
+
+    /**
+     * The cell.
+     *
+     * @return references, objects and camera
+     */
+    public Cell cell() {
+        return cell;
+    }
+
+    /**
+     * Standard deviation of places.
+     *
+     * @return mm
+     */
+    public double stdMm() {
+        return stdMm;
+    }
+
+    /**
+     * Standard deviation of rotation vectors.
+     *
+     * @return rad
+     */
+    public double stdRad() {
+        return stdRad;
+    }
+}

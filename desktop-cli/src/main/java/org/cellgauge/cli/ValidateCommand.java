@@ -1,0 +1,173 @@
+package org.cellgauge.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.cli.render.CellSimulation;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.validation.CellTruth;
+import org.cellgauge.validation.TruthPrior;
+import org.cellgauge.validation.Validation;
+import org.cellgauge.validation.ValidationResult;
+import org.cellgauge.validation.ValidationSettings;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParentCommand;
+import picocli.CommandLine.Spec;
+
+/** {@code cellgauge validate}: is a stated 95 % right 95 times in 100, for this cell? */
+@Command(name = "validate", mixinStandardHelpOptions = true, sortOptions = false,
+        versionProvider = Main.Version.class,
+        description = "Simulates cells that were built and photographed just as precisely as the cell file states, checks "
+                + "each, and counts how often the stated regions hold the truth.",
+        footer = {"", "Examples:",
+            "  cellgauge validate --cell cell.yaml",
+            "  cellgauge validate --cell cell.yaml --object 5=370,295,0,0,0,20 \\",
+            "      --camera-pose 418,106,1070,3.08rad,0.10rad,0.02rad --spread 0,0 --simulations 1000",
+            "  cellgauge validate --cell cell.yaml --model corner-cube --json",
+            "",
+            "Angles are in degrees, as in the cell file, unless they end in 'rad'.",
+            "Each check runs until it has converged and the Monte Carlo error of every standard deviation is below",
+            "10 %, unless --iterations is given: these errors average out over the simulations.",
+            "The tables go to standard output, progress and messages to standard error.",
+            "",
+            "Exit codes: 0 all 95 % regions hold the truth as often as they claim, within chance, 1 internal error,",
+            "2 usage, 3 input refused, 4 a 95 % region holds it too rarely or too often, 5 more than 5 % of the",
+            "simulations gave no figure."})
+public final class ValidateCommand implements Callable<Integer> {
+    /** Share of simulations without a figure beyond which coverage of the others says little. */
+    private static final double MOST_WITHOUT_FIGURE = 0.05;
+    private static final double MCSE_STD_REL = 0.1;
+    private static final int REPORTS = 10;
+
+    @Spec
+    private CommandSpec spec;
+
+    @ParentCommand
+    private Main main;
+
+    @Option(names = "--cell", required = true, paramLabel = "CELL", description = "The cell file.")
+    private Path cellFile;
+
+    @Option(names = "--simulations", paramLabel = "N", defaultValue = "200",
+            description = "Number of simulated cells (${DEFAULT-VALUE}).")
+    private int simulations;
+
+    @Option(names = "--object", paramLabel = "ID=X,Y,Z[,PSI,THETA,PHI]",
+            description = "Nominal pose of an object of the cell in the world, mm and degrees; repeat it for others. "
+                    + "Objects without one are spread between the references, turned like these.")
+    private List<String> objects = new ArrayList<>();
+
+    @Option(names = "--camera-pose", paramLabel = "X,Y,Z,PSI,THETA,PHI", converter = PoseArgument.Converter.class,
+            description = "Nominal pose of the camera in the world, mm and degrees. Without it the camera looks straight at "
+                    + "the plane z = 0, from where all markers fit.")
+    private PoseArgument cameraPose;
+
+    @Option(names = "--spread", paramLabel = "MM,DEG", defaultValue = "50,10",
+            description = "Standard deviation of the true poses about the nominal ones, from simulation to simulation: the "
+                    + "camera swings about the references, objects move before the camera (${DEFAULT-VALUE}). 0,0: the "
+                    + "truth is the same in all.")
+    private String spread;
+
+    @Option(names = "--pixel-std", paramLabel = "PX",
+            description = "Corner noise that is simulated, where it is to differ from the pixel_std_px of the cell file, "
+                    + "or that is 'auto'.")
+    private Double pixelStdPx;
+
+    @Option(names = "--json", description = "Prints all counts and ranks as JSON in place of the tables.")
+    private boolean json;
+
+    @Mixin
+    private CheckOptions options;
+
+    /**
+     * Runs the validation.
+     *
+     * @return the exit code
+     */
+    @Override
+    public Integer call() {
+        CheckSettings check = options.settings(spec.commandLine());
+        ParsedSpread spreads = parseSpread();
+        Map<Integer, RigidTransform> given = ObjectPoses.parse(spec.commandLine(), objects);
+        try {
+            Cell cell = CellReader.read(cellFile);
+            ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, given);
+            Map<Integer, RigidTransform> poses = CellTruth.objectPoses(cell, given);
+            RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
+            TruthPrior prior = prior(cell, new CellTruth(camera, poses), spreads);
+            ValidationSettings settings = settings(cell, check);
+            ValidationResult result = Validation.run(prior, settings, this::progress);
+            ValidationText text = new ValidationText(prior, settings, result);
+            PrintWriter out = spec.commandLine().getOut();
+            out.print(json ? text.json(Main.version()) : text.text());
+            out.flush();
+            return exitCode(result);
+        } catch (InputRefusedException e) {
+            return main.report(e, ExitCodes.INPUT_REFUSED, spec.commandLine());
+        }
+    }
+
+    private static int exitCode(ValidationResult result) {
+        return result.withoutFigure() > MOST_WITHOUT_FIGURE ? ExitCodes.NO_FIGURE
+                : result.covers(ValidationText.JUDGED) ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
+    }
+
+    private TruthPrior prior(Cell cell, CellTruth nominal, ParsedSpread spreads) {
+        try {
+            return new TruthPrior(cell, nominal, spreads.mm(), spreads.rad());
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), "--spread: " + e.getMessage());
+        }
+    }
+
+    private ValidationSettings settings(Cell cell, CheckSettings check) {
+        if (pixelStdPx == null && cell.pixelStdPx().isEmpty()) {
+            throw new InputRefusedException(cellFile + ": pixel_std_px is 'auto', which says nothing of the noise to "
+                    + "simulate; give it with --pixel-std, for instance 0.3");
+        }
+        double pixels = pixelStdPx != null ? pixelStdPx : cell.pixelStdPx().getAsDouble();
+        try {
+            return new ValidationSettings(simulations, check.toBuilder().targetMcseStdRel(MCSE_STD_REL).build(), pixels,
+                    check.threads());
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+    }
+
+    private record ParsedSpread(double mm, double rad) {
+    }
+
+    private ParsedSpread parseSpread() {
+        String[] parts = spread.split(",", -1);
+        try {
+            double mm = Double.parseDouble(parts[0].trim());
+            double degrees = Double.parseDouble(parts[parts.length - 1].trim());
+            if (parts.length == 2) {
+                return new ParsedSpread(mm, Math.toRadians(degrees));
+            }
+        } catch (NumberFormatException e) {
+            // said below
+        }
+        throw new ParameterException(spec.commandLine(), "--spread: '" + spread + "' is not MM,DEG, as in 50,10");
+    }
+
+    private void progress(int done) {
+        int every = Math.max(1, simulations / REPORTS);
+        if (done % every == 0 || done == simulations) {
+            PrintWriter err = spec.commandLine().getErr();
+            err.println("[" + done + "/" + simulations + "] cells simulated and checked");
+            err.flush();
+        }
+    }
+}

@@ -1,0 +1,245 @@
+package org.cellgauge.cli;
+
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonNull;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonPrimitive;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.check.LikelihoodModel;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.statistics.BinomialBand;
+import org.cellgauge.validation.RankedQuantity;
+import org.cellgauge.validation.RegionCoverage;
+import org.cellgauge.validation.TruthPrior;
+import org.cellgauge.validation.Validation;
+import org.cellgauge.validation.ValidationResult;
+import org.cellgauge.validation.ValidationSettings;
+
+/** A validation in tables for people, and as JSON. */
+final class ValidationText {
+    /** The level that the exit code goes by. */
+    static final double JUDGED = 0.95;
+    private static final double[] LEVELS = {0.5, 0.8, 0.95};
+    private static final double SUSPICIOUS = 0.01;
+
+    private final TruthPrior prior;
+    private final ValidationSettings settings;
+    private final ValidationResult result;
+
+    ValidationText(TruthPrior prior, ValidationSettings settings, ValidationResult result) {
+        this.prior = prior;
+        this.settings = settings;
+        this.result = result;
+    }
+
+    // ---- text
+
+    /** Tables and what they mean, ended by a line feed. */
+    String text() {
+        StringBuilder text = new StringBuilder();
+        CheckSettings check = settings.check();
+        text.append(CheckText.wrap(String.format(Locale.ROOT, "%d simulated cells, %s, seed %d; %s. %d not converged, %d "
+                + "refused, %d ambiguous.", result.simulations(), model(check), check.seed(), truth(),
+                result.notConverged(), result.refused(), result.ambiguous()), ""));
+        int stated = result.simulations() - result.notConverged() - result.refused();
+        if (stated == 0) {
+            return text.append("No check stated a figure: there is nothing to count.\n").toString();
+        }
+        text.append("\nPer cent of the stated regions that hold the truth\n");
+        TextTable table = new TextTable(1);
+        table.row("", "dim", "50 %", "80 %", "95 %", "honest 95 %", "", "Gaussian 95 %", "");
+        for (RegionCoverage region : result.regions()) {
+            BinomialBand band = region.band(JUDGED);
+            table.row(region.name(), String.valueOf(region.dimension()), percent(region.hits(0.5), region),
+                    percent(region.hits(0.8), region), percent(region.hits(JUDGED), region),
+                    percent(band.lower(), region) + " - " + percent(band.upper(), region),
+                    word(region.hits(JUDGED), band), percent(region.gaussianHits(JUDGED), region),
+                    word(region.gaussianHits(JUDGED), band));
+        }
+        text.append(table.text("  "));
+        text.append(CheckText.wrap("Stated region: the ellipsoid about the mean with the shape of the covariance that holds "
+                + "the share of the draws; Gaussian: sized by the chi-square quantile. Honest: where all counts lie "
+                + "together 99 times in 100 if every 95 % is right. Counted under the flat prior of a check.", ""));
+        errors(text);
+        ranks(text);
+        text.append('\n').append(verdict());
+        return text.toString();
+    }
+
+    private static String model(CheckSettings check) {
+        return check.model().optionName() + (check.model() == LikelihoodModel.CORNER_CUBE
+                ? " with kappa " + CheckText.plain(check.kappa()) : "");
+    }
+
+    private String truth() {
+        return prior.isPoint() ? "the same true poses in all"
+                : String.format(Locale.ROOT, "true poses spread by %s mm and %s degrees", CheckText.plain(prior.stdMm()),
+                        CheckText.plain(Math.round(Math.toDegrees(prior.stdRad()) * 1e6) / 1e6));
+    }
+
+    private static String percent(int count, RegionCoverage region) {
+        return CheckText.fixed(100.0 * count / region.trials(), 1);
+    }
+
+    private static String word(int hits, BinomialBand band) {
+        return band.contains(hits) ? "ok" : hits < band.lower() ? "TOO RARE" : "TOO OFTEN";
+    }
+
+    private void errors(StringBuilder text) {
+        text.append("\nErrors in stated standard deviations: root mean square (1 is right) and mean (0 is right)\n");
+        TextTable table = new TextTable(1);
+        table.row("", "x", "y", "z", "wx", "wy", "wz", "grip x", "grip y", "grip z");
+        byPart().forEach((part, quantities) -> {
+            List<String> row = new ArrayList<>();
+            List<String> mean = new ArrayList<>();
+            row.add(part);
+            mean.add("  mean");
+            for (RankedQuantity q : quantities) {
+                if (!Double.isNaN(q.rmsError())) {
+                    row.add(CheckText.fixed(q.rmsError(), 2));
+                    mean.add(String.format(Locale.ROOT, "%+.2f", q.meanError()));
+                }
+            }
+            table.row(row.toArray(new String[0]));
+            table.row(mean.toArray(new String[0]));
+        });
+        text.append(table.text("  "));
+    }
+
+    private void ranks(StringBuilder text) {
+        text.append("\nRanks of the truth among " + Validation.RANKED_DRAWS
+                + " draws: p-value of their being uniform\n");
+        TextTable table = new TextTable(1);
+        table.row("", "x", "y", "z", "wx", "wy", "wz", "density", "distance", "norm", "grip x", "grip y", "grip z",
+                "norm");
+        byPart().forEach((part, quantities) -> {
+            Map<String, String> p = new LinkedHashMap<>();
+            for (RankedQuantity q : quantities) {
+                p.put(q.name(), CheckText.fixed(q.ranks().pValue(), 3));
+            }
+            List<String> row = new ArrayList<>();
+            row.add(part);
+            for (String name : List.of("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad", "log_density", "distance_mm",
+                    "norm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_norm")) {
+                row.add(p.getOrDefault(name, ""));
+            }
+            table.row(row.toArray(new String[0]));
+        });
+        text.append(table.text("  "));
+        text.append(CheckText.wrap((prior.isPoint()
+                ? "At fixed true poses uniform ranks are an approximation that holds where uncertainties are small; with "
+                        + "a --spread it is exact."
+                : "Draws are weighted to the spread of the true poses, so uniform ranks are exact if likelihood, sampler "
+                        + "and object poses are right together; at least "
+                        + CheckText.fixed(100 * result.weightShareMin(), 1) + " % of the draws stayed effective.")
+                + " All together: p = " + CheckText.fixed(result.rankPValue(), 3)
+                + (result.rankPValue() < SUSPICIOUS ? ", they are not uniform." : "."), ""));
+    }
+
+    private Map<String, List<RankedQuantity>> byPart() {
+        Map<String, List<RankedQuantity>> parts = new LinkedHashMap<>();
+        for (RankedQuantity q : result.quantities()) {
+            parts.computeIfAbsent(q.part(), k -> new ArrayList<>()).add(q);
+        }
+        return parts;
+    }
+
+    private String verdict() {
+        return result.covers(JUDGED) ? "A stated 95 % is right 95 times in 100 here, within chance.\n"
+                : "A stated 95 % is not right 95 times in 100 here.\n";
+    }
+
+    // ---- JSON
+
+    /** All counts and ranks; ASCII, ended by a line feed. */
+    String json(String version) {
+        CheckSettings check = settings.check();
+        JsonObject root = new JsonObject();
+        root.addProperty("schema", 1);
+        root.addProperty("covers_95", result.covers(JUDGED));
+        JsonObject used = new JsonObject();
+        used.addProperty("simulations", result.simulations());
+        used.addProperty("model", check.model().optionName());
+        used.addProperty("kappa", check.kappa());
+        used.addProperty("sampler", check.sampler().optionName());
+        used.addProperty("seed", check.seed());
+        used.addProperty("simulated_pixel_std_px", settings.pixelStdPx());
+        used.addProperty("spread_mm", prior.stdMm());
+        used.addProperty("spread_rad", prior.stdRad());
+        used.add("camera_pose", pose(prior.nominal().worldFromCamera()));
+        JsonObject objects = new JsonObject();
+        prior.nominal().worldFromObjects().forEach((id, p) -> objects.add(String.valueOf(id), pose(p)));
+        used.add("object_poses", objects);
+        root.add("settings", used);
+        root.addProperty("not_converged", result.notConverged());
+        root.addProperty("refused", result.refused());
+        root.addProperty("ambiguous", result.ambiguous());
+        root.add("effective_share_min", number(result.weightShareMin()));
+        root.add("rank_p_value", number(result.rankPValue()));
+        JsonArray regions = new JsonArray();
+        for (RegionCoverage region : result.regions()) {
+            JsonObject r = new JsonObject();
+            r.addProperty("name", region.name());
+            r.addProperty("dimension", region.dimension());
+            r.addProperty("trials", region.trials());
+            JsonArray levels = new JsonArray();
+            for (double level : region.trials() == 0 ? new double[0] : LEVELS) {
+                BinomialBand band = region.band(level);
+                JsonObject l = new JsonObject();
+                l.addProperty("probability", level);
+                l.addProperty("hits", region.hits(level));
+                l.addProperty("gaussian_hits", region.gaussianHits(level));
+                l.addProperty("band_lower", band.lower());
+                l.addProperty("band_upper", band.upper());
+                l.addProperty("covers", region.covers(level));
+                l.addProperty("gaussian_covers", region.gaussianCovers(level));
+                levels.add(l);
+            }
+            r.add("levels", levels);
+            regions.add(r);
+        }
+        root.add("regions", regions);
+        JsonArray quantities = new JsonArray();
+        for (RankedQuantity q : result.quantities()) {
+            JsonObject o = new JsonObject();
+            o.addProperty("part", q.part());
+            o.addProperty("name", q.name());
+            o.add("mean_error", number(q.meanError()));
+            o.add("rms_error", number(q.rmsError()));
+            JsonArray counts = new JsonArray();
+            for (int count : q.ranks().counts()) {
+                counts.add(count);
+            }
+            o.add("rank_counts", counts);
+            o.add("p_value", number(q.ranks().pValue()));
+            quantities.add(o);
+        }
+        root.add("ranks", quantities);
+        root.addProperty("version", version);
+        Gson gson = new GsonBuilder().setPrettyPrinting().serializeNulls().create();
+        return gson.toJson(root) + "\n";
+    }
+
+    private static JsonElement number(double value) {
+        return Double.isFinite(value) ? new JsonPrimitive(value) : JsonNull.INSTANCE;
+    }
+
+    private static JsonArray pose(RigidTransform pose) {
+        JsonArray values = new JsonArray();
+        for (double v : pose.translationMm()) {
+            values.add(v);
+        }
+        for (double v : pose.eulerRad()) {
+            values.add(v);
+        }
+        return values;
+    }
+}
