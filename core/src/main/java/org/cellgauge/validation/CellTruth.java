@@ -37,8 +37,8 @@ public final class CellTruth {
      *
      * <p>The k-th object of the file (from 0) stands on the way from the centroid of the references to the point at the
      * share frac(0.618 (k + 1)) between the references k and k + 1 of the file (counted around), at 0.6 of it; it is
-     * turned like reference k, and by a further 40 k degrees about its own normal. With a single reference objects stand in
-     * a row beside it, two of its widths apart.
+     * turned like reference k, and by a further 40 k degrees about its own normal. With a single reference objects
+     * stand in a row beside it, two of its widths apart.
      *
      * @param cell the cell
      * @param given poses in the world, by id; each id must be an object of the cell

@@ -6,9 +6,10 @@ import org.cellgauge.statistics.BinomialBand;
 /**
  * How often stated regions of one kind held the truth; immutable.
  *
- * <p>A region of probability p is the ellipsoid about the mean, shaped by the covariance of the draws, that holds the share
- * p of the draws (JCGM 102:2011, section 7.7). The Gaussian region beside it has the same centre and shape, and is sized
- * by the chi-square quantile instead: what a reader makes of a mean and a covariance, and what the ellipses in the image are.
+ * <p>A region of probability p is the ellipsoid about the mean, shaped by the covariance of the draws, that holds the
+ * share p of the draws (JCGM 102:2011, section 7.7). The Gaussian region beside it has the same centre and shape, and
+ * is sized by the chi-square quantile instead: what a reader makes of a mean and a covariance, and what the ellipses in
+ * the image are.
  */
 public final class RegionCoverage {
     private final String name;

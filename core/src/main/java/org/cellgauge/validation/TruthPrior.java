@@ -16,11 +16,12 @@ import org.cellgauge.geometry.Rotations;
  * Where true poses come from: a proper prior about nominal poses, independent for the camera and for each object before
  * the camera; immutable.
  *
- * <p>A pose is moved by {@code dp ~ N(0, stdMm^2 I)} and turned by {@code exp(w)}, {@code w ~ N(0, stdRad^2 I)}: for the
- * camera p is the place of the references' centroid in the camera frame and R its rotation from the world, so that it
- * swings about the scene and keeps looking at it; for an object p is its place in the camera frame, so that it moves with
- * the camera. Both are truncated to poses from which the markers concerned (references where the cell file has them; the
- * object) are seen from the front with all corners in the image. Deviations of 0 make it a single point: the nominal poses.
+ * <p>A pose is moved by {@code dp ~ N(0, stdMm^2 I)} and turned by {@code exp(w)}, {@code w ~ N(0, stdRad^2 I)}: for
+ * the camera p is the place of the references' centroid in the camera frame and R its rotation from the world, so that
+ * it swings about the scene and keeps looking at it; for an object p is its place in the camera frame, so that it moves
+ * with the camera. Both are truncated to poses from which the markers concerned (references where the cell file has
+ * them; the object) are seen from the front with all corners in the image. Deviations of 0 make it a single point: the
+ * nominal poses.
  */
 public final class TruthPrior {
     private static final int ATTEMPTS = 10_000;
@@ -40,13 +41,14 @@ public final class TruthPrior {
      * @param nominal mean poses; of every object of the cell
      * @param stdMm standard deviation of each component of a place, mm, not negative
      * @param stdRad standard deviation of each component of a rotation vector, rad, not negative and below 1
-     * @throws IllegalArgumentException if a deviation is out of range or only one of them is 0, or an object has no pose
+     * @throws IllegalArgumentException if a deviation is out of range or only one of them is 0, or an object has no
+     *     pose
      * @throws InputRefusedException if a marker is not in the image at the nominal poses
      */
     public TruthPrior(Cell cell, CellTruth nominal, double stdMm, double stdRad) {
         if (!(stdMm >= 0 && stdRad >= 0 && stdRad < 1 && Double.isFinite(stdMm)) || (stdMm == 0) != (stdRad == 0)) {
-            throw new IllegalArgumentException("the spread takes two positive values (rotations below 57 degrees), or 0 "
-                    + "twice");
+            throw new IllegalArgumentException("the spread takes two positive values (rotations below 57 degrees), "
+                    + "or 0 twice");
         }
         this.cell = cell;
         this.stdMm = stdMm;
@@ -73,8 +75,8 @@ public final class TruthPrior {
 
     private void requireSeen(String name, RigidTransform cameraFromMarker, double sizeMm) {
         if (!seen(cameraFromMarker, sizeMm)) {
-            throw new InputRefusedException(name + " is not seen from the camera pose: some corner is outside the image or "
-                    + "it shows its back; give another --camera-pose or --object pose");
+            throw new InputRefusedException(name + " is not seen from the camera pose: some corner is outside the "
+                    + "image or it shows its back; give another --camera-pose or --object pose");
         }
     }
 
@@ -159,7 +161,8 @@ public final class TruthPrior {
             return 0;
         }
         RigidTransform pose = worldFromCamera.inverse();
-        return referencesSeen(pose) ? log(pose.rotation(), pose.apply(centroid), cameraFromWorld.rotation(), centroidInCamera)
+        return referencesSeen(pose)
+                ? log(pose.rotation(), pose.apply(centroid), cameraFromWorld.rotation(), centroidInCamera)
                 : Double.NEGATIVE_INFINITY;
     }
 

@@ -25,23 +25,23 @@ import org.cellgauge.vision.Detections;
  * them, runs the whole {@link CellCheck}, and looks where the truth lies among its draws.
  *
  * <p><b>Ranks are exact.</b> Simulation-based calibration (Talts, Betancourt, Simpson, Vehtari, Gelman, "Validating
- * Bayesian inference algorithms with simulation-based calibration", 2018, theorem 1) needs truths from the prior that the
- * posterior is under. A check's prior is flat, and nothing can be drawn from it; but its draws, weighted with the density of
- * the truth's own proper prior, are draws of the posterior under that one. {@value #RANKED_DRAWS} draws are picked anew by these
- * weights, independently, which also does away with the chains' autocorrelation; the truth's rank among them is uniform if
- * likelihood, frozen covariances, sampler and object poses are right together. What is left of error is that of the
- * picked-from draws: they must be many (their effective share is reported).
+ * Bayesian inference algorithms with simulation-based calibration", 2018, theorem 1) needs truths from the prior that
+ * the posterior is under. A check's prior is flat, and nothing can be drawn from it; but its draws, weighted with the
+ * density of the truth's own proper prior, are draws of the posterior under that one. {@value #RANKED_DRAWS} draws are
+ * picked anew by these weights, independently, which also does away with the chains' autocorrelation; the truth's rank
+ * among them is uniform if likelihood, frozen covariances, sampler and object poses are right together. What is left of
+ * error is that of the picked-from draws: they must be many (their effective share is reported).
  *
  * <p><b>Coverage is what a user gets.</b> It is counted for regions as the check states them, under its flat prior,
  * unweighted. Flat posteriors of a location cover exactly at every fixed truth; poses are close to locations where
- * uncertainties are small, and coverage is right to first order there (Welch and Peers, "On formulae for confidence points
- * based on integrals of weighted likelihoods", 1963). Where it is off while ranks are uniform, the flat prior is what
- * matters, not a fault of the computation. With truths at one point (no spread) ranks are unweighted and only
+ * uncertainties are small, and coverage is right to first order there (Welch and Peers, "On formulae for confidence
+ * points based on integrals of weighted likelihoods", 1963). Where it is off while ranks are uniform, the flat prior is
+ * what matters, not a fault of the computation. With truths at one point (no spread) ranks are unweighted and only
  * approximately uniform for the same reason: coverage is then purely frequentist.
  *
- * <p>A check needs fewer draws here than for a result. Truth and draws are exchangeable whatever their number, so the share
- * of draws nearer to the mean than the truth is uniform to 1/n, n effective draws; and an error of 5 % in the size of a
- * region averages out over the simulations to first order.
+ * <p>A check needs fewer draws here than for a result. Truth and draws are exchangeable whatever their number, so the
+ * share of draws nearer to the mean than the truth is uniform to 1/n, n effective draws; and an error of 5 % in the
+ * size of a region averages out over the simulations to first order.
  */
 public final class Validation {
     /** Draws among which a truth is ranked. */
@@ -207,7 +207,8 @@ public final class Validation {
                         coordinate ? Math.sqrt(squares / n) : Double.NaN));
             }
         }
-        return new ValidationResult(outcomes.size(), notConverged, refused, ambiguous, weightShare, regions, quantities);
+        return new ValidationResult(outcomes.size(), notConverged, refused, ambiguous, weightShare, regions,
+                quantities);
     }
 
     /** As many bins as leave enough ranks in each. */

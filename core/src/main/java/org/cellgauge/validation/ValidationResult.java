@@ -52,8 +52,8 @@ public final class ValidationResult {
     }
 
     /**
-     * Cells whose check found a pose ambiguous. Their overall mean and covariance, and the draws, are of both poses; they
-     * are counted like all others.
+     * Cells whose check found a pose ambiguous. Their overall mean and covariance, and the draws, are of both poses;
+     * they are counted like all others.
      *
      * @return count
      */

@@ -28,8 +28,8 @@ import picocli.CommandLine.Spec;
 /** {@code cellgauge validate}: is a stated 95 % right 95 times in 100, for this cell? */
 @Command(name = "validate", mixinStandardHelpOptions = true, sortOptions = false,
         versionProvider = Main.Version.class,
-        description = "Simulates cells that were built and photographed just as precisely as the cell file states, checks "
-                + "each, and counts how often the stated regions hold the truth.",
+        description = "Simulates cells that were built and photographed just as precisely as the cell file states, "
+                + "checks each, and counts how often the stated regions hold the truth.",
         footer = {"", "Examples:",
             "  cellgauge validate --cell cell.yaml",
             "  cellgauge validate --cell cell.yaml --object 5=370,295,0,0,0,20 \\",
@@ -69,19 +69,19 @@ public final class ValidateCommand implements Callable<Integer> {
     private List<String> objects = new ArrayList<>();
 
     @Option(names = "--camera-pose", paramLabel = "X,Y,Z,PSI,THETA,PHI", converter = PoseArgument.Converter.class,
-            description = "Nominal pose of the camera in the world, mm and degrees. Without it the camera looks straight at "
-                    + "the plane z = 0, from where all markers fit.")
+            description = "Nominal pose of the camera in the world, mm and degrees. Without it the camera looks "
+                    + "straight at the plane z = 0, from where all markers fit.")
     private PoseArgument cameraPose;
 
     @Option(names = "--spread", paramLabel = "MM,DEG", defaultValue = "50,10",
-            description = "Standard deviation of the true poses about the nominal ones, from simulation to simulation: the "
-                    + "camera swings about the references, objects move before the camera (${DEFAULT-VALUE}). 0,0: the "
-                    + "truth is the same in all.")
+            description = "Standard deviation of the true poses about the nominal ones, from simulation to simulation: "
+                    + "the camera swings about the references, objects move before the camera (${DEFAULT-VALUE}). "
+                    + "0,0: the truth is the same in all.")
     private String spread;
 
     @Option(names = "--pixel-std", paramLabel = "PX",
-            description = "Corner noise that is simulated, where it is to differ from the pixel_std_px of the cell file, "
-                    + "or that is 'auto'.")
+            description = "Corner noise that is simulated, where it is to differ from the pixel_std_px of the cell "
+                    + "file, or that is 'auto'.")
     private Double pixelStdPx;
 
     @Option(names = "--json", description = "Prints all counts and ranks as JSON in place of the tables.")

@@ -46,8 +46,8 @@ final class ValidationText {
     String text() {
         StringBuilder text = new StringBuilder();
         CheckSettings check = settings.check();
-        text.append(CheckText.wrap(String.format(Locale.ROOT, "%d simulated cells, %s, seed %d; %s. %d not converged, %d "
-                + "refused, %d ambiguous.", result.simulations(), model(check), check.seed(), truth(),
+        text.append(CheckText.wrap(String.format(Locale.ROOT, "%d simulated cells, %s, seed %d; %s. %d not converged, "
+                + "%d refused, %d ambiguous.", result.simulations(), model(check), check.seed(), truth(),
                 result.notConverged(), result.refused(), result.ambiguous()), ""));
         int stated = result.simulations() - result.notConverged() - result.refused();
         if (stated == 0) {
@@ -65,9 +65,9 @@ final class ValidationText {
                     word(region.gaussianHits(JUDGED), band));
         }
         text.append(table.text("  "));
-        text.append(CheckText.wrap("Stated region: the ellipsoid about the mean with the shape of the covariance that holds "
-                + "the share of the draws; Gaussian: sized by the chi-square quantile. Honest: where all counts lie "
-                + "together 99 times in 100 if every 95 % is right. Counted under the flat prior of a check.", ""));
+        text.append(CheckText.wrap("Stated region: the ellipsoid about the mean with the shape of the covariance that "
+                + "holds the share of the draws; Gaussian: sized by the chi-square quantile. Honest: where all counts "
+                + "lie together 99 times in 100 if every 95 % is right. Counted under the flat prior of a check.", ""));
         errors(text);
         ranks(text);
         text.append('\n').append(verdict());
@@ -81,7 +81,8 @@ final class ValidationText {
 
     private String truth() {
         return prior.isPoint() ? "the same true poses in all"
-                : String.format(Locale.ROOT, "true poses spread by %s mm and %s degrees", CheckText.plain(prior.stdMm()),
+                : String.format(Locale.ROOT, "true poses spread by %s mm and %s degrees",
+                        CheckText.plain(prior.stdMm()),
                         CheckText.plain(Math.round(Math.toDegrees(prior.stdRad()) * 1e6) / 1e6));
     }
 
@@ -96,7 +97,7 @@ final class ValidationText {
     private void errors(StringBuilder text) {
         text.append("\nErrors in stated standard deviations: root mean square (1 is right) and mean (0 is right)\n");
         TextTable table = new TextTable(1);
-        table.row("", "x", "y", "z", "wx", "wy", "wz", "grip x", "grip y", "grip z");
+        table.row(header(List.of("", "x", "y", "z", "wx", "wy", "wz"), "grip x", "grip y", "grip z"));
         byPart().forEach((part, quantities) -> {
             List<String> row = new ArrayList<>();
             List<String> mean = new ArrayList<>();
@@ -118,8 +119,8 @@ final class ValidationText {
         text.append("\nRanks of the truth among " + Validation.RANKED_DRAWS
                 + " draws: p-value of their being uniform\n");
         TextTable table = new TextTable(1);
-        table.row("", "x", "y", "z", "wx", "wy", "wz", "density", "distance", "norm", "grip x", "grip y", "grip z",
-                "norm");
+        table.row(header(List.of("", "x", "y", "z", "wx", "wy", "wz", "density", "distance", "norm"),
+                "grip x", "grip y", "grip z", "its norm"));
         byPart().forEach((part, quantities) -> {
             Map<String, String> p = new LinkedHashMap<>();
             for (RankedQuantity q : quantities) {
@@ -127,21 +128,30 @@ final class ValidationText {
             }
             List<String> row = new ArrayList<>();
             row.add(part);
-            for (String name : List.of("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad", "log_density", "distance_mm",
-                    "norm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_norm")) {
+            for (String name : List.of("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad", "log_density",
+                    "distance_mm", "norm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_norm")) {
                 row.add(p.getOrDefault(name, ""));
             }
             table.row(row.toArray(new String[0]));
         });
         text.append(table.text("  "));
         text.append(CheckText.wrap((prior.isPoint()
-                ? "At fixed true poses uniform ranks are an approximation that holds where uncertainties are small; with "
-                        + "a --spread it is exact."
-                : "Draws are weighted to the spread of the true poses, so uniform ranks are exact if likelihood, sampler "
-                        + "and object poses are right together; at least "
+                ? "At fixed true poses uniform ranks are an approximation that holds where uncertainties are small; "
+                        + "with a --spread it is exact."
+                : "Draws are weighted to the spread of the true poses, so uniform ranks are exact if likelihood, "
+                        + "sampler and object poses are right together; at least "
                         + CheckText.fixed(100 * result.weightShareMin(), 1) + " % of the draws stayed effective.")
                 + " All together: p = " + CheckText.fixed(result.rankPValue(), 3)
                 + (result.rankPValue() < SUSPICIOUS ? ", they are not uniform." : "."), ""));
+    }
+
+    /** Columns of every part, and those of gripping points where an object has one. */
+    private String[] header(List<String> always, String... ofGrips) {
+        List<String> header = new ArrayList<>(always);
+        if (result.quantities().stream().anyMatch(q -> q.name().equals("grip_norm"))) {
+            header.addAll(List.of(ofGrips));
+        }
+        return header.toArray(new String[0]);
     }
 
     private Map<String, List<RankedQuantity>> byPart() {
