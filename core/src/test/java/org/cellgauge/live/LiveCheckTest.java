@@ -643,6 +643,26 @@ class LiveCheckTest {
     }
 
     @Test
+    void withoutSamplingRunningChainsEndAndFiguresAreThoseOfTheQuickLookAgain() throws InterruptedException {
+        pace.onNext(LivePace.of(0, 0, 2, true));
+        TestSubscriber<LiveState> states = LiveCheck.states(frames, CELL, ENDLESS, pace).test();
+        frames.onNext(noisy(0, 1));
+        await(states, s -> s.keyFrameNumber() == 1);
+        frames.onNext(noisy(0, 2));
+        await(states, s -> s.phase() == LiveState.Phase.SAMPLING);
+        pace.onNext(LivePace.of(0, 0, 2, false));
+        awaitThreads("cellgauge-live-chains", 0);
+        awaitThreads("cellgauge-chain", 0);
+        frames.onNext(noisy(0, 3));
+        LiveState state = await(states, s -> s.frameNumber() == 3);
+        assertEquals(LiveState.Phase.QUICK_LOOK, state.phase());
+        assertEquals(CheckUpdate.Phase.QUICK_LOOK, state.update().phase());
+        assertEquals(1, state.keyFrameNumber());
+        states.cancel();
+        awaitThreads("cellgauge", 0);
+    }
+
+    @Test
     void onItsOwnThreadsTheResultIsTheSame() throws InterruptedException {
         TestSubscriber<LiveState> states = LiveCheck.states(frames, CELL, SETTINGS, pace).test();
         Detections first = noisy(0, 1);
