@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.reactivex.rxjava3.core.Scheduler;
+import io.reactivex.rxjava3.plugins.RxJavaPlugins;
 import io.reactivex.rxjava3.processors.BehaviorProcessor;
 import io.reactivex.rxjava3.processors.PublishProcessor;
 import io.reactivex.rxjava3.schedulers.TestScheduler;
@@ -16,6 +17,7 @@ import io.reactivex.rxjava3.subscribers.TestSubscriber;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.cellgauge.cell.Cell;
@@ -640,6 +642,30 @@ class LiveCheckTest {
         await(states, s -> s.keyFrameNumber() == 3 && s.phase() == LiveState.Phase.SAMPLING);
         states.cancel();
         awaitThreads("cellgauge", before);
+    }
+
+    /** On a tablet an error that reaches nobody ends the program. */
+    @Test
+    void chainsStoppedAtAnyMomentLeaveNeitherErrorsNorThreads() throws InterruptedException {
+        List<Throwable> lost = new CopyOnWriteArrayList<>();
+        RxJavaPlugins.setErrorHandler(lost::add);
+        try {
+            pace.onNext(LivePace.of(0, 0, 2, true));
+            TestSubscriber<LiveState> states = LiveCheck.states(frames, CELL, SETTINGS, pace).test();
+            for (int i = 0; i < 60; i++) {
+                Detections here = noisy(20 * (i % 2), i);
+                frames.onNext(here);
+                TimeUnit.MILLISECONDS.sleep(2);
+                frames.onNext(here);
+                TimeUnit.MICROSECONDS.sleep(300L * i);
+            }
+            states.cancel();
+            states.assertNoErrors();
+            awaitThreads("cellgauge", 0);
+        } finally {
+            RxJavaPlugins.setErrorHandler(null);
+        }
+        assertEquals(List.of(), lost);
     }
 
     @Test
