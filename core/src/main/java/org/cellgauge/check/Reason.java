@@ -281,11 +281,11 @@ public final class Reason {
                         + "%s): no accuracy can be read off them.", p.worstParameter, number(p.rHat, 3),
                         number(p.effectiveDraws, 0));
             case TWO_CAMERA_POSES:
-                return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): add "
-                        + "a reference out of their plane.", 100 * p.share.getAsDouble());
+                return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): "
+                        + "add a reference out of their plane.", 100 * p.share.getAsDouble());
             case TWO_OBJECT_POSES:
-                return String.format(Locale.ROOT, "Two poses explain the corners of object %d (the second holds %.0f %%): "
-                        + "use a larger marker, come closer or look at it from the side.", p.objectId.getAsInt(),
+                return String.format(Locale.ROOT, "Two poses explain the corners of object %d (the second holds %.0f "
+                        + "%%): use a larger marker, come closer or look at it from the side.", p.objectId.getAsInt(),
                         100 * p.share.getAsDouble());
             case OBJECT_NOT_SEEN:
                 return "Object " + join(p.missingObjects) + " was not seen in the photo. " + deviation();
