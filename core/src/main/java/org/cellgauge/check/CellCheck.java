@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.Function;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
@@ -217,7 +216,7 @@ public final class CellCheck {
             objects.add(objectTarget(marker, observation, atMode));
         }
         if (!missing.isEmpty()) {
-            warnings.add("not seen in the photo: object " + join(ids(missing)));
+            warnings.add("not seen in the photo: object " + Reason.join(ids(missing)));
         }
         warnOfSmallMarkers();
         if (settings.model() == LikelihoodModel.RIGID_MARKER) {
@@ -233,11 +232,11 @@ public final class CellCheck {
             }
         }
         if (unseen.size() == cell.references().size()) {
-            throw new InputRefusedException(detections.imageName() + ": none of the references " + join(unseen)
+            throw new InputRefusedException(detections.imageName() + ": none of the references " + Reason.join(unseen)
                     + " is in the photo; check the marker family of the cell file, the light and the focus");
         }
         if (!unseen.isEmpty()) {
-            warnings.add("not seen in the photo: reference " + join(unseen));
+            warnings.add("not seen in the photo: reference " + Reason.join(unseen));
         }
         return ReferenceView.of(cell.references(), detections);
     }
@@ -455,7 +454,7 @@ public final class CellCheck {
             }
         }
         Verdict verdict = verdict(estimate, diagnostics);
-        return new CheckResult(cell, detections, settings, verdict, reason(verdict, estimate, diagnostics), estimate,
+        return new CheckResult(cell, detections, settings, verdict, finding(verdict, estimate, diagnostics), estimate,
                 quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
                 quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, camera);
     }
@@ -490,100 +489,20 @@ public final class CellCheck {
         return modes.size() > 1 && modes.get(1).weight() > AMBIGUOUS_SHARE;
     }
 
-    private String reason(Verdict verdict, CellEstimate estimate, Diagnostics diagnostics) {
-        switch (verdict) {
-            case NOT_CONVERGED:
-                return String.format(Locale.ROOT, "The chains have not converged (worst: %s, R-hat %s, effective draws %s): no "
-                        + "accuracy can be read off them.", diagnostics.worstParameter(), number(diagnostics.rHatMax(), 3),
-                        number(Math.min(diagnostics.essBulkMin(), diagnostics.essTailMin()), 0));
-            case AMBIGUOUS:
-                return ambiguity(estimate);
-            case NO_TARGET:
-                return "No target is set. " + worst(estimate);
-            case FAIL:
-                if (!missing.isEmpty()) {
-                    return "Object " + join(ids(missing)) + " was not seen in the photo. " + worst(estimate);
-                }
-                return worst(estimate);
-            default:
-                return worst(estimate);
+    private Reason finding(Verdict verdict, CellEstimate estimate, Diagnostics diagnostics) {
+        if (verdict == Verdict.NOT_CONVERGED) {
+            return Reason.notConverged(diagnostics);
         }
-    }
-
-    private static String ambiguity(CellEstimate estimate) {
         if (ambiguous(estimate.cameraModes())) {
-            return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): add a "
-                    + "reference out of their plane.", 100 * estimate.cameraModes().get(1).weight());
+            return Reason.twoCameraPoses(estimate.cameraModes().get(1).weight());
         }
         for (ObjectEstimate object : estimate.objects()) {
             if (ambiguous(object.modes())) {
-                return String.format(Locale.ROOT, "Two poses explain the corners of object %d (the second holds %.0f %%): use "
-                        + "a larger marker, come closer or look at it from the side.", object.id(),
-                        100 * object.modes().get(1).weight());
+                return Reason.twoObjectPoses(object.id(), object.modes().get(1).weight());
             }
         }
-        return "Two poses explain the photo.";
-    }
-
-    /** The sentence about the largest deviation: where it is, how it stands to the target and what causes most of it. */
-    private String worst(CellEstimate estimate) {
-        String name = null;
-        int axis = 0;
-        double std = -1;
-        VarianceBudget budget = null;
-        for (ObjectEstimate object : estimate.objects()) {
-            for (int i = 0; i < 3; i++) {
-                if (object.pose().std()[i] > std) {
-                    name = "object " + object.id();
-                    axis = i;
-                    std = object.pose().std()[i];
-                    budget = object.budget();
-                }
-                if (object.grip() != null && object.grip().stdMm()[i] > std) {
-                    name = "the gripping point of object " + object.id();
-                    axis = i;
-                    std = object.grip().stdMm()[i];
-                    budget = object.gripBudget();
-                }
-            }
-        }
-        if (name == null) {
-            return "No object is in the photo.";
-        }
-        String source = "";
-        double share = -1;
-        for (Map.Entry<String, Double> e : budget.shares(axis).entrySet()) {
-            if (e.getValue() > share) {
-                share = e.getValue();
-                source = e.getKey();
-            }
-        }
-        String axisName = "xyz".substring(axis, axis + 1);
-        String target = cell.targetStdMm().isPresent()
-                ? String.format(Locale.ROOT, " against a target of %s mm", plain(cell.targetStdMm().getAsDouble())) : "";
-        return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %s%s; %.0f %% of this variance comes from %s.",
-                std, axisName, name, target, 100 * share, inWords(source));
-    }
-
-    private static String inWords(String source) {
-        switch (source) {
-            case "corner noise of object":
-                return "noise in the object's own corners";
-            case "corner noise of references":
-                return "noise in the references' corners";
-            case "intrinsics":
-                return "the unknown intrinsics";
-            default:
-                return "the " + source;
-        }
-    }
-
-    private static String plain(double value) {
-        return value == Math.rint(value) ? String.format(Locale.ROOT, "%.0f", value) : Double.toString(value);
-    }
-
-    private static String number(double value, int digits) {
-        return Double.isNaN(value) ? "undefined" : String.format(Locale.ROOT, "%." + digits + "f", value);
+        return Reason.largestDeviation(estimate.objects(),
+                verdict == Verdict.FAIL ? ids(missing) : Collections.emptyList(), cell.targetStdMm());
     }
 
     private static List<Integer> ids(List<ObjectMarker> markers) {
@@ -596,13 +515,5 @@ public final class CellCheck {
         List<Integer> ids = new ArrayList<>();
         view.references().forEach(r -> ids.add(r.id()));
         return ids;
-    }
-
-    private static String join(List<Integer> ids) {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < ids.size(); i++) {
-            text.append(i == 0 ? "" : i == ids.size() - 1 ? " and " : ", ").append(ids.get(i));
-        }
-        return text.toString();
     }
 }
