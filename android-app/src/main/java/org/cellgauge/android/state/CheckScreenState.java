@@ -13,8 +13,10 @@ import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.Reason;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.overlay.LabelWords;
 import org.cellgauge.overlay.Overlay;
 
 /** All that the screen shows; immutable. The screen knows nothing else, and changes nothing but through a session. */
@@ -259,12 +261,21 @@ public final class CheckScreenState {
     }
 
     /**
-     * The result on the screen, as it was kept.
+     * The result that was kept last; perhaps not the one on the screen, see {@link #showsSaved()}.
      *
-     * @return null where it was not
+     * @return null where none was
      */
     public SavedResult saved() {
         return v.saved;
+    }
+
+    /**
+     * Whether the result on the screen is the one that was kept last.
+     *
+     * @return true if so, with the same target
+     */
+    public boolean showsSaved() {
+        return v.saved != null && v.result == v.savedResult;
     }
 
     /**
@@ -309,16 +320,55 @@ public final class CheckScreenState {
      * @return true once the chains have ended
      */
     public boolean canSave() {
-        return v.result != null && v.checked != null && v.saved == null && !v.saving;
+        return v.result != null && v.checked != null && !v.saving && !showsSaved();
     }
 
     /**
      * Whether there is a kept result to hand on.
      *
-     * @return true after it was saved
+     * @return true after one was saved
      */
     public boolean canShare() {
         return v.saved != null;
+    }
+
+    /**
+     * What is needed to come back to this state in another process.
+     *
+     * @param seed of the session
+     * @return the memory
+     */
+    SessionMemory memory(long seed) {
+        if (v.cell == null) {
+            return SessionMemory.nothing(seed);
+        }
+        return new SessionMemory(seed, v.cell.uri(), v.calibrationUri, v.targetChosen, v.targetStdMm, v.source,
+                v.photoUri, v.photoCamera, v.focalEstimated);
+    }
+
+    /** The camera of the photo or frozen frame. */
+    PinholeCamera photoCamera() {
+        return v.photoCamera;
+    }
+
+    /** Whether the focal length of that camera is estimated along. */
+    boolean focalEstimated() {
+        return v.focalEstimated;
+    }
+
+    /** Whether the target is the user's and not the cell file's. */
+    boolean targetChosen() {
+        return v.targetChosen;
+    }
+
+    /** The calibration file in use, or null. */
+    String calibrationUri() {
+        return v.calibrationUri;
+    }
+
+    /** What labels in the picture say. */
+    LabelWords words() {
+        return v.words;
     }
 
     /**
@@ -358,8 +408,15 @@ public final class CheckScreenState {
         private Photo checked;
         private boolean saving;
         private SavedResult saved;
+        private CheckResult savedResult;
         private Problem saveProblem;
         private Problem checkProblem;
+        private LabelWords words = LabelWords.ENGLISH;
+        private String calibrationUri;
+        private boolean targetChosen;
+        private String photoUri;
+        private PinholeCamera photoCamera;
+        private boolean focalEstimated;
 
         private Builder() {
         }
@@ -387,8 +444,15 @@ public final class CheckScreenState {
             checked = o.checked;
             saving = o.saving;
             saved = o.saved;
+            savedResult = o.savedResult;
             saveProblem = o.saveProblem;
             checkProblem = o.checkProblem;
+            words = o.words;
+            calibrationUri = o.calibrationUri;
+            targetChosen = o.targetChosen;
+            photoUri = o.photoUri;
+            photoCamera = o.photoCamera;
+            focalEstimated = o.focalEstimated;
         }
 
         Builder cell(CellDocument value) {
@@ -406,8 +470,26 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder targetStdMm(OptionalDouble value) {
+        Builder target(OptionalDouble value, boolean chosen) {
             targetStdMm = value;
+            targetChosen = chosen;
+            return this;
+        }
+
+        Builder calibrationUri(String value) {
+            calibrationUri = value;
+            return this;
+        }
+
+        Builder words(LabelWords value) {
+            words = value;
+            return this;
+        }
+
+        Builder photo(String uri, PinholeCamera camera, boolean focal) {
+            photoUri = uri;
+            photoCamera = camera;
+            focalEstimated = focal;
             return this;
         }
 
@@ -466,7 +548,7 @@ public final class CheckScreenState {
             overlay = null;
             checked = null;
             checkProblem = null;
-            return notSaved();
+            return this;
         }
 
         Builder live(LiveState value, Photo checkedPhoto) {
@@ -495,21 +577,14 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder saved(SavedResult value) {
+        Builder saved(SavedResult value, CheckResult of) {
             saved = value;
+            savedResult = of;
             return this;
         }
 
         Builder saveProblem(Problem value) {
             saveProblem = value;
-            return this;
-        }
-
-        /** What is on the screen is not what was kept. */
-        Builder notSaved() {
-            saving = false;
-            saved = null;
-            saveProblem = null;
             return this;
         }
 

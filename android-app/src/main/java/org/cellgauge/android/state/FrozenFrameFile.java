@@ -24,14 +24,10 @@ public final class FrozenFrameFile {
     static final class Frame {
         private final Photo photo;
         private final ImageOrientation orientation;
-        private final double[] intrinsics;
-        private final boolean focalEstimated;
 
-        Frame(Photo photo, ImageOrientation orientation, double[] intrinsics, boolean focalEstimated) {
+        Frame(Photo photo, ImageOrientation orientation) {
             this.photo = photo;
             this.orientation = orientation;
-            this.intrinsics = intrinsics;
-            this.focalEstimated = focalEstimated;
         }
 
         Photo photo() {
@@ -40,16 +36,6 @@ public final class FrozenFrameFile {
 
         ImageOrientation orientation() {
             return orientation;
-        }
-
-        /** The camera it was taken with, in core's order. */
-        double[] intrinsics() {
-            return intrinsics;
-        }
-
-        /** Whether the focal length is estimated with the pose. */
-        boolean focalEstimated() {
-            return focalEstimated;
         }
     }
 
@@ -79,11 +65,6 @@ public final class FrozenFrameFile {
             out.writeUTF(frame.photo.name());
             out.writeInt(frame.orientation.quarterTurnsClockwise());
             out.writeBoolean(frame.orientation.mirrored());
-            out.writeBoolean(frame.focalEstimated);
-            out.writeInt(frame.intrinsics.length);
-            for (double v : frame.intrinsics) {
-                out.writeDouble(v);
-            }
             out.writeInt(image.widthPx());
             out.writeInt(image.heightPx());
             for (int y = 0; y < image.heightPx(); y++) {
@@ -113,15 +94,6 @@ public final class FrozenFrameFile {
             }
             String name = in.readUTF();
             ImageOrientation orientation = ImageOrientation.of(in.readInt(), in.readBoolean());
-            boolean focalEstimated = in.readBoolean();
-            int count = in.readInt();
-            if (count < 0 || count > 64) {
-                return null;
-            }
-            double[] intrinsics = new double[count];
-            for (int i = 0; i < count; i++) {
-                intrinsics[i] = in.readDouble();
-            }
             int width = in.readInt();
             int height = in.readInt();
             if (width < 1 || height < 1 || (long) width * height > MOST_PIXELS) {
@@ -132,8 +104,7 @@ public final class FrozenFrameFile {
             if (in.readInt() != MAGIC) {
                 return null;
             }
-            return new Frame(new Photo(name, GreyImage.packed(luminance, width, height)), orientation, intrinsics,
-                    focalEstimated);
+            return new Frame(new Photo(name, GreyImage.packed(luminance, width, height)), orientation);
         } catch (IOException e) {
             return null;
         }
