@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import java.util.function.IntSupplier;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
@@ -26,6 +27,7 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
+import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 
@@ -56,6 +58,8 @@ public final class CellCheck {
     private static final double PRIOR_STD_RAD = 0.7;
     /** Share of the pose prior in any direction above which the result is said to lean on it. */
     private static final double LEANING_SHARE = 0.01;
+    /** Quantile of chi-square within which the residuals at a mode must be for a given start to count as a good one. */
+    private static final double EXPLAINED = 0.999;
     private static final int FIRST_ROUND = 1000;
     private static final double SMALLEST_SIDE_PX = 25;
     private static final double ADVISED_SIDE_PX = 32;
@@ -65,6 +69,7 @@ public final class CellCheck {
     private final Cell cell;
     private final Detections detections;
     private final CheckSettings settings;
+    private final RigidTransform worldFromCameraStart;
     private final List<String> warnings = new ArrayList<>();
     private double pixelStdPx;
     private CameraTarget camera;
@@ -77,11 +82,27 @@ public final class CellCheck {
     private int diagnosedDraws;
     private SamplerKind samplerUsed;
 
-    private CellCheck(Cell cell, Detections detections, CheckSettings settings) {
+    private CellCheck(Cell cell, Detections detections, CheckSettings settings, RigidTransform worldFromCameraStart) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
+        this.worldFromCameraStart = worldFromCameraStart;
         warnings.addAll(detections.warnings());
+    }
+
+    /** A copy of a check whose quick look is done, for chains to run on. */
+    private CellCheck(CellCheck prepared) {
+        cell = prepared.cell;
+        detections = prepared.detections;
+        settings = prepared.settings;
+        worldFromCameraStart = prepared.worldFromCameraStart;
+        warnings.addAll(prepared.warnings);
+        pixelStdPx = prepared.pixelStdPx;
+        camera = prepared.camera;
+        noise = prepared.noise;
+        objects = new ArrayList<>(prepared.objects);
+        missing = prepared.missing;
+        posePriorText = prepared.posePriorText;
     }
 
     /**
@@ -103,7 +124,32 @@ public final class CellCheck {
      * @return updates; each subscription runs the whole check anew
      */
     public static Flowable<CheckUpdate> stream(Cell cell, Detections detections, CheckSettings settings) {
-        return Flowable.defer(() -> new CellCheck(cell, detections, settings).updates()).onBackpressureLatest();
+        return Flowable.defer(() -> {
+            QuickLook quickLook = quickLook(cell, detections, settings, null);
+            return Flowable.just(quickLook.update()).concatWith(quickLook.chains(settings::threads));
+        }).onBackpressureLatest();
+    }
+
+    /**
+     * The first part of the check of one photo: modes and Laplace's approximation, without chains.
+     *
+     * @param cell the cell
+     * @param detections markers seen in its photo; ids foreign to the cell are ignored
+     * @param settings how to go about it
+     * @param worldFromCameraStart where the search for the mode starts, for instance at the mode of a similar photo, or
+     *     null for the initial estimate of the settings. It is used only where it leads to a mode that explains the corners
+     *     as well as their noise lets expect, and never where two references or fewer need a weak prior, which is about the
+     *     initial estimate
+     * @return the quick look, from which the chains can be run
+     * @throws InputRefusedException as {@link #run}
+     */
+    public static QuickLook quickLook(Cell cell, Detections detections, CheckSettings settings,
+            RigidTransform worldFromCameraStart) {
+        CellCheck check = new CellCheck(cell, detections, settings, worldFromCameraStart);
+        check.prepare();
+        CellEstimate estimate = check.quickLook();
+        return new QuickLook(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, estimate, 0, null), check.pixelStdPx,
+                threads -> new CellCheck(check).sampling(estimate, threads));
     }
 
     /**
@@ -119,14 +165,7 @@ public final class CellCheck {
         return stream(cell, detections, settings).blockingLast().result();
     }
 
-    private Flowable<CheckUpdate> updates() {
-        prepare();
-        CellEstimate quickLook = quickLook();
-        return Flowable.just(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, quickLook, 0, null))
-                .concatWith(Flowable.defer(() -> sampling(quickLook)));
-    }
-
-    private Flowable<CheckUpdate> sampling(CellEstimate quickLook) {
+    private Flowable<CheckUpdate> sampling(CellEstimate quickLook, IntSupplier threads) {
         tuneObjects();
         CellQuantities quantities = new CellQuantities(camera, objects);
         estimates = new Estimates(cell, quantities, quickLook);
@@ -145,7 +184,7 @@ public final class CellCheck {
         int warmup = settings.toBuilder().sampler(samplerUsed).build().warmup();
         RunLength length = new RunLength(warmup, settings.iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> preciseEnough(diagnosed(draws, quantities, judged)), settings.threads());
+                draws -> preciseEnough(diagnosed(draws, quantities, judged)), threads);
         return ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null) : quickLook;
             if (!snapshot.last()) {
@@ -320,6 +359,13 @@ public final class CellCheck {
     }
 
     private CameraTarget cameraTargetOf(ReferenceView view, IntrinsicsPrior intrinsics) {
+        boolean needsPosePrior = settings.posePriorAllowed() && view.size() <= 2;
+        if (worldFromCameraStart != null && !needsPosePrior) {
+            CameraTarget target = targetFromStart(view, intrinsics);
+            if (target != null) {
+                return target;
+            }
+        }
         RigidTransform initial = settings.initial().estimate(view, cell.camera());
         if (initial == null) {
             initial = InitialPose.PNP.estimate(view, cell.camera());
@@ -329,15 +375,13 @@ public final class CellCheck {
             warnings.add("the " + settings.initial().optionName() + " estimate found no camera pose; pnp was used instead");
         }
         PosePrior posePrior = null;
-        if (settings.posePriorAllowed() && view.size() <= 2) {
+        if (needsPosePrior) {
             posePrior = new PosePrior(CameraState.of(view.cameraFromSet(initial), cell.camera()), PRIOR_STD_MM,
                     PRIOR_STD_RAD);
             posePriorText = String.format(Locale.ROOT, "N(initial estimate, %.0f mm, %.1f rad)", PRIOR_STD_MM,
                     PRIOR_STD_RAD);
         }
-        PosePrior prior = posePrior;
-        Function<ReferenceView, CameraModeFinder> finders = references -> new CameraModeFinder(references, cell.camera(),
-                settings.model().noise(references, pixelStdPx, settings.kappa()), intrinsics, prior);
+        Function<ReferenceView, CameraModeFinder> finders = finders(intrinsics, posePrior);
         CameraModeFinder finder = finders.apply(view);
         List<PoseMode> modes = finder.modes(initial);
         if (modes.isEmpty() && settings.initial() != InitialPose.PNP) {
@@ -347,6 +391,22 @@ public final class CellCheck {
             throw noPose();
         }
         return new CameraTarget(view, settings, intrinsics, posePrior, notNegligible(modes), initial, finders);
+    }
+
+    private Function<ReferenceView, CameraModeFinder> finders(IntrinsicsPrior intrinsics, PosePrior posePrior) {
+        return references -> new CameraModeFinder(references, cell.camera(),
+                settings.model().noise(references, pixelStdPx, settings.kappa()), intrinsics, posePrior);
+    }
+
+    /** The target by the modes that the start leads to, or null where these leave more unexplained than noise would. */
+    private CameraTarget targetFromStart(ReferenceView view, IntrinsicsPrior intrinsics) {
+        Function<ReferenceView, CameraModeFinder> finders = finders(intrinsics, null);
+        List<PoseMode> modes = finders.apply(view).modes(worldFromCameraStart);
+        if (modes.isEmpty() || 2 * modes.get(0).halfChiSquare()
+                > CoverageRegion.chiSquareQuantile(EXPLAINED, 8 * view.size() - 6)) {
+            return null;
+        }
+        return new CameraTarget(view, settings, intrinsics, null, notNegligible(modes), worldFromCameraStart, finders);
     }
 
     private InputRefusedException noPose() {
