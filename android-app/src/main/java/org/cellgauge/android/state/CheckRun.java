@@ -11,7 +11,6 @@ import org.cellgauge.android.files.Photo;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CheckSettings;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.live.LiveCheck;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.vision.BoofMarkerDetector;
@@ -66,9 +65,8 @@ final class CheckRun {
         CheckSettings settings = CheckSettings.builder().seed(seed)
                 .estimate(focalEstimated ? CheckSettings.Estimate.FOCAL : CheckSettings.Estimate.NONE).build();
         Flowable<Detections> input = photo == null ? frames
-                : Flowable.just(detector.detect(photo.luminance(), photo.name())).concatWith(Flowable.never());
-        subscription = LiveCheck.states(input.onBackpressureLatest(), cell, settings, pace, threads.watch(),
-                threads.chains()).subscribe(states, faults);
+                : Flowable.just(detector.detect(photo.luminance(), photo.name()));
+        subscription = threads.check(input, cell, settings, pace).subscribe(states, faults);
     }
 
     /** Looks for markers in a frame and hands them on; the frame may change afterwards. */
@@ -76,6 +74,11 @@ final class CheckRun {
         Detections found = detector.detect(image, name);
         recent.keep(found, image);
         frames.onNext(found);
+    }
+
+    /** No frame comes any more: the one that figures belong to is checked to its end. */
+    void endFrames() {
+        frames.onComplete();
     }
 
     /** The pixels that figures belong to, or null where there are none. */
@@ -97,10 +100,6 @@ final class CheckRun {
 
     boolean focalEstimated() {
         return focalEstimated;
-    }
-
-    boolean isOfPhoto() {
-        return photo != null;
     }
 
     /** Whether frames of a camera belong to this check. */

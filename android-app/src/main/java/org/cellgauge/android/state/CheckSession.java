@@ -221,15 +221,9 @@ public final class CheckSession {
                 : judged(s.change().target(s.cell().cell().targetStdMm(), false).build()));
     }
 
-    /** Holds the frame that the figures belong to, and goes on sampling it. */
+    /** Holds the frame that the figures belong to, and samples it to the end. */
     public void freeze() {
-        change(s -> {
-            if (!s.canFreeze()) {
-                return s;
-            }
-            live = false;
-            return held(s);
-        });
+        change(s -> s.canFreeze() ? held(s) : s);
     }
 
     private CheckScreenState held(CheckScreenState s) {
@@ -237,6 +231,8 @@ public final class CheckSession {
         if (current == null) {
             return s;
         }
+        live = false;
+        current.endFrames();
         return s.change().still(s.checkedPhoto(), s.orientation()).source(ImageSource.FROZEN)
                 .photo(null, current.cell().camera(), current.focalEstimated()).build();
     }
@@ -247,15 +243,10 @@ public final class CheckSession {
             if (s.source() == ImageSource.LIVE) {
                 return s.change().fault(null).build();
             }
+            stopRun();
             live = true;
-            CheckRun current = run();
-            CheckScreenState.Builder next = s.change().source(ImageSource.LIVE).still(null, null).photo(null, null, false)
-                    .photoProblem(null).readingPhoto(false).fault(null);
-            if (current == null || current.isOfPhoto()) {
-                stopRun();
-                next.noCheck(OptionalInt.empty());
-            }
-            return next.build();
+            return s.change().source(ImageSource.LIVE).still(null, null).photo(null, null, false).photoProblem(null)
+                    .readingPhoto(false).fault(null).noCheck(OptionalInt.empty()).build();
         });
     }
 
@@ -387,13 +378,21 @@ public final class CheckSession {
         pace.onNext(step.pace());
         change(s -> {
             CheckScreenState next = s.change().heat(step).build();
-            return !step.cameraAllowed() && s.canFreeze() ? heldForLackOfCamera(next) : next;
+            if (!step.cameraAllowed() && s.canFreeze()) {
+                return held(next);
+            }
+            if (step.pace().sampling() && s.still() != null && s.phase() == LiveState.Phase.QUICK_LOOK) {
+                // its frames have ended, so that nothing but a new check can take up what heat kept from sampling
+                files(() -> sampleStill(s));
+            }
+            return next;
         });
     }
 
-    private CheckScreenState heldForLackOfCamera(CheckScreenState s) {
-        live = false;
-        return held(s);
+    private void sampleStill(CheckScreenState s) {
+        if (s.photoCamera() != null && state().still() == s.still()) {
+            begin(s.cell(), s.photoCamera(), s.focalEstimated(), s.still());
+        }
     }
 
     // ---- checks
@@ -533,7 +532,7 @@ public final class CheckSession {
         public void onFault(CameraFault fault) {
             change(s -> {
                 CheckScreenState next = s.change().fault(fault).build();
-                return s.canFreeze() ? heldForLackOfCamera(next) : next;
+                return s.canFreeze() ? held(next) : next;
             });
         }
     }

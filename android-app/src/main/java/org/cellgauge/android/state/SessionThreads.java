@@ -1,9 +1,16 @@
 package org.cellgauge.android.state;
 
+import io.reactivex.rxjava3.core.Flowable;
 import io.reactivex.rxjava3.core.Scheduler;
 import io.reactivex.rxjava3.schedulers.Schedulers;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.live.LiveCheck;
+import org.cellgauge.live.LivePace;
+import org.cellgauge.live.LiveState;
+import org.cellgauge.vision.Detections;
 
 /** Where a session works; immutable. */
 public final class SessionThreads {
@@ -18,8 +25,8 @@ public final class SessionThreads {
      *
      * @param states where states are made; one at a time
      * @param files where files are read and written and photos are searched for markers; one at a time
-     * @param watch clock of the check, and where frames are looked at
-     * @param chains where chains are led
+     * @param watch clock of the check, and where frames are looked at; null: a thread of its own
+     * @param chains where chains are led; null with {@code watch}
      */
     public SessionThreads(Scheduler states, Scheduler files, Scheduler watch, Scheduler chains) {
         this(states, files, watch, chains, new ExecutorService[0]);
@@ -41,8 +48,7 @@ public final class SessionThreads {
     public static SessionThreads ofApp() {
         ExecutorService states = Executors.newSingleThreadExecutor(r -> new Thread(r, "states"));
         ExecutorService files = Executors.newSingleThreadExecutor(r -> new Thread(r, "files"));
-        return new SessionThreads(Schedulers.from(states), Schedulers.from(files), Schedulers.computation(),
-                Schedulers.io(), new ExecutorService[] {states, files});
+        return new SessionThreads(Schedulers.from(states), Schedulers.from(files), null, null, new ExecutorService[] {states, files});
     }
 
     Scheduler states() {
@@ -53,12 +59,10 @@ public final class SessionThreads {
         return files;
     }
 
-    Scheduler watch() {
-        return watch;
-    }
-
-    Scheduler chains() {
-        return chains;
+    /** A live check on these threads. */
+    Flowable<LiveState> check(Flowable<Detections> frames, Cell cell, CheckSettings settings, Flowable<LivePace> pace) {
+        return watch == null ? LiveCheck.states(frames, cell, settings, pace)
+                : LiveCheck.states(frames, cell, settings, pace, watch, chains);
     }
 
     /** Ends the threads that belong to the session alone, once they have done what they are at. */
