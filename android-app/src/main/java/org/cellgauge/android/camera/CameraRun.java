@@ -221,6 +221,7 @@ final class CameraRun {
     // ---- streaming
 
     /** Asks for the best streams that were not refused yet. */
+    @SuppressWarnings("deprecation") // the newer form, with SessionConfiguration, does not exist on API 26 and 27
     private void configure() {
         StreamChoice choice = streams.get(0);
         PixelSize frame = choice.frame();
@@ -248,7 +249,6 @@ final class CameraRun {
                 surfaces.add(previewSurface);
             }
             surfaces.forEach(request::addTarget);
-            // the form of API 28, with SessionConfiguration, does not exist on API 26
             device.createCaptureSession(surfaces, new SessionEvents(), handler);
         } catch (CameraAccessException | RuntimeException e) {
             fault(CameraFaults.of(e), e);

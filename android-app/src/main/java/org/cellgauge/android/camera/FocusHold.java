@@ -9,7 +9,6 @@ import android.hardware.camera2.CameraMetadata;
 final class FocusHold {
     private final RequestSettings.Focus focus;
     private boolean scanning;
-    private boolean givenUp;
     /** Number of the frame with which the scan in progress was asked for; reports on earlier ones are of the past. */
     private long scanFrame = Long.MAX_VALUE;
 
@@ -72,13 +71,7 @@ final class FocusHold {
     boolean giveUp() {
         boolean was = scanning;
         scanning = false;
-        givenUp |= was;
         return was;
-    }
-
-    /** Whether a scan was once given up. */
-    boolean wasGivenUp() {
-        return givenUp;
     }
 
     /** Whether frames may be measured in: no scan is in progress. */

@@ -15,7 +15,7 @@ final class ModelChoice {
     // handheld devices have 40 to 100 degrees, ultra-wide lenses 120; what is beyond is no field of view but a mistake
     private static final double MIN_FIELD_OF_VIEW_RAD = Math.toRadians(15);
     private static final double MAX_FIELD_OF_VIEW_RAD = Math.toRadians(130);
-    private static final double MAX_PITCH_RATIO = 1.1;
+    private static final double MAX_FOCAL_RATIO = 1.1;
     private static final double MAX_OFF_CENTRE = 0.2;
     private static final double EXACTLY_CENTRAL_PX = 0.51;
 
@@ -132,12 +132,6 @@ final class ModelChoice {
         if (active == null) {
             active = new PixelArea(0, 0, array.widthPx(), array.heightPx());
         }
-        double pitchRatio = (double) traits.sensorWidthMm() / array.widthPx()
-                / (traits.sensorHeightMm() / array.heightPx());
-        // pixels are square; else width and height were mixed up, or one of them is made up
-        if (!(pitchRatio <= MAX_PITCH_RATIO && pitchRatio >= 1 / MAX_PITCH_RATIO)) {
-            return null;
-        }
         PinholeCamera camera;
         try {
             camera = SensorCalibration.ofDataSheet(RequestSettings.focalLengthMm(traits), traits.sensorWidthMm(),
@@ -153,9 +147,12 @@ final class ModelChoice {
     /** Whether a lens can be like that, and the app's results can be read again elsewhere. */
     private static boolean isPlausible(PinholeCamera camera) {
         double fieldOfView = camera.horizontalFieldOfViewRad();
+        double focalRatio = camera.get(PinholeCamera.FX) / camera.get(PinholeCamera.FY);
         double offX = camera.get(PinholeCamera.CX) / camera.widthPx() - 0.5;
         double offY = camera.get(PinholeCamera.CY) / camera.heightPx() - 0.5;
+        // pixels are square; else width and height were mixed up, or a value is made up
         if (!(fieldOfView >= MIN_FIELD_OF_VIEW_RAD && fieldOfView <= MAX_FIELD_OF_VIEW_RAD
+                && focalRatio <= MAX_FOCAL_RATIO && focalRatio >= 1 / MAX_FOCAL_RATIO
                 && Math.abs(offX) <= MAX_OFF_CENTRE && Math.abs(offY) <= MAX_OFF_CENTRE)) {
             return false;
         }
