@@ -14,6 +14,8 @@ public enum CameraFault {
     DISCONNECTED,
     /** The camera cannot deliver the image size that its calibration is for, nor one of the same shape. */
     NO_SUITABLE_SIZE,
+    /** Nobody knows how the camera sees: there is no calibration, and the device states none and no field of view. */
+    NO_CAMERA_MODEL,
     /** Anything else; trying again may help. */
     FAILED
 }

@@ -9,7 +9,8 @@ public interface CameraFeed {
     /** Gets what the camera has to say, on a thread of the feed; calls never overlap. */
     interface Listener {
         /**
-         * The camera is open and frames will follow.
+         * The camera is open and frames will follow. Called again where it turns out later that less is known of the
+         * frames, as when the focus does not hold: the set-up replaces the earlier one.
          *
          * @param setup how they come
          */
@@ -42,10 +43,14 @@ public interface CameraFeed {
     void open(PinholeCamera calibration, SurfaceTexture preview, Listener listener);
 
     /**
-     * Keeps focus and zoom as they are, for measuring; on from the start where the device can.
+     * Focuses once more and then holds the focus, as after opening. No frames come while the lens moves. Does nothing where
+     * the camera is closed, or its lens does not move.
      */
     void refocus();
 
-    /** Closes the camera; no call of the listener begins after it. Does nothing where the camera is closed. */
+    /**
+     * Closes the camera; no call of the listener begins after it, but one that has begun may still run. Does nothing where
+     * the camera is closed. Returns at once, before the device has let go of the camera.
+     */
     void close();
 }

@@ -6,7 +6,10 @@ public enum CameraNote {
     FOCUS_NOT_LOCKED,
     /** Optical or video stabilisation cannot be switched off: it shifts the image against the calibration. */
     STABILISATION_ON,
-    /** The lens is corrected by the device before the frame comes, in a way it does not state. */
+    /**
+     * How the lens distorts is not known: the device corrects it in a way it does not state, or states nothing of it.
+     * Straight lines may be bent by some pixels near the image's borders.
+     */
     DISTORTION_UNKNOWN,
     /** The calibration is for another image size of the same shape and was scaled to the camera's. */
     CALIBRATION_SCALED,
