@@ -1,8 +1,10 @@
 package org.cellgauge.android;
 
 import android.content.Context;
+import io.reactivex.rxjava3.core.Flowable;
 import java.io.File;
 import org.cellgauge.android.camera.CameraFeed;
+import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.state.SessionThreads;
@@ -16,6 +18,13 @@ public interface AppParts {
      * @return a new feed
      */
     CameraFeed cameraFeed(Context context);
+
+    /**
+     * How warm the device is.
+     *
+     * @return the present level at once, then every change
+     */
+    Flowable<ThermalLevel> thermalLevels();
 
     /**
      * Where cells and photos come from.

@@ -81,7 +81,7 @@ enum Banner {
             case REFUSED:
                 return false;
             default:
-                return s.fault() == null && s.heat().cameraAllowed();
+                return s.fault() == null && s.allowsCamera();
         }
     }
 

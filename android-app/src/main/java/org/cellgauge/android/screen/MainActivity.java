@@ -53,14 +53,15 @@ public final class MainActivity extends Activity {
 
     private final Handler handler = new Handler(Looper.getMainLooper());
     private final Scheduler mainThread = Schedulers.from(handler::post);
+    private AppParts parts;
     private CheckSession session;
     private CameraFeed feed;
-    private HeatWatch heat;
     private DisplayManager displays;
     private ScreenContent content;
     private Wording words;
     private final DisplayTurns turns = new DisplayTurns();
     private Disposable states = Disposable.disposed();
+    private Disposable levels = Disposable.disposed();
     private TargetDialog targetDialog;
 
     private boolean resumed;
@@ -84,7 +85,7 @@ public final class MainActivity extends Activity {
     @Override
     protected void onCreate(Bundle saved) {
         super.onCreate(saved);
-        AppParts parts = ((CellGaugeApp) getApplication()).parts();
+        parts = ((CellGaugeApp) getApplication()).parts();
         session = (CheckSession) getLastNonConfigurationInstance();
         if (session == null) {
             SessionMemory memory = saved == null ? SessionMemory.nothing(CheckSettings.builder().build().seed())
@@ -94,7 +95,6 @@ public final class MainActivity extends Activity {
         }
         feed = parts.cameraFeed(this);
         displays = getSystemService(DisplayManager.class);
-        heat = new HeatWatch(this, handler::post, session::heat);
         words = new Wording(getResources());
         content = new ScreenContent(words);
         setContentView(R.layout.main);
@@ -146,6 +146,7 @@ public final class MainActivity extends Activity {
         displays.registerDisplayListener(turns, handler);
         show(session.state());
         states = session.states().observeOn(mainThread, false, 1).subscribe(this::show);
+        levels = parts.thermalLevels().subscribe(session::heat);
     }
 
     @Override
@@ -154,14 +155,12 @@ public final class MainActivity extends Activity {
         resumed = true;
         lookAtPermission();
         session.retryCamera();
-        heat.start();
         runCamera(session.state());
     }
 
     @Override
     protected void onPause() {
         resumed = false;
-        heat.stop();
         runCamera(session.state());
         super.onPause();
     }
@@ -169,6 +168,7 @@ public final class MainActivity extends Activity {
     @Override
     protected void onStop() {
         states.dispose();
+        levels.dispose();
         displays.unregisterDisplayListener(turns);
         super.onStop();
     }

@@ -5,9 +5,9 @@ import java.util.List;
 import org.cellgauge.android.R;
 import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraNote;
+import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.state.CameraPermission;
 import org.cellgauge.android.state.CheckScreenState;
-import org.cellgauge.android.state.HeatStep;
 import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.ObjectRow;
 import org.cellgauge.android.state.Problem;
@@ -39,7 +39,7 @@ final class ScreenContent {
                 return words.plural(R.plurals.reason_searching, s.missingReferences().size(),
                         words.ids(s.missingReferences()));
             case QUICK_LOOK:
-                if (!s.heat().pace().sampling()) {
+                if (!s.allowsSampling()) {
                     return words.get(R.string.reason_too_hot);
                 }
                 return words.get(s.source() == ImageSource.LIVE ? R.string.reason_quick_look
@@ -139,7 +139,7 @@ final class ScreenContent {
     }
 
     private Message camera(CheckScreenState s) {
-        if (!s.heat().cameraAllowed()) {
+        if (!s.allowsCamera()) {
             return new Message(words.get(R.string.too_hot), words.get(R.string.too_hot_text), Action.OPEN_PHOTO);
         }
         if (s.permission() == CameraPermission.ASK) {
@@ -182,6 +182,7 @@ final class ScreenContent {
             return rows;
         }
         kept(s, rows);
+        cameraFile(s, rows);
         for (ObjectRow object : s.objects()) {
             rows.add(object(object, s));
         }
@@ -301,15 +302,25 @@ final class ScreenContent {
     }
 
     private void heat(CheckScreenState s, List<Row> rows) {
-        if (s.heat() == HeatStep.WARM) {
+        if (s.heat() == ThermalLevel.WARM) {
             rows.add(note(R.drawable.mark_not_converged, words.get(R.string.heat_warm),
                     words.get(R.string.heat_warm_text), null));
-        } else if (s.heat() == HeatStep.HOT) {
+        } else if (s.heat() == ThermalLevel.HOT) {
             rows.add(note(R.drawable.mark_not_converged, words.get(R.string.heat_hot), words.get(R.string.heat_hot_text),
                     null));
-        } else if (s.heat() == HeatStep.CRITICAL && s.source() != ImageSource.LIVE) {
+        } else if (s.heat() == ThermalLevel.CRITICAL && s.source() != ImageSource.LIVE) {
             rows.add(note(R.drawable.mark_not_converged, words.get(R.string.too_hot), words.get(R.string.too_hot_text),
                     null));
+        }
+    }
+
+    /** Android gives an app the documents that a user chose, not their neighbours. */
+    private void cameraFile(CheckScreenState s, List<Row> rows) {
+        String name = s.cell().cameraFile();
+        if (name != null && s.cell().calibration() == null) {
+            rows.add(new Row(R.drawable.mark_not_converged, R.color.mark_ambiguous,
+                    words.get(R.string.camera_file, name), null, words.get(R.string.camera_file_text),
+                    Action.CHOOSE_CALIBRATION));
         }
     }
 
@@ -349,7 +360,8 @@ final class ScreenContent {
             lines.add(words.get(R.string.camera_model_none));
         }
         return note(R.drawable.ic_focus, words.get(R.string.camera_model), String.join("\n", lines),
-                canCalibrate(s) ? Action.CHOOSE_CALIBRATION : null);
+                canCalibrate(s) && (s.cell().cameraFile() == null || s.cell().calibration() != null)
+                        ? Action.CHOOSE_CALIBRATION : null);
     }
 
     String cellName(CheckScreenState s) {

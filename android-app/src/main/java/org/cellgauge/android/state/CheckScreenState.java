@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraSetup;
+import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.SavedResult;
@@ -147,8 +148,26 @@ public final class CheckScreenState {
      *
      * @return never null
      */
-    public HeatStep heat() {
+    public ThermalLevel heat() {
         return v.heat;
+    }
+
+    /**
+     * Whether the device is cool enough for the camera.
+     *
+     * @return false where it is off for that reason
+     */
+    public boolean allowsCamera() {
+        return ThermalPace.allowsCamera(v.heat);
+    }
+
+    /**
+     * Whether the device is cool enough for chains.
+     *
+     * @return false where every figure stays preliminary for that reason
+     */
+    public boolean allowsSampling() {
+        return ThermalPace.of(v.heat).sampling();
     }
 
     /**
@@ -302,7 +321,7 @@ public final class CheckScreenState {
      * @return true with a cell, unless a photo is shown or the device is too hot
      */
     public boolean wantsCamera() {
-        return v.cell != null && v.source != ImageSource.PHOTO && v.heat.cameraAllowed();
+        return v.cell != null && v.source != ImageSource.PHOTO && allowsCamera();
     }
 
     /**
@@ -398,7 +417,7 @@ public final class CheckScreenState {
         private CameraSetup setup;
         private CameraFault fault;
         private CameraPermission permission = CameraPermission.UNKNOWN;
-        private HeatStep heat = HeatStep.NORMAL;
+        private ThermalLevel heat = ThermalLevel.NORMAL;
         private int displayRotationDeg;
         private OptionalInt run = OptionalInt.empty();
         private LiveState live;
@@ -529,7 +548,7 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder heat(HeatStep value) {
+        Builder heat(ThermalLevel value) {
             heat = value;
             return this;
         }

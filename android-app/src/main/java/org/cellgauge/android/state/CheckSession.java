@@ -18,6 +18,7 @@ import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraFeed;
 import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraSetup;
+import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.Photo;
@@ -372,16 +373,17 @@ public final class CheckSession {
     /**
      * The device got warmer or cooler.
      *
-     * @param step how warm it is
+     * @param level how warm it is
      */
-    public void heat(HeatStep step) {
-        pace.onNext(step.pace());
+    public void heat(ThermalLevel level) {
+        LivePace allowed = ThermalPace.of(level);
+        pace.onNext(allowed);
         change(s -> {
-            CheckScreenState next = s.change().heat(step).build();
-            if (!step.cameraAllowed() && s.canFreeze()) {
+            CheckScreenState next = s.change().heat(level).build();
+            if (!next.allowsCamera() && s.canFreeze()) {
                 return held(next);
             }
-            if (step.pace().sampling() && s.still() != null && s.phase() == LiveState.Phase.QUICK_LOOK) {
+            if (allowed.sampling() && s.still() != null && s.phase() == LiveState.Phase.QUICK_LOOK) {
                 // its frames have ended, so that nothing but a new check can take up what heat kept from sampling
                 files(() -> sampleStill(s));
             }
