@@ -9,6 +9,19 @@ public final class CellDocument {
     private final String uri;
     private final Cell cell;
     private final PinholeCamera calibration;
+    private final String cameraFile;
+
+    /**
+     * A document that names no camera file, or whose camera file was chosen with it.
+     *
+     * @param name its file name, for people
+     * @param uri where it can be read again; null for the bundled example
+     * @param cell what it says; its camera is a placeholder where {@code calibration} is null
+     * @param calibration the camera that it states or that was chosen with it, or null: the device's own
+     */
+    public CellDocument(String name, String uri, Cell cell, PinholeCamera calibration) {
+        this(name, uri, cell, calibration, null);
+    }
 
     /**
      * A document.
@@ -17,12 +30,14 @@ public final class CellDocument {
      * @param uri where it can be read again; null for the bundled example
      * @param cell what it says; its camera is a placeholder where {@code calibration} is null
      * @param calibration the camera that it states or that was chosen with it, or null: the device's own
+     * @param cameraFile name of a camera file that the cell file refers to and that is yet to be chosen, or null
      */
-    public CellDocument(String name, String uri, Cell cell, PinholeCamera calibration) {
+    public CellDocument(String name, String uri, Cell cell, PinholeCamera calibration, String cameraFile) {
         this.name = name;
         this.uri = uri;
         this.cell = cell;
         this.calibration = calibration;
+        this.cameraFile = cameraFile;
     }
 
     /**
@@ -59,5 +74,16 @@ public final class CellDocument {
      */
     public PinholeCamera calibration() {
         return calibration;
+    }
+
+    /**
+     * The camera file that the cell file refers to but the app cannot reach: Android gives an app the documents that a user
+     * chose, not their neighbours. The user should be asked for it by this name, and
+     * {@link CellLibrary#cell(String, String)} be called again with it; who has none goes on with the device's own model.
+     *
+     * @return the name after {@code camera:}, or null where nothing is missing
+     */
+    public String cameraFile() {
+        return cameraFile;
     }
 }

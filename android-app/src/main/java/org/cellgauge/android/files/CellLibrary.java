@@ -20,7 +20,8 @@ public interface CellLibrary {
     Photo examplePhoto();
 
     /**
-     * Reads a cell file.
+     * Reads a cell file. A camera file that it refers to cannot be followed: {@link CellDocument#cameraFile()} then says
+     * which one is to be chosen.
      *
      * @param uri of the document
      * @param calibrationUri of a calibration file chosen with it, or null; it goes before what the cell file states
@@ -29,7 +30,8 @@ public interface CellLibrary {
     CellDocument cell(String uri, String calibrationUri);
 
     /**
-     * Reads a saved photo: whole, upright as stored, luminance only.
+     * Reads a saved photo: whole, as stored (a note in the file which way up to show it is not followed, since a
+     * calibration speaks of stored pixels), luminance only, with the same grey values as the command line reads.
      *
      * @param uri of the document
      * @return the photo
