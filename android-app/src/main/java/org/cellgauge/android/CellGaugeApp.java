@@ -11,7 +11,7 @@ public class CellGaugeApp extends Application {
      *
      * @return the same parts each time
      */
-    public synchronized AppParts parts() {
+    public final synchronized AppParts parts() {
         if (parts == null) {
             parts = makeParts();
         }
@@ -24,6 +24,6 @@ public class CellGaugeApp extends Application {
      * @return those of the device
      */
     protected AppParts makeParts() {
-        throw new UnsupportedOperationException("the device's parts are still to be put in");
+        return new DeviceParts(this);
     }
 }

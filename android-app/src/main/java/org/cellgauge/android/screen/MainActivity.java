@@ -86,14 +86,17 @@ public final class MainActivity extends Activity {
     protected void onCreate(Bundle saved) {
         super.onCreate(saved);
         parts = ((CellGaugeApp) getApplication()).parts();
-        session = (CheckSession) getLastNonConfigurationInstance();
-        if (session == null) {
+        Kept kept = (Kept) getLastNonConfigurationInstance();
+        if (kept != null) {
+            session = kept.session;
+            feed = kept.feed;
+        } else {
             SessionMemory memory = saved == null ? SessionMemory.nothing(CheckSettings.builder().build().seed())
                     : SessionMemory.read(saved);
             session = new CheckSession(parts.cellLibrary(), parts.resultArchive(),
                     new FrozenFrameFile(parts.cacheFolder()), parts.sessionThreads(), memory);
+            feed = parts.cameraFeed(getApplicationContext());
         }
-        feed = parts.cameraFeed(this);
         displays = getSystemService(DisplayManager.class);
         words = new Wording(getResources());
         content = new ScreenContent(words);
@@ -184,8 +187,24 @@ public final class MainActivity extends Activity {
         super.onDestroy();
     }
 
+    /** What a turn of the device leaves alone; the feed, too, so that its next opening waits for its last closing. */
+    private static final class Kept {
+        private final CheckSession session;
+        private final CameraFeed feed;
+
+        Kept(CheckSession session, CameraFeed feed) {
+            this.session = session;
+            this.feed = feed;
+        }
+    }
+
     @Override
     public Object onRetainNonConfigurationInstance() {
+        return new Kept(session, feed);
+    }
+
+    /** Where the screen's states come from. */
+    CheckSession session() {
         return session;
     }
 

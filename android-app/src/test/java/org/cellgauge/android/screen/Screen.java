@@ -85,7 +85,7 @@ final class Screen implements AutoCloseable {
     }
 
     CheckSession session() {
-        return (CheckSession) activity().onRetainNonConfigurationInstance();
+        return activity().session();
     }
 
     CheckScreenState state() {
