@@ -81,6 +81,7 @@ public final class MainActivity extends Activity {
     private OverlayView overlay;
     private View messageView;
     private Message message;
+    private CheckScreenState shown;
 
     @Override
     protected void onCreate(Bundle saved) {
@@ -147,8 +148,8 @@ public final class MainActivity extends Activity {
         super.onStart();
         session.display(rotationDeg(), words.labels());
         displays.registerDisplayListener(turns, handler);
-        show(session.state());
-        states = session.states().observeOn(mainThread, false, 1).subscribe(this::show);
+        show();
+        states = session.states().observeOn(mainThread, false, 1).subscribe(s -> show());
         levels = parts.thermalLevels().subscribe(session::heat);
     }
 
@@ -158,13 +159,13 @@ public final class MainActivity extends Activity {
         resumed = true;
         lookAtPermission();
         session.retryCamera();
-        runCamera(session.state());
+        runCamera();
     }
 
     @Override
     protected void onPause() {
         resumed = false;
-        runCamera(session.state());
+        runCamera();
         super.onPause();
     }
 
@@ -201,6 +202,11 @@ public final class MainActivity extends Activity {
     @Override
     public Object onRetainNonConfigurationInstance() {
         return new Kept(session, feed);
+    }
+
+    /** The state on the screen. */
+    CheckScreenState shown() {
+        return shown;
     }
 
     /** Where the screen's states come from. */
@@ -252,7 +258,8 @@ public final class MainActivity extends Activity {
         }
     }
 
-    private void runCamera(CheckScreenState s) {
+    private void runCamera() {
+        CheckScreenState s = session.state();
         boolean wanted = resumed && surface != null && s.wantsCamera() && s.fault() == null
                 && s.permission() == CameraPermission.GRANTED;
         if (wanted && openFor != s.cell()) {
@@ -274,7 +281,7 @@ public final class MainActivity extends Activity {
         @Override
         public void onSurfaceTextureAvailable(SurfaceTexture texture, int width, int height) {
             surface = texture;
-            runCamera(session.state());
+            runCamera();
         }
 
         @Override
@@ -285,7 +292,7 @@ public final class MainActivity extends Activity {
         @Override
         public boolean onSurfaceTextureDestroyed(SurfaceTexture texture) {
             surface = null;
-            runCamera(session.state());
+            runCamera();
             return true;
         }
 
@@ -418,7 +425,13 @@ public final class MainActivity extends Activity {
 
     // ---- what is shown
 
-    private void show(CheckScreenState s) {
+    /** Shows the newest state, whichever brought the news: one that waited for its turn may be outdated. */
+    private void show() {
+        CheckScreenState s = session.state();
+        if (s == shown) {
+            return;
+        }
+        shown = s;
         Banner now = Banner.of(s);
         text(headline, content.headline(s));
         bannerMark.setImageResource(now.mark());
@@ -428,8 +441,8 @@ public final class MainActivity extends Activity {
         rows.show(content.rows(s));
         showMessage(s);
         showPicture(s);
+        runCamera();
         showBar(s);
-        runCamera(s);
     }
 
     private void showPicture(CheckScreenState s) {

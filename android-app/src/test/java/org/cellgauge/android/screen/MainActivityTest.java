@@ -175,7 +175,7 @@ public class MainActivityTest {
             }
             assertEquals(Verdict.PASS, screen.state().verdict());
             assertEquals(alone.reason().replace(" %", "%"), screen.text(R.id.reason));
-            assertTrue(rows(screen), rows(screen).contains("σ  x 0.72 · y 0.76 · z 1.77 mm"));
+            assertTrue(rows(screen), rows(screen).contains("σ x 0.72 · y 0.76 · z 1.77 mm"));
             assertEquals("95 % ellipses, magnified 10× · grid 100 mm", screen.text(R.id.caption));
         }
     }

@@ -143,7 +143,7 @@ final class Screen implements AutoCloseable {
     void until(String what, BooleanSupplier condition) {
         long end = System.currentTimeMillis() + PATIENCE_MS;
         settle();
-        while (!condition.getAsBoolean()) {
+        while (!(condition.getAsBoolean() && activity().shown() == state())) {
             if (System.currentTimeMillis() > end) {
                 fail(what + " does not come; the screen says: " + text(R.id.banner_headline) + " / " + text(R.id.reason));
             }
@@ -154,7 +154,6 @@ final class Screen implements AutoCloseable {
             }
             settle();
         }
-        settle();
     }
 
     /** The device is turned: the system makes the activity anew. */
