@@ -8,6 +8,7 @@ import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.state.SessionThreads;
+import org.cellgauge.check.CheckSettings;
 
 /** What the screen works with: the device's camera and files, or those of a test. */
 public interface AppParts {
@@ -46,6 +47,13 @@ public interface AppParts {
      * @return a folder
      */
     File cacheFolder();
+
+    /**
+     * How a check goes about it, but for the seed and what the camera decides.
+     *
+     * @return the same ones each time
+     */
+    CheckSettings settings();
 
     /**
      * Threads of a session.

@@ -15,6 +15,7 @@ import org.cellgauge.android.files.FolderArchive;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.screen.OverlayPainter;
 import org.cellgauge.android.state.SessionThreads;
+import org.cellgauge.check.CheckSettings;
 
 /** The device's own camera, documents and storage. */
 final class DeviceParts implements AppParts {
@@ -66,6 +67,11 @@ final class DeviceParts implements AppParts {
     @Override
     public File cacheFolder() {
         return context.getCacheDir();
+    }
+
+    @Override
+    public CheckSettings settings() {
+        return CheckSettings.builder().build();
     }
 
     @Override

@@ -40,7 +40,6 @@ import org.cellgauge.android.state.CheckSession;
 import org.cellgauge.android.state.FrozenFrameFile;
 import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.SessionMemory;
-import org.cellgauge.check.CheckSettings;
 
 /** The screen: shows states, hands on what the user does, and opens and closes the camera. It decides nothing else. */
 public final class MainActivity extends Activity {
@@ -92,10 +91,10 @@ public final class MainActivity extends Activity {
             session = kept.session;
             feed = kept.feed;
         } else {
-            SessionMemory memory = saved == null ? SessionMemory.nothing(CheckSettings.builder().build().seed())
+            SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().seed())
                     : SessionMemory.read(saved);
             session = new CheckSession(parts.cellLibrary(), parts.resultArchive(),
-                    new FrozenFrameFile(parts.cacheFolder()), parts.sessionThreads(), memory);
+                    new FrozenFrameFile(parts.cacheFolder()), parts.settings(), parts.sessionThreads(), memory);
             feed = parts.cameraFeed(getApplicationContext());
         }
         displays = getSystemService(DisplayManager.class);

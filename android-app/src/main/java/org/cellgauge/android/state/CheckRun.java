@@ -54,15 +54,15 @@ final class CheckRun {
     /**
      * Begins; a photo is searched for markers in this call.
      *
-     * @param seed of the chains
+     * @param general how checks go about it
      * @param pace how much work it may do
      * @param threads where it works
      * @param states gets what it knows
      * @param faults gets what should not happen
      */
-    void start(long seed, Flowable<LivePace> pace, SessionThreads threads, Consumer<LiveState> states,
+    void start(CheckSettings general, Flowable<LivePace> pace, SessionThreads threads, Consumer<LiveState> states,
             Consumer<Throwable> faults) {
-        CheckSettings settings = CheckSettings.builder().seed(seed)
+        CheckSettings settings = general.toBuilder()
                 .estimate(focalEstimated ? CheckSettings.Estimate.FOCAL : CheckSettings.Estimate.NONE).build();
         Flowable<Detections> input = photo == null ? frames
                 : Flowable.just(detector.detect(photo.luminance(), photo.name()));

@@ -28,6 +28,7 @@ import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckSettings;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
@@ -48,6 +49,7 @@ public final class CheckSession {
     private final CellLibrary library;
     private final ResultArchive archive;
     private final FrozenFrameFile frozenFrame;
+    private final CheckSettings settings;
     private final SessionThreads threads;
     private final SessionMemory remembered;
     private final FlowableProcessor<UnaryOperator<CheckScreenState>> changes =
@@ -72,14 +74,16 @@ public final class CheckSession {
      * @param library where cells and photos come from
      * @param archive where results are kept
      * @param frozenFrame where a frozen frame outlives the process
+     * @param settings how checks go about it; the seed is the memory's
      * @param threads where the session works; ended with it
      * @param memory of the session before, which is taken up again, or of none
      */
-    public CheckSession(CellLibrary library, ResultArchive archive, FrozenFrameFile frozenFrame, SessionThreads threads,
-            SessionMemory memory) {
+    public CheckSession(CellLibrary library, ResultArchive archive, FrozenFrameFile frozenFrame, CheckSettings settings,
+            SessionThreads threads, SessionMemory memory) {
         this.library = library;
         this.archive = archive;
         this.frozenFrame = frozenFrame;
+        this.settings = settings.toBuilder().seed(memory.seed()).build();
         this.threads = threads;
         this.remembered = memory;
         changes.observeOn(threads.states())
@@ -415,7 +419,7 @@ public final class CheckSession {
             OptionalInt number = OptionalInt.of(begun.number());
             change(s -> s.change().noCheck(number).build());
         }
-        begun.start(remembered.seed(), pace, threads, state -> checked(begun, state), fault -> failed(begun, fault));
+        begun.start(settings, pace, threads, state -> checked(begun, state), fault -> failed(begun, fault));
         return begun;
     }
 

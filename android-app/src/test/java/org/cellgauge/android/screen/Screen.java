@@ -92,6 +92,10 @@ final class Screen implements AutoCloseable {
         return session().state();
     }
 
+    CheckScreenState shown() {
+        return activity().shown();
+    }
+
     void previewIsReady() {
         PreviewView preview = find(R.id.preview);
         preview.getSurfaceTextureListener().onSurfaceTextureAvailable(new SurfaceTexture(0), 100, 100);

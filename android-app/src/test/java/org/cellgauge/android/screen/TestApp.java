@@ -29,6 +29,7 @@ import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
 import org.cellgauge.android.state.SessionThreads;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckSettings;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.vision.GreyImage;
 
@@ -38,6 +39,7 @@ public class TestApp extends CellGaugeApp implements AppParts {
     final FakeLibrary library = new FakeLibrary();
     final FakeArchive archive = new FakeArchive();
     final BehaviorProcessor<ThermalLevel> levels = BehaviorProcessor.createDefault(ThermalLevel.NORMAL);
+    CheckSettings settings = CheckSettings.builder().build();
     /** Where a session makes its states and reads its files; the check itself always has threads of its own. */
     Supplier<SessionThreads> threads = () -> new SessionThreads(Schedulers.trampoline(), Schedulers.trampoline(), null,
             null);
@@ -70,6 +72,11 @@ public class TestApp extends CellGaugeApp implements AppParts {
     @Override
     public File cacheFolder() {
         return getCacheDir();
+    }
+
+    @Override
+    public CheckSettings settings() {
+        return settings;
     }
 
     @Override
