@@ -23,7 +23,8 @@ final class Wording {
     }
 
     String get(int id, Object... arguments) {
-        return resources.getString(id, arguments);
+        // a string without arguments is no pattern: a per cent sign in it stands for itself
+        return arguments.length == 0 ? resources.getString(id) : resources.getString(id, arguments);
     }
 
     String plural(int id, int count, Object... arguments) {

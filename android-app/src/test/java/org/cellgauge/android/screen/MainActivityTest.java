@@ -80,7 +80,7 @@ public class MainActivityTest {
         for (int i = 0; i < rows.getChildCount(); i++) {
             for (int id : new int[] {R.id.row_title, R.id.row_figures, R.id.row_text}) {
                 TextView view = rows.getChildAt(i).findViewById(id);
-                text.append(view.getVisibility() == View.VISIBLE ? view.getText() + "\n" : "");
+                text.append(view.getVisibility() == View.VISIBLE ? Screen.plain(view.getText()) + "\n" : "");
             }
         }
         return text.toString();
@@ -175,8 +175,8 @@ public class MainActivityTest {
             }
             assertEquals(Verdict.PASS, screen.state().verdict());
             assertEquals(alone.reason().replace(" %", "%"), screen.text(R.id.reason));
-            assertTrue(rows(screen), rows(screen).contains("σ x 0.72 · y 0.76 · z 1.77 mm"));
-            assertEquals("95 % ellipses, magnified 10× · grid 100 mm", screen.text(R.id.caption));
+            assertTrue(rows(screen), rows(screen).contains("σ  x 0.72 · y 0.76 · z 1.77 mm"));
+            assertEquals("95% ellipses, magnified 10× · grid 100 mm", screen.text(R.id.caption));
         }
     }
 

@@ -117,6 +117,8 @@ final class Screen implements AutoCloseable {
     /** Frames of a camera held still over a fixture, until the chains have ended. */
     void holdStillUntilResult(Fixture fixture) {
         app().feed.frame(fixture.image());
+        // of frames that come faster than they are looked at, only the newest is
+        until("quick look", () -> state().live() != null);
         app().feed.frame(fixture.image());
         until("result", () -> state().verdict() != null);
     }
@@ -127,7 +129,12 @@ final class Screen implements AutoCloseable {
 
     String text(int id) {
         TextView view = find(id);
-        return view.getVisibility() == View.VISIBLE ? view.getText().toString() : "";
+        return view.getVisibility() == View.VISIBLE ? plain(view.getText()) : "";
+    }
+
+    /** Text with plain spaces, where the app has ones that do not break. */
+    static String plain(CharSequence text) {
+        return text.toString().replace('\u00a0', ' ');
     }
 
     void tap(int id) {

@@ -112,6 +112,7 @@ public class ScreenshotTest {
         for (String language : new String[] {"", "de-"}) {
             try (Screen screen = live(language + Screen.TABLET_LANDSCAPE, FIXTURE.cell())) {
                 Screen.app().feed.frame(FIXTURE.image());
+                screen.until("quick look", () -> screen.state().live() != null);
                 Screen.app().feed.frame(FIXTURE.image());
                 screen.until("sampling", () -> screen.state().phase() == LiveState.Phase.SAMPLING
                         && screen.state().iterationsPerChain() > 0);
