@@ -333,7 +333,6 @@ public final class MainActivity extends Activity {
                 session.tryExample();
                 break;
             case KEEP_CELL:
-            case CLOSE:
                 session.dismissCellProblem();
                 break;
             case CHOOSE_CALIBRATION:
@@ -473,7 +472,11 @@ public final class MainActivity extends Activity {
         if (message == null) {
             return;
         }
-        text(findViewById(R.id.message_title), message.title());
+        TextView title = findViewById(R.id.message_title);
+        if (!message.title().contentEquals(title.getText())) {
+            messageView.scrollTo(0, 0);
+        }
+        text(title, message.title());
         text(findViewById(R.id.message_text), message.text());
         int[] buttons = {R.id.message_first, R.id.message_second, R.id.message_third};
         List<Action> actions = message.actions();

@@ -11,6 +11,7 @@ import org.cellgauge.android.state.CheckScreenState;
 import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.ObjectRow;
 import org.cellgauge.android.state.Problem;
+import org.cellgauge.check.Verdict;
 import org.cellgauge.overlay.EllipseShape;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.Role;
@@ -75,8 +76,10 @@ final class ScreenContent {
             if (shape instanceof EllipseShape) {
                 text = overlay.magnification() == 1 ? words.get(R.string.caption_true_size)
                         : words.get(R.string.caption_magnified, words.plain(overlay.magnification()));
-                if (s.result() == null && shape.dashed()) {
+                if (s.result() == null) {
                     text = words.get(R.string.caption_parts, text, words.get(R.string.caption_preliminary));
+                } else if (s.verdict() == Verdict.NOT_CONVERGED) {
+                    text = words.get(R.string.caption_parts, text, words.get(R.string.caption_not_converged));
                 }
                 break;
             }
@@ -266,7 +269,7 @@ final class ScreenContent {
         }
     }
 
-    private static int drawable(ObjectRow.Mark mark) {
+    static int drawable(ObjectRow.Mark mark) {
         switch (mark) {
             case OK:
                 return R.drawable.mark_pass;
