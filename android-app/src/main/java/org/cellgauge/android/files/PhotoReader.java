@@ -2,6 +2,7 @@ package org.cellgauge.android.files;
 
 import android.graphics.Bitmap;
 import android.graphics.BitmapFactory;
+import android.graphics.Color;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -115,15 +116,17 @@ final class PhotoReader {
     private static GreyImage grey(Bitmap bitmap) {
         int width = bitmap.getWidth();
         int height = bitmap.getHeight();
-        // R, G, B, A in this order, whatever the machine (Bitmap.Config); getPixels would go through sRGB
-        byte[] rgba = new byte[CHANNELS * width * height];
-        bitmap.copyPixelsToBuffer(ByteBuffer.wrap(rgba));
+        // bytes as they lie in the memory: getPixels would take them through sRGB
+        byte[] bytes = new byte[CHANNELS * width * height];
+        bitmap.copyPixelsToBuffer(ByteBuffer.wrap(bytes));
         bitmap.recycle();
+        int[] order = channelOrder();
         byte[] grey = new byte[width * height];
         for (int i = 0; i < grey.length; i++) {
             int at = CHANNELS * i;
-            double value = 0.299 * (rgba[at] & 0xFF) + 0.587 * (rgba[at + 1] & 0xFF) + 0.114 * (rgba[at + 2] & 0xFF);
-            int alpha = rgba[at + 3] & 0xFF;
+            double value = 0.299 * (bytes[at + order[0]] & 0xFF) + 0.587 * (bytes[at + order[1]] & 0xFF)
+                    + 0.114 * (bytes[at + order[2]] & 0xFF);
+            int alpha = bytes[at + order[3]] & 0xFF;
             if (alpha != OPAQUE) {
                 double share = alpha / (double) OPAQUE;
                 value = share * value + (1 - share) * OPAQUE;
@@ -131,5 +134,19 @@ final class PhotoReader {
             grey[i] = (byte) Math.round(value);
         }
         return GreyImage.packed(grey, width, height);
+    }
+
+    /** Where red, green, blue and alpha of a pixel stand: in this order on devices, in another one on a desktop. */
+    private static int[] channelOrder() {
+        Bitmap probe = Bitmap.createBitmap(1, 1, Bitmap.Config.ARGB_8888);
+        probe.setPixel(0, 0, Color.rgb(1, 2, 3));
+        byte[] bytes = new byte[CHANNELS];
+        probe.copyPixelsToBuffer(ByteBuffer.wrap(bytes));
+        probe.recycle();
+        int[] order = new int[CHANNELS];
+        for (int i = 0; i < CHANNELS; i++) {
+            order[(bytes[i] & 0xFF) == OPAQUE ? CHANNELS - 1 : bytes[i] - 1] = i;
+        }
+        return order;
     }
 }
