@@ -9,6 +9,10 @@ final class LabelPlacer {
     private static final double HARD = 1e5;
     /** Price of covering what better stays visible. */
     private static final double SOFT = 200;
+    /** Steps of the fine grid in one of the coarse grid. */
+    private static final int COARSE = 8;
+    /** The two grids meet to within rounding. */
+    private static final double ROUNDING = 1 + 1e-6;
 
     private final Box area;
     private final double unitPx;
@@ -62,19 +66,22 @@ final class LabelPlacer {
                 bestTop = s[1];
             }
         }
-        // tens of thousands of places, so nothing is made for each and most are passed over by distance alone
+        // tens of thousands of places: nothing is made for each, and those that a coarse look rules out by their distance
+        // alone are passed over
         double step = 4 * unitPx;
+        double limit = Math.min(bestCost, leastOf(COARSE * step, width, height, target) * ROUNDING);
         for (double v = area.top(); v + height <= area.bottom() + 1e-9; v += step) {
-            if (gap(v, v + height, target.top(), target.bottom()) / unitPx >= bestCost) {
+            if (gap(v, v + height, target.top(), target.bottom()) / unitPx > limit) {
                 continue;
             }
             for (double u = area.left(); u + width <= area.right() + 1e-9; u += step) {
-                if (gap(u, u + width, target.left(), target.right()) / unitPx >= bestCost) {
+                if (gap(u, u + width, target.left(), target.right()) / unitPx > limit) {
                     continue;
                 }
                 double cost = cost(u, v, width, height, target, bestCost);
                 if (cost < bestCost) {
                     bestCost = cost;
+                    limit = Math.min(limit, cost);
                     bestLeft = u;
                     bestTop = v;
                 }
@@ -86,6 +93,17 @@ final class LabelPlacer {
         Box best = new Box(left, top, left + width, top + height);
         keepOff(best.grown(unitPx));
         return best;
+    }
+
+    /** The least cost among places of a coarse grid. */
+    private double leastOf(double step, double width, double height, Box target) {
+        double least = Double.POSITIVE_INFINITY;
+        for (double v = area.top(); v + height <= area.bottom() + 1e-9; v += step) {
+            for (double u = area.left(); u + width <= area.right() + 1e-9; u += step) {
+                least = Math.min(least, cost(u, v, width, height, target, least));
+            }
+        }
+        return least;
     }
 
     private double cost(double left, double top, double width, double height, Box target, double limit) {

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.reactivex.rxjava3.core.Scheduler;
+import io.reactivex.rxjava3.plugins.RxJavaPlugins;
 import io.reactivex.rxjava3.processors.BehaviorProcessor;
 import io.reactivex.rxjava3.processors.PublishProcessor;
 import io.reactivex.rxjava3.schedulers.TestScheduler;
@@ -16,6 +17,7 @@ import io.reactivex.rxjava3.subscribers.TestSubscriber;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.cellgauge.cell.Cell;
@@ -640,6 +642,50 @@ class LiveCheckTest {
         await(states, s -> s.keyFrameNumber() == 3 && s.phase() == LiveState.Phase.SAMPLING);
         states.cancel();
         awaitThreads("cellgauge", before);
+    }
+
+    /** On a tablet an error that reaches nobody ends the program. */
+    @Test
+    void chainsStoppedAtAnyMomentLeaveNeitherErrorsNorThreads() throws InterruptedException {
+        List<Throwable> lost = new CopyOnWriteArrayList<>();
+        RxJavaPlugins.setErrorHandler(lost::add);
+        try {
+            pace.onNext(LivePace.of(0, 0, 2, true));
+            TestSubscriber<LiveState> states = LiveCheck.states(frames, CELL, SETTINGS, pace).test();
+            for (int i = 0; i < 60; i++) {
+                Detections here = noisy(20 * (i % 2), i);
+                frames.onNext(here);
+                TimeUnit.MILLISECONDS.sleep(2);
+                frames.onNext(here);
+                TimeUnit.MICROSECONDS.sleep(300L * i);
+            }
+            states.cancel();
+            states.assertNoErrors();
+            awaitThreads("cellgauge", 0);
+        } finally {
+            RxJavaPlugins.setErrorHandler(null);
+        }
+        assertEquals(List.of(), lost);
+    }
+
+    @Test
+    void withoutSamplingRunningChainsEndAndFiguresAreThoseOfTheQuickLookAgain() throws InterruptedException {
+        pace.onNext(LivePace.of(0, 0, 2, true));
+        TestSubscriber<LiveState> states = LiveCheck.states(frames, CELL, ENDLESS, pace).test();
+        frames.onNext(noisy(0, 1));
+        await(states, s -> s.keyFrameNumber() == 1);
+        frames.onNext(noisy(0, 2));
+        await(states, s -> s.phase() == LiveState.Phase.SAMPLING);
+        pace.onNext(LivePace.of(0, 0, 2, false));
+        awaitThreads("cellgauge-live-chains", 0);
+        awaitThreads("cellgauge-chain", 0);
+        frames.onNext(noisy(0, 3));
+        LiveState state = await(states, s -> s.frameNumber() == 3);
+        assertEquals(LiveState.Phase.QUICK_LOOK, state.phase());
+        assertEquals(CheckUpdate.Phase.QUICK_LOOK, state.update().phase());
+        assertEquals(1, state.keyFrameNumber());
+        states.cancel();
+        awaitThreads("cellgauge", 0);
     }
 
     @Test
