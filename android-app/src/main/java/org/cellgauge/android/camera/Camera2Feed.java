@@ -2,6 +2,7 @@ package org.cellgauge.android.camera;
 
 import android.content.Context;
 import android.graphics.SurfaceTexture;
+import java.util.concurrent.CountDownLatch;
 import org.cellgauge.geometry.PinholeCamera;
 
 /**
@@ -14,6 +15,8 @@ import org.cellgauge.geometry.PinholeCamera;
 public final class Camera2Feed implements CameraFeed {
     private final Context context;
     private CameraRun run;
+    /** Counts down when the last run has let go; the run itself is not kept, nor is its listener. */
+    private CountDownLatch lastEnd = new CountDownLatch(0);
 
     /**
      * A closed camera.
@@ -27,7 +30,8 @@ public final class Camera2Feed implements CameraFeed {
     @Override
     public void open(PinholeCamera calibration, SurfaceTexture preview, Listener listener) {
         close();
-        run = new CameraRun(context, run, calibration, preview, listener);
+        run = new CameraRun(context, lastEnd, calibration, preview, listener);
+        lastEnd = run.ended();
         run.start();
     }
 
@@ -42,6 +46,7 @@ public final class Camera2Feed implements CameraFeed {
     public void close() {
         if (run != null) {
             run.close();
+            run = null;
         }
     }
 }

@@ -147,6 +147,11 @@ final class RequestSettings {
             request.set(CaptureRequest.SCALER_CROP_REGION,
                     new Rect(0, 0, (int) whole.widthPx(), (int) whole.heightPx()));
         }
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.S) {
+            // else Android turns and cuts images for apps that it shows in a window of the other orientation
+            setIfOffered(request, CaptureRequest.SCALER_ROTATE_AND_CROP, traits.rotateAndCropModes(),
+                    CameraMetadata.SCALER_ROTATE_AND_CROP_NONE);
+        }
         float focalLength = focalLengthMm(traits);
         if (traits.focalLengthsMm().length > 1 && focalLength > 0) {
             request.set(CaptureRequest.LENS_FOCAL_LENGTH, focalLength);
