@@ -8,9 +8,9 @@ import org.cellgauge.geometry.PinholeCamera;
 /**
  * The device's camera by Android's Camera2.
  *
- * <p>Every opening is a {@link CameraRun} with a thread of its own, on which all of its camera's callbacks and all calls
- * of the listener come; a run begins only once the one before it has let go of its camera and its listener. So there is
- * no state in which a call could come at the wrong time.
+ * <p>Every opening is a {@link CameraRun} with a thread of its own, on which all of its camera's callbacks and all
+ * calls of the listener come; a run begins only once the one before it has let go of its camera and its listener. So
+ * there is no state in which a call could come at the wrong time.
  */
 public final class Camera2Feed implements CameraFeed {
     private final Context context;

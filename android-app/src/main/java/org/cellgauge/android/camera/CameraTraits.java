@@ -19,8 +19,8 @@ import org.cellgauge.geometry.PixelArea;
 /**
  * What a device says of one of its cameras, as far as measuring depends on it; immutable.
  *
- * <p>Devices leave out what they must state, and state what cannot be (zeros, empty lists). Nothing is judged here: what
- * is left out is null or empty, what is stated stands as it is.
+ * <p>Devices leave out what they must state, and state what cannot be (zeros, empty lists). Nothing is judged here:
+ * what is left out is null or empty, what is stated stands as it is.
  */
 final class CameraTraits {
     /** Where a camera looks. */
@@ -74,7 +74,9 @@ final class CameraTraits {
         return v.activeArray;
     }
 
-    /** The same before the lens is corrected: {@link #activeArray()} on devices that correct nothing; null if unknown. */
+    /**
+     * The same before the lens is corrected: {@link #activeArray()} on devices that correct nothing; null if unknown.
+     */
     PixelArea preCorrectionActiveArray() {
         return v.preCorrectionActiveArray != null ? v.preCorrectionActiveArray : v.activeArray;
     }

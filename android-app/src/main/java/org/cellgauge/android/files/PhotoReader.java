@@ -12,8 +12,8 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.vision.GreyImage;
 
 /**
- * Reads photos as the command line does: colours become grey by the luma weights of ITU-R BT.601 (0.299, 0.587, 0.114) on
- * the stored values, transparent parts lie on white, and a note which way up to show the photo is not followed.
+ * Reads photos as the command line does: colours become grey by the luma weights of ITU-R BT.601 (0.299, 0.587, 0.114)
+ * on the stored values, transparent parts lie on white, and a note which way up to show the photo is not followed.
  */
 final class PhotoReader {
     /** Largest file that is read, bytes. */
@@ -58,8 +58,8 @@ final class PhotoReader {
             ImageHeader.judge(file, name);
             return grey(decoded(file, name, freeBytes));
         } catch (OutOfMemoryError e) {
-            throw new InputRefusedException(name + ": it is too large for the memory of this device; scale it down before "
-                    + "calibration and measurement alike, or check it with the command line", e);
+            throw new InputRefusedException(name + ": it is too large for the memory of this device; scale it down "
+                    + "before calibration and measurement alike, or check it with the command line", e);
         }
     }
 
@@ -70,8 +70,8 @@ final class PhotoReader {
         while (n >= 0) {
             out.write(buffer, 0, n);
             if (out.size() > MAX_BYTES) {
-                throw new InputRefusedException(name + ": larger than " + (MAX_BYTES >> 20) + " MiB, which no photo is; "
-                        + "check the name of the file");
+                throw new InputRefusedException(name + ": larger than " + (MAX_BYTES >> 20) + " MiB, which no photo is"
+                        + "; check the name of the file");
             }
             n = in.read(buffer);
         }
@@ -91,8 +91,8 @@ final class PhotoReader {
         // the file itself lies in the memory already
         if (pixels > MAX_PIXELS || pixels * BYTES_PER_PIXEL > freeBytes) {
             throw new InputRefusedException(name + ": " + String.format(Locale.ROOT,
-                    "%d x %d px are too many for the memory of this device (%d MB free); scale it down before calibration "
-                            + "and measurement alike, or check it with the command line",
+                    "%d x %d px are too many for the memory of this device (%d MB free); scale it down before "
+                            + "calibration and measurement alike, or check it with the command line",
                     width, height, freeBytes >> 20));
         }
         options = new BitmapFactory.Options();
@@ -109,8 +109,8 @@ final class PhotoReader {
     }
 
     private static InputRefusedException damaged(String name) {
-        return new InputRefusedException(name + ": it is damaged or of an unusual kind; copy it again or save it as 8-bit "
-                + "PNG");
+        return new InputRefusedException(name + ": it is damaged or of an unusual kind; copy it again or save it as "
+                + "8-bit PNG");
     }
 
     private static GreyImage grey(Bitmap bitmap) {

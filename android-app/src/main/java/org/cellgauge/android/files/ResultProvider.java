@@ -18,11 +18,12 @@ import java.util.Locale;
 import org.cellgauge.android.R;
 
 /**
- * Shows kept results to the system's Files app, and gives single files to apps that the user shares them with. Nobody else
- * can read them: the provider is closed to all but the system, and an app gets a grant for the files in its intent.
+ * Shows kept results to the system's Files app, and gives single files to apps that the user shares them with. Nobody
+ * else can read them: the provider is closed to all but the system, and an app gets a grant for the files in its
+ * intent.
  *
- * <p>Files can be read and never written; whole results can be deleted. A document's id is "/", "RESULT" or "RESULT/FILE";
- * one that leads anywhere else names nothing.
+ * <p>Files can be read and never written; whole results can be deleted. A document's id is "/", "RESULT" or
+ * "RESULT/FILE"; one that leads anywhere else names nothing.
  */
 public final class ResultProvider extends DocumentsProvider {
     private static final String ROOT_ID = "results";

@@ -29,7 +29,8 @@ public class RequestSettingsTest {
                         CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_PICTURE)
                 .opticalStabilisationModes(0, 1).videoStabilisationModes(0, 1).edgeModes(0, 1, 2)
                 .noiseReductionModes(0, 1, 2).distortionCorrectionModes(0, 1, 2).focalLengthsMm(4.2f)
-                .rotateAndCropModes(CameraMetadata.SCALER_ROTATE_AND_CROP_NONE, CameraMetadata.SCALER_ROTATE_AND_CROP_AUTO)
+                .rotateAndCropModes(CameraMetadata.SCALER_ROTATE_AND_CROP_NONE,
+                        CameraMetadata.SCALER_ROTATE_AND_CROP_AUTO)
                 .activeArray(new PixelArea(8, 6, 3984, 2988)).preCorrectionActiveArray(new PixelArea(0, 0, 4000, 3000));
     }
 

@@ -111,7 +111,7 @@ public class DocumentLibraryTest {
 
     @Test
     public void aChosenCalibrationGoesBeforeWhatTheCellStates() throws IOException {
-        String camera = add("tablet.yaml", new String(Fixtures.bytes("distorted-4/camera.yaml"), StandardCharsets.UTF_8));
+        String camera = documents.add("tablet.yaml", Fixtures.bytes("distorted-4/camera.yaml"));
         PinholeCamera expected = CameraReader.read(Fixtures.path("distorted-4/camera.yaml"));
         for (String stated : new String[] {INLINE, "camera: other.yaml\n", ""}) {
             CellDocument cell = library.cell(add("mine.yaml", cellText(stated)), camera);
@@ -143,7 +143,8 @@ public class DocumentLibraryTest {
         assertTrue(refusal(add("cell.yaml", ""), null).contains("the file is empty"));
         assertTrue(refusal(documents.add("cell.yaml", "cellgauge: 1".getBytes(StandardCharsets.UTF_16)), null)
                 .contains("UTF-16"));
-        assertTrue(refusal(documents.add("cell.yaml", new byte[CellReader.MAX_BYTES + 1]), null).contains("larger than"));
+        assertTrue(refusal(documents.add("cell.yaml", new byte[CellReader.MAX_BYTES + 1]), null)
+                .contains("larger than"));
         assertTrue(refusal(add("cell.yaml", "cellgauge: 1\ncamera: [\n"), null).contains("not valid YAML"));
         assertTrue(refusal(add("cell.yaml", "just a line"), null).contains("cellgauge: 1"));
     }
@@ -167,8 +168,8 @@ public class DocumentLibraryTest {
     @Test
     public void aDocumentThatIsGoneIsToBeChosenAgain() {
         String gone = TestDocuments.uri("id9/gone.yaml");
-        assertEquals("shown gone.yaml: this cell file is not there any more, or its app does not give it; choose it again",
-                refusal(gone, null));
+        assertEquals("shown gone.yaml: this cell file is not there any more, or its app does not give it; choose it "
+                + "again", refusal(gone, null));
         assertEquals("shown gone.yaml: this photo is not there any more, or its app does not give it; choose it again",
                 photoRefusal(gone));
     }
@@ -206,8 +207,8 @@ public class DocumentLibraryTest {
     @Test
     public void pathsAreNotFollowed() throws IOException {
         String path = folder.newFile("cell.yaml").getPath();
-        for (String uri : new String[] {Uri.fromFile(new java.io.File(path)).toString(), path, "", "http://example.org/c",
-            "android.resource://org.cellgauge.android/raw/x"}) {
+        for (String uri : new String[] {Uri.fromFile(new java.io.File(path)).toString(), path, "",
+            "http://example.org/c", "android.resource://org.cellgauge.android/raw/x"}) {
             assertTrue(uri, refusal(uri, null).contains("this is no document of this device"));
             assertTrue(uri, photoRefusal(uri).contains("this is no document of this device"));
         }

@@ -157,7 +157,8 @@ public class ResultExportTest {
     @Test
     public void aFolderWhoseAppBreaksIsSaidSo() {
         target.fault = new SecurityException("no grant");
-        String message = assertThrows(IOException.class, () -> new ResultExport(context).copy(RESULT, TREE)).getMessage();
+        String message = assertThrows(IOException.class, () -> new ResultExport(context).copy(RESULT, TREE))
+                .getMessage();
         assertTrue(message, message.contains("choose another"));
     }
 

@@ -106,15 +106,16 @@ public class ResultProviderTest {
             assertEquals(3, file.getStatSize());
         }
         for (String mode : new String[] {"w", "rw", "rwt", "wa"}) {
-            assertThrows(mode, FileNotFoundException.class, () -> resolver.openFileDescriptor(document("a/a.png"), mode));
+            assertThrows(mode, FileNotFoundException.class,
+                    () -> resolver.openFileDescriptor(document("a/a.png"), mode));
         }
         assertEquals(3, ResultProvider.store(context).file("a", "a.png").length());
     }
 
     @Test
     public void noAddressLeadsElsewhere() {
-        String[] ids = {"../shared_prefs/x", "a/../../x", "a/..", "..", "a/../a/a.png", "/a/a.png", "a//a.png", "a/a.png/",
-            "/etc/passwd", "a/%2e%2e/x", "a/missing.png", "b", ".writing-a/a.png", "a/a.png\0"};
+        String[] ids = {"../shared_prefs/x", "a/../../x", "a/..", "..", "a/../a/a.png", "/a/a.png", "a//a.png",
+            "a/a.png/", "/etc/passwd", "a/%2e%2e/x", "a/missing.png", "b", ".writing-a/a.png", "a/a.png\0"};
         for (String id : ids) {
             assertThrows(id, FileNotFoundException.class, () -> resolver.openFileDescriptor(document(id), "r"));
             assertFalse(id, found(id));
@@ -157,7 +158,8 @@ public class ResultProviderTest {
 
     @Test
     public void wholeResultsCanBeDeletedAndSingleFilesCannot() throws IOException {
-        assertThrows(FileNotFoundException.class, () -> DocumentsContract.deleteDocument(resolver, document("a/a.png")));
+        assertThrows(FileNotFoundException.class,
+                () -> DocumentsContract.deleteDocument(resolver, document("a/a.png")));
         assertThrows(FileNotFoundException.class, () -> DocumentsContract.deleteDocument(resolver, document("/")));
         assertEquals(3, ResultProvider.store(context).files("a").size());
         assertTrue(DocumentsContract.deleteDocument(resolver, document("a")));
