@@ -5,7 +5,8 @@ import org.cellgauge.geometry.PinholeCamera;
 /**
  * Writes cameras as BoofCV's calibration files (YAML), the form that {@link CameraReader} reads.
  *
- * <p>Every number comes back as it was: it is written with all its digits, with a point whatever the machine's language.
+ * <p>Every number comes back as it was: it is written with all its digits, with a point whatever the machine's
+ * language.
  */
 public final class CameraWriter {
     private CameraWriter() {

@@ -8,8 +8,8 @@ final class CameraChoice {
     }
 
     /**
-     * The camera to measure with: one that looks away from the user, else one that is plugged in, else one that looks at
-     * the user; of several the first in the device's order, which is its main one.
+     * The camera to measure with: one that looks away from the user, else one that is plugged in, else one that looks
+     * at the user; of several the first in the device's order, which is its main one.
      *
      * @param cameras the device's, in its order
      * @return one that delivers frames, or null if there is none

@@ -43,14 +43,14 @@ public interface CameraFeed {
     void open(PinholeCamera calibration, SurfaceTexture preview, Listener listener);
 
     /**
-     * Focuses once more and then holds the focus, as after opening. No frames come while the lens moves. Does nothing where
-     * the camera is closed, or its lens does not move.
+     * Focuses once more and then holds the focus, as after opening. No frames come while the lens moves. Does nothing
+     * where the camera is closed, or its lens does not move.
      */
     void refocus();
 
     /**
-     * Closes the camera; no call of the listener begins after it, but one that has begun may still run. Does nothing where
-     * the camera is closed. Returns at once, before the device has let go of the camera.
+     * Closes the camera; no call of the listener begins after it, but one that has begun may still run. Does nothing
+     * where the camera is closed. Returns at once, before the device has let go of the camera.
      */
     void close();
 }

@@ -33,9 +33,9 @@ import org.cellgauge.vision.GreyImage;
 /**
  * One opening of a camera, from asking for it until it is closed.
  *
- * <p>Everything but {@link #start}, {@link #close} and {@link #refocus} happens on the run's own thread. The thread ends
- * when the camera is closed; where the device still owes an answer to the request to open it, the thread waits for it,
- * since a camera whose answer nobody hears stays open for good.
+ * <p>Everything but {@link #start}, {@link #close} and {@link #refocus} happens on the run's own thread. The thread
+ * ends when the camera is closed; where the device still owes an answer to the request to open it, the thread waits for
+ * it, since a camera whose answer nobody hears stays open for good.
  */
 final class CameraRun {
     private static final String TAG = "CameraRun";
@@ -58,9 +58,10 @@ final class CameraRun {
     private final Runnable patience = () -> fault(CameraFault.FAILED, null);
     private final Runnable scanPatience = this::scanEndless;
 
+    private final CountDownLatch previousEnd;
+
     private volatile Handler handler;
     // of this run's thread alone
-    private CameraRun previous;
     private boolean opening;
     private CameraTraits traits;
     private RequestSettings settings;
@@ -73,6 +74,8 @@ final class CameraRun {
     private CaptureRequest.Builder request;
     private CameraSetup setup;
     private boolean framesCame;
+    /** Exposure from which on the lens stands still. */
+    private long stillFromNs = Long.MIN_VALUE;
     private int brokenFrames;
     private long lastTimestampNs = Long.MIN_VALUE;
 
@@ -80,18 +83,23 @@ final class CameraRun {
      * A run that has not begun.
      *
      * @param context of the app
-     * @param previous the run before, closed; null if there is none
+     * @param previousEnd counts down when the run before, which is closed, has let go of its camera and its listener
      * @param calibration the user's intrinsics, or null
      * @param preview where the camera shows its picture, or null
      * @param listener gets set-up, frames and faults
      */
-    CameraRun(Context context, CameraRun previous, PinholeCamera calibration, SurfaceTexture preview,
+    CameraRun(Context context, CountDownLatch previousEnd, PinholeCamera calibration, SurfaceTexture preview,
             CameraFeed.Listener listener) {
         this.context = context;
-        this.previous = previous;
+        this.previousEnd = previousEnd;
         this.calibration = calibration;
         this.preview = preview;
         this.listener = listener;
+    }
+
+    /** Counts down when this run has let go of its camera and its listener. */
+    CountDownLatch ended() {
+        return ended;
     }
 
     void start() {
@@ -115,9 +123,7 @@ final class CameraRun {
     // ---- opening
 
     private void begin() {
-        CameraRun before = previous;
-        previous = null;
-        if (before != null && !before.awaitEnd()) {
+        if (!previousHasEnded()) {
             fault(CameraFault.FAILED, null);
             return;
         }
@@ -155,9 +161,9 @@ final class CameraRun {
         }
     }
 
-    private boolean awaitEnd() {
+    private boolean previousHasEnded() {
         try {
-            return ended.await(PATIENCE_MS, TimeUnit.MILLISECONDS);
+            return previousEnd.await(PATIENCE_MS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return false;
@@ -330,7 +336,7 @@ final class CameraRun {
 
         @Override
         public void onCaptureCompleted(CameraCaptureSession which, CaptureRequest what, TotalCaptureResult result) {
-            focusReported(result.getFrameNumber(), result.get(CaptureResult.CONTROL_AF_STATE));
+            focusReported(result);
         }
 
         @Override
@@ -343,13 +349,16 @@ final class CameraRun {
     private final class FocusReports extends CameraCaptureSession.CaptureCallback {
         @Override
         public void onCaptureCompleted(CameraCaptureSession which, CaptureRequest what, TotalCaptureResult result) {
-            focusReported(result.getFrameNumber(), result.get(CaptureResult.CONTROL_AF_STATE));
+            focusReported(result);
         }
     }
 
-    private void focusReported(long frameNumber, Integer state) {
-        if (focus.report(frameNumber, state)) {
+    private void focusReported(CaptureResult result) {
+        if (focus.report(result.getFrameNumber(), result.get(CaptureResult.CONTROL_AF_STATE))) {
             handler.removeCallbacks(scanPatience);
+            // reports and images come on ways of their own: an image may still be from before
+            Long exposureNs = result.get(CaptureResult.SENSOR_TIMESTAMP);
+            stillFromNs = exposureNs == null ? Long.MIN_VALUE : exposureNs;
         }
     }
 
@@ -374,7 +383,7 @@ final class CameraRun {
                 return;
             }
             firstFrameCame();
-            if (!focus.isStill()) {
+            if (!focus.isStill() || image.getTimestamp() < stillFromNs) {
                 return;
             }
             Image.Plane plane = image.getPlanes()[0];

@@ -18,8 +18,8 @@ public final class CameraSetup {
      *
      * @param camera intrinsics for the frames as they come, in sensor orientation; its size is theirs
      * @param source where the intrinsics come from
-     * @param sensorOrientationDeg clockwise angle by which a frame is turned to stand upright on a device in its natural
-     *     orientation: 0, 90, 180 or 270
+     * @param sensorOrientationDeg clockwise angle by which a frame is turned to stand upright on a device in its
+     *     natural orientation: 0, 90, 180 or 270
      * @param frontFacing whether the camera looks at the user, so that its preview is mirrored
      * @param notes what the user should know
      */

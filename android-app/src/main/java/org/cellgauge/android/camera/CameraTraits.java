@@ -19,8 +19,8 @@ import org.cellgauge.geometry.PixelArea;
 /**
  * What a device says of one of its cameras, as far as measuring depends on it; immutable.
  *
- * <p>Devices leave out what they must state, and state what cannot be (zeros, empty lists). Nothing is judged here: what
- * is left out is null or empty, what is stated stands as it is.
+ * <p>Devices leave out what they must state, and state what cannot be (zeros, empty lists). Nothing is judged here:
+ * what is left out is null or empty, what is stated stands as it is.
  */
 final class CameraTraits {
     /** Where a camera looks. */
@@ -74,7 +74,9 @@ final class CameraTraits {
         return v.activeArray;
     }
 
-    /** The same before the lens is corrected: {@link #activeArray()} on devices that correct nothing; null if unknown. */
+    /**
+     * The same before the lens is corrected: {@link #activeArray()} on devices that correct nothing; null if unknown.
+     */
     PixelArea preCorrectionActiveArray() {
         return v.preCorrectionActiveArray != null ? v.preCorrectionActiveArray : v.activeArray;
     }
@@ -148,6 +150,10 @@ final class CameraTraits {
         return v.distortionCorrectionModes.clone();
     }
 
+    int[] rotateAndCropModes() {
+        return v.rotateAndCropModes.clone();
+    }
+
     /** Whether the device corrects the lens in every image, whatever it is told. */
     boolean alwaysCorrectsLens() {
         if (v.distortionCorrectionModes.length > 0) {
@@ -202,6 +208,9 @@ final class CameraTraits {
             b.distortion(characteristics.get(CameraCharacteristics.LENS_DISTORTION));
             b.distortionCorrectionModes(
                     characteristics.get(CameraCharacteristics.DISTORTION_CORRECTION_AVAILABLE_MODES));
+        }
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.S) {
+            b.rotateAndCropModes(characteristics.get(CameraCharacteristics.SCALER_AVAILABLE_ROTATE_AND_CROP_MODES));
         }
         // LENS_RADIAL_DISTORTION (API 23 to 27) is left alone: Android gave it up because devices normalise it in
         // different ways, so that nobody can tell what its numbers mean
@@ -268,6 +277,7 @@ final class CameraTraits {
         private int[] edgeModes = {};
         private int[] noiseReductionModes = {};
         private int[] distortionCorrectionModes = {};
+        private int[] rotateAndCropModes = {};
 
         Builder(String id) {
             this.id = id;
@@ -371,6 +381,11 @@ final class CameraTraits {
             return this;
         }
 
+        Builder rotateAndCropModes(int... value) {
+            rotateAndCropModes = copy(value);
+            return this;
+        }
+
         private static int[] copy(int[] modes) {
             return modes == null ? new int[0] : modes.clone();
         }
@@ -397,6 +412,7 @@ final class CameraTraits {
             copy.edgeModes = edgeModes;
             copy.noiseReductionModes = noiseReductionModes;
             copy.distortionCorrectionModes = distortionCorrectionModes;
+            copy.rotateAndCropModes = rotateAndCropModes;
             return new CameraTraits(copy);
         }
     }

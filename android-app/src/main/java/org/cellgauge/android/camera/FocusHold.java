@@ -3,8 +3,8 @@ package org.cellgauge.android.camera;
 import android.hardware.camera2.CameraMetadata;
 
 /**
- * Whether the lens stands still, so that frames may be measured in. A scan is asked for, the device reports how it goes,
- * and from its end on the lens stays where it is.
+ * Whether the lens stands still, so that frames may be measured in. A scan is asked for, the device reports how it
+ * goes, and from its end on the lens stays where it is.
  */
 final class FocusHold {
     private final RequestSettings.Focus focus;

@@ -45,8 +45,8 @@ final class ModelChoice {
     }
 
     /**
-     * The best model there is: the user's calibration, else the device's, else the field of view of its data sheet. What
-     * a device states is judged as a camera file is, and passed over where no camera can be like that.
+     * The best model there is: the user's calibration, else the device's, else the field of view of its data sheet.
+     * What a device states is judged as a camera file is, and passed over where no camera can be like that.
      *
      * @param traits what the device states
      * @param frame size of the frames

@@ -10,8 +10,8 @@ import java.util.Set;
 import org.cellgauge.geometry.PixelArea;
 
 /**
- * What a camera is told so that a calibration holds for its frames: no zoom, no stabilisation, no correction of the lens,
- * a focus that stays, nothing that sharpens edges; immutable.
+ * What a camera is told so that a calibration holds for its frames: no zoom, no stabilisation, no correction of the
+ * lens, a focus that stays, nothing that sharpens edges; immutable.
  */
 final class RequestSettings {
     /** How the focus is held. */
@@ -80,7 +80,9 @@ final class RequestSettings {
         return modes.length > 0 && !CameraTraits.has(modes, off);
     }
 
-    /** The mode in which the lens stays where a trigger left it; in the continuous ones it does once they are triggered. */
+    /**
+     * The mode in which the lens stays where a trigger left it; in the continuous ones it does once they are triggered.
+     */
     private static int holdingMode(int[] modes) {
         int[] preferred = {CameraMetadata.CONTROL_AF_MODE_AUTO, CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_PICTURE,
             CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_VIDEO, CameraMetadata.CONTROL_AF_MODE_MACRO,
@@ -138,7 +140,8 @@ final class RequestSettings {
                 CameraMetadata.NOISE_REDUCTION_MODE_FAST);
         PixelArea whole = traits.activeArray();
         if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.P
-                && CameraTraits.has(traits.distortionCorrectionModes(), CameraMetadata.DISTORTION_CORRECTION_MODE_OFF)) {
+                && CameraTraits.has(traits.distortionCorrectionModes(),
+                        CameraMetadata.DISTORTION_CORRECTION_MODE_OFF)) {
             request.set(CaptureRequest.DISTORTION_CORRECTION_MODE, CameraMetadata.DISTORTION_CORRECTION_MODE_OFF);
             // without the correction, areas are those of the sensor before it
             whole = traits.preCorrectionActiveArray();
@@ -146,6 +149,11 @@ final class RequestSettings {
         if (whole != null) {
             request.set(CaptureRequest.SCALER_CROP_REGION,
                     new Rect(0, 0, (int) whole.widthPx(), (int) whole.heightPx()));
+        }
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.S) {
+            // else Android turns and cuts images for apps that it shows in a window of the other orientation
+            setIfOffered(request, CaptureRequest.SCALER_ROTATE_AND_CROP, traits.rotateAndCropModes(),
+                    CameraMetadata.SCALER_ROTATE_AND_CROP_NONE);
         }
         float focalLength = focalLengthMm(traits);
         if (traits.focalLengthsMm().length > 1 && focalLength > 0) {

@@ -41,8 +41,8 @@ final class StreamChoice {
      *
      * @param camera what it offers
      * @param calibration intrinsics that the user has for it, or null
-     * @return with a calibration: its own size and then others of its shape, empty where there is none of either; without
-     *     one: by area and speed, empty only where the camera has no frames at all
+     * @return with a calibration: its own size and then others of its shape, empty where there is none of either;
+     *     without one: by area and speed, empty only where the camera has no frames at all
      */
     static List<StreamChoice> of(CameraTraits camera, PinholeCamera calibration) {
         List<PixelSize> frames = new ArrayList<>(camera.frameSizes().keySet());

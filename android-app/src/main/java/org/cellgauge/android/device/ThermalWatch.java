@@ -8,8 +8,8 @@ import io.reactivex.rxjava3.core.BackpressureStrategy;
 import io.reactivex.rxjava3.core.Flowable;
 
 /**
- * How warm the device is, as Android says it (API 29 and newer). Older devices throttle as well but say nothing: there the
- * level stays normal.
+ * How warm the device is, as Android says it (API 29 and newer). Older devices throttle as well but say nothing: there
+ * the level stays normal.
  */
 public final class ThermalWatch {
     private final Context context;
@@ -26,7 +26,8 @@ public final class ThermalWatch {
     /**
      * The levels, the present one at once. The device is listened to while somebody is subscribed.
      *
-     * @return never the same twice in a row; does not end where the device says anything at all; changes come on the main thread
+     * @return never the same twice in a row; does not end where the device says anything at all; changes come on the
+     *     main thread
      */
     public Flowable<ThermalLevel> levels() {
         PowerManager power = context.getSystemService(PowerManager.class);

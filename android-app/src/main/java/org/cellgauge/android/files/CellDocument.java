@@ -77,9 +77,10 @@ public final class CellDocument {
     }
 
     /**
-     * The camera file that the cell file refers to but the app cannot reach: Android gives an app the documents that a user
-     * chose, not their neighbours. The user should be asked for it by this name, and
-     * {@link CellLibrary#cell(String, String)} be called again with it; who has none goes on with the device's own model.
+     * The camera file that the cell file refers to but the app cannot reach: Android gives an app the documents that a
+     * user chose, not their neighbours. The user should be asked for it by this name, and
+     * {@link CellLibrary#cell(String, String)} be called again with it; who has none goes on with the device's own
+     * model.
      *
      * @return the name after {@code camera:}, or null where nothing is missing
      */

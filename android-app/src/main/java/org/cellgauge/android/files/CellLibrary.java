@@ -20,8 +20,8 @@ public interface CellLibrary {
     Photo examplePhoto();
 
     /**
-     * Reads a cell file. A camera file that it refers to cannot be followed: {@link CellDocument#cameraFile()} then says
-     * which one is to be chosen.
+     * Reads a cell file. A camera file that it refers to cannot be followed: {@link CellDocument#cameraFile()} then
+     * says which one is to be chosen.
      *
      * @param uri of the document
      * @param calibrationUri of a calibration file chosen with it, or null; it goes before what the cell file states

@@ -58,11 +58,11 @@ final class Documents {
             }
             return reading.read(in, name);
         } catch (FileNotFoundException e) {
-            throw new InputRefusedException(name + ": this " + what + " is not there any more, or its app does not give "
-                    + "it; choose it again", e);
+            throw new InputRefusedException(name + ": this " + what + " is not there any more, or its app does not "
+                    + "give it; choose it again", e);
         } catch (SecurityException e) {
-            throw new InputRefusedException(name + ": the permission to read this " + what + " has ended; choose it again",
-                    e);
+            throw new InputRefusedException(name + ": the permission to read this " + what + " has ended; choose it "
+                    + "again", e);
         } catch (InputRefusedException e) {
             throw e;
         } catch (IOException e) {
@@ -79,7 +79,8 @@ final class Documents {
         try {
             resolver.takePersistableUriPermission(uri, Intent.FLAG_GRANT_READ_URI_PERMISSION);
         } catch (SecurityException e) {
-            // not every app offers it: then the document is to be chosen again next time, which is said when it is missing
+            // not every app offers it: then the document is to be chosen again next time, which is said when it is
+            // missing
             return;
         }
     }

@@ -23,12 +23,12 @@ import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.vision.GreyImage;
 
 /**
- * Results in the app's own storage, where they need no permission and outlast everything but the app's removal. The user
- * sees, copies, shares and deletes them in the system's Files app, to which {@link ResultProvider} shows them.
+ * Results in the app's own storage, where they need no permission and outlast everything but the app's removal. The
+ * user sees, copies, shares and deletes them in the system's Files app, to which {@link ResultProvider} shows them.
  *
  * <p>A result is a folder of its own, named after the time: {@code NAME.png} (the photo, grey, without loss),
- * {@code NAME.result.json} (as the command line writes it), {@code NAME.overlay.png} and {@code NAME.cell.yaml} (with the
- * camera that was used, and the command that makes the figures again).
+ * {@code NAME.result.json} (as the command line writes it), {@code NAME.overlay.png} and {@code NAME.cell.yaml} (with
+ * the camera that was used, and the command that makes the figures again).
  */
 public final class FolderArchive implements ResultArchive {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss", Locale.ROOT);

@@ -8,11 +8,11 @@ import java.io.IOException;
 import org.cellgauge.vision.GreyImage;
 
 /**
- * Writes grey pictures as PNG files of 8 bits per pixel, without loss. Android's own encoder knows colour only and would
- * make them three times as large.
+ * Writes grey pictures as PNG files of 8 bits per pixel, without loss. Android's own encoder knows colour only and
+ * would make them three times as large.
  *
- * <p>Format: W3C, "Portable Network Graphics (PNG) Specification (Third Edition)", chunks IHDR, IDAT and IEND; every row
- * is stored as differences from the one above (filter "Up").
+ * <p>Format: W3C, "Portable Network Graphics (PNG) Specification (Third Edition)", chunks IHDR, IDAT and IEND; every
+ * row is stored as differences from the one above (filter "Up").
  */
 final class GreyPng {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};

@@ -4,8 +4,8 @@ import java.util.zip.CRC32;
 import org.cellgauge.cell.InputRefusedException;
 
 /**
- * What a PNG or JPEG file says of itself before it is decoded, and whether all of it is there. Android's decoder makes a
- * picture of half a file without a word, with the rest of it grey or black.
+ * What a PNG or JPEG file says of itself before it is decoded, and whether all of it is there. Android's decoder makes
+ * a picture of half a file without a word, with the rest of it grey or black.
  */
 final class ImageHeader {
     private static final int[] PNG = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};

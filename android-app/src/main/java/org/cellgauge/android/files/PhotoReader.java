@@ -2,6 +2,7 @@ package org.cellgauge.android.files;
 
 import android.graphics.Bitmap;
 import android.graphics.BitmapFactory;
+import android.graphics.Color;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -11,8 +12,8 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.vision.GreyImage;
 
 /**
- * Reads photos as the command line does: colours become grey by the luma weights of ITU-R BT.601 (0.299, 0.587, 0.114) on
- * the stored values, transparent parts lie on white, and a note which way up to show the photo is not followed.
+ * Reads photos as the command line does: colours become grey by the luma weights of ITU-R BT.601 (0.299, 0.587, 0.114)
+ * on the stored values, transparent parts lie on white, and a note which way up to show the photo is not followed.
  */
 final class PhotoReader {
     /** Largest file that is read, bytes. */
@@ -57,8 +58,8 @@ final class PhotoReader {
             ImageHeader.judge(file, name);
             return grey(decoded(file, name, freeBytes));
         } catch (OutOfMemoryError e) {
-            throw new InputRefusedException(name + ": it is too large for the memory of this device; scale it down before "
-                    + "calibration and measurement alike, or check it with the command line", e);
+            throw new InputRefusedException(name + ": it is too large for the memory of this device; scale it down "
+                    + "before calibration and measurement alike, or check it with the command line", e);
         }
     }
 
@@ -69,8 +70,8 @@ final class PhotoReader {
         while (n >= 0) {
             out.write(buffer, 0, n);
             if (out.size() > MAX_BYTES) {
-                throw new InputRefusedException(name + ": larger than " + (MAX_BYTES >> 20) + " MiB, which no photo is; "
-                        + "check the name of the file");
+                throw new InputRefusedException(name + ": larger than " + (MAX_BYTES >> 20) + " MiB, which no photo is"
+                        + "; check the name of the file");
             }
             n = in.read(buffer);
         }
@@ -90,8 +91,8 @@ final class PhotoReader {
         // the file itself lies in the memory already
         if (pixels > MAX_PIXELS || pixels * BYTES_PER_PIXEL > freeBytes) {
             throw new InputRefusedException(name + ": " + String.format(Locale.ROOT,
-                    "%d x %d px are too many for the memory of this device (%d MB free); scale it down before calibration "
-                            + "and measurement alike, or check it with the command line",
+                    "%d x %d px are too many for the memory of this device (%d MB free); scale it down before "
+                            + "calibration and measurement alike, or check it with the command line",
                     width, height, freeBytes >> 20));
         }
         options = new BitmapFactory.Options();
@@ -108,22 +109,24 @@ final class PhotoReader {
     }
 
     private static InputRefusedException damaged(String name) {
-        return new InputRefusedException(name + ": it is damaged or of an unusual kind; copy it again or save it as 8-bit "
-                + "PNG");
+        return new InputRefusedException(name + ": it is damaged or of an unusual kind; copy it again or save it as "
+                + "8-bit PNG");
     }
 
     private static GreyImage grey(Bitmap bitmap) {
         int width = bitmap.getWidth();
         int height = bitmap.getHeight();
-        // R, G, B, A in this order, whatever the machine (Bitmap.Config); getPixels would go through sRGB
-        byte[] rgba = new byte[CHANNELS * width * height];
-        bitmap.copyPixelsToBuffer(ByteBuffer.wrap(rgba));
+        // bytes as they lie in the memory: getPixels would take them through sRGB
+        byte[] bytes = new byte[CHANNELS * width * height];
+        bitmap.copyPixelsToBuffer(ByteBuffer.wrap(bytes));
         bitmap.recycle();
+        int[] order = channelOrder();
         byte[] grey = new byte[width * height];
         for (int i = 0; i < grey.length; i++) {
             int at = CHANNELS * i;
-            double value = 0.299 * (rgba[at] & 0xFF) + 0.587 * (rgba[at + 1] & 0xFF) + 0.114 * (rgba[at + 2] & 0xFF);
-            int alpha = rgba[at + 3] & 0xFF;
+            double value = 0.299 * (bytes[at + order[0]] & 0xFF) + 0.587 * (bytes[at + order[1]] & 0xFF)
+                    + 0.114 * (bytes[at + order[2]] & 0xFF);
+            int alpha = bytes[at + order[3]] & 0xFF;
             if (alpha != OPAQUE) {
                 double share = alpha / (double) OPAQUE;
                 value = share * value + (1 - share) * OPAQUE;
@@ -131,5 +134,19 @@ final class PhotoReader {
             grey[i] = (byte) Math.round(value);
         }
         return GreyImage.packed(grey, width, height);
+    }
+
+    /** Where red, green, blue and alpha of a pixel stand: in this order on devices, in another one on a desktop. */
+    private static int[] channelOrder() {
+        Bitmap probe = Bitmap.createBitmap(1, 1, Bitmap.Config.ARGB_8888);
+        probe.setPixel(0, 0, Color.rgb(1, 2, 3));
+        byte[] bytes = new byte[CHANNELS];
+        probe.copyPixelsToBuffer(ByteBuffer.wrap(bytes));
+        probe.recycle();
+        int[] order = new int[CHANNELS];
+        for (int i = 0; i < CHANNELS; i++) {
+            order[(bytes[i] & 0xFF) == OPAQUE ? CHANNELS - 1 : bytes[i] - 1] = i;
+        }
+        return order;
     }
 }

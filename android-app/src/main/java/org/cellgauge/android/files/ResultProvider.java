@@ -18,11 +18,12 @@ import java.util.Locale;
 import org.cellgauge.android.R;
 
 /**
- * Shows kept results to the system's Files app, and gives single files to apps that the user shares them with. Nobody else
- * can read them: the provider is closed to all but the system, and an app gets a grant for the files in its intent.
+ * Shows kept results to the system's Files app, and gives single files to apps that the user shares them with. Nobody
+ * else can read them: the provider is closed to all but the system, and an app gets a grant for the files in its
+ * intent.
  *
- * <p>Files can be read and never written; whole results can be deleted. A document's id is "/", "RESULT" or "RESULT/FILE";
- * one that leads anywhere else names nothing.
+ * <p>Files can be read and never written; whole results can be deleted. A document's id is "/", "RESULT" or
+ * "RESULT/FILE"; one that leads anywhere else names nothing.
  */
 public final class ResultProvider extends DocumentsProvider {
     private static final String ROOT_ID = "results";
@@ -94,36 +95,37 @@ public final class ResultProvider extends DocumentsProvider {
     @Override
     public Cursor queryDocument(String id, String[] projection) throws FileNotFoundException {
         MatrixCursor cursor = new MatrixCursor(projection == null ? DOCUMENT_COLUMNS : projection);
-        addRow(cursor, id);
+        if (!addRow(cursor, id)) {
+            cursor.close();
+            throw nothing(id);
+        }
         return cursor;
     }
 
     @Override
     public Cursor queryChildDocuments(String parentId, String[] projection, String sortOrder)
             throws FileNotFoundException {
-        MatrixCursor cursor = new MatrixCursor(projection == null ? DOCUMENT_COLUMNS : projection);
-        if (ALL.equals(parentId)) {
-            for (String name : store.names()) {
-                addRow(cursor, name);
-            }
-        } else if (store.result(parentId) != null) {
-            for (String file : store.files(parentId)) {
-                addRow(cursor, parentId + "/" + file);
-            }
-        } else {
+        boolean all = ALL.equals(parentId);
+        if (!all && store.result(parentId) == null) {
             throw nothing(parentId);
+        }
+        MatrixCursor cursor = new MatrixCursor(projection == null ? DOCUMENT_COLUMNS : projection);
+        // one that was deleted meanwhile is left out
+        for (String name : all ? store.names() : store.files(parentId)) {
+            addRow(cursor, all ? name : parentId + "/" + name);
         }
         cursor.setNotificationUri(getContext().getContentResolver(),
                 DocumentsContract.buildChildDocumentsUri(authority, parentId));
         return cursor;
     }
 
-    private void addRow(MatrixCursor cursor, String id) throws FileNotFoundException {
+    /** Adds what a document is, and says whether there is one of this id. */
+    private boolean addRow(MatrixCursor cursor, String id) {
         if (ALL.equals(id)) {
             cursor.newRow().add(Document.COLUMN_DOCUMENT_ID, ALL)
                     .add(Document.COLUMN_DISPLAY_NAME, getContext().getString(R.string.app_name))
                     .add(Document.COLUMN_MIME_TYPE, Document.MIME_TYPE_DIR).add(Document.COLUMN_FLAGS, 0);
-            return;
+            return true;
         }
         File result = store.result(id);
         if (result != null) {
@@ -131,14 +133,18 @@ public final class ResultProvider extends DocumentsProvider {
                     .add(Document.COLUMN_MIME_TYPE, Document.MIME_TYPE_DIR)
                     .add(Document.COLUMN_LAST_MODIFIED, result.lastModified())
                     .add(Document.COLUMN_FLAGS, Document.FLAG_SUPPORTS_DELETE);
-            return;
+            return true;
         }
         File file = file(id);
+        if (file == null) {
+            return false;
+        }
         String type = mimeType(file.getName());
         cursor.newRow().add(Document.COLUMN_DOCUMENT_ID, id).add(Document.COLUMN_DISPLAY_NAME, file.getName())
                 .add(Document.COLUMN_MIME_TYPE, type).add(Document.COLUMN_LAST_MODIFIED, file.lastModified())
                 .add(Document.COLUMN_SIZE, file.length())
                 .add(Document.COLUMN_FLAGS, type.startsWith("image/") ? Document.FLAG_SUPPORTS_THUMBNAIL : 0);
+        return true;
     }
 
     @Override
@@ -147,7 +153,11 @@ public final class ResultProvider extends DocumentsProvider {
         if (!"r".equals(mode)) {
             throw new FileNotFoundException("results can be read only, not opened with mode " + mode);
         }
-        return ParcelFileDescriptor.open(file(id), ParcelFileDescriptor.MODE_READ_ONLY);
+        File file = file(id);
+        if (file == null) {
+            throw nothing(id);
+        }
+        return ParcelFileDescriptor.open(file, ParcelFileDescriptor.MODE_READ_ONLY);
     }
 
     @Override
@@ -164,11 +174,7 @@ public final class ResultProvider extends DocumentsProvider {
     }
 
     private boolean exists(String id) {
-        try {
-            return store.result(id) != null || file(id) != null;
-        } catch (FileNotFoundException e) {
-            return false;
-        }
+        return store.result(id) != null || file(id) != null;
     }
 
     @Override
@@ -181,13 +187,10 @@ public final class ResultProvider extends DocumentsProvider {
         getContext().getContentResolver().notifyChange(DocumentsContract.buildChildDocumentsUri(authority, ALL), null);
     }
 
-    private File file(String id) throws FileNotFoundException {
+    /** The file of an id, or null where there is none. */
+    private File file(String id) {
         int slash = id.indexOf('/');
-        File file = slash < 0 ? null : store.file(id.substring(0, slash), id.substring(slash + 1));
-        if (file == null) {
-            throw nothing(id);
-        }
-        return file;
+        return slash < 0 ? null : store.file(id.substring(0, slash), id.substring(slash + 1));
     }
 
     private static FileNotFoundException nothing(String id) {

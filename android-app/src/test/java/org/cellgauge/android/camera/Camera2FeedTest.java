@@ -255,10 +255,10 @@ public class Camera2FeedTest {
         eventually(() -> device.session.triggers.size() == 2);
         assertEquals(Arrays.asList(CameraMetadata.CONTROL_AF_TRIGGER_CANCEL, CameraMetadata.CONTROL_AF_TRIGGER_START),
                 device.session.triggers);
-        device.session.reportFocus(CONTROL_AF_STATE_ACTIVE_SCAN);
+        device.session.reportFocus(CONTROL_AF_STATE_ACTIVE_SCAN, null);
         FakeCameras.Frame blurred = cameras.lastReader().deliver(1, 1, false);
         eventually(() -> blurred.closed);
-        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, null);
         meanwhile();
         cameras.lastReader().deliver(2, 2, false);
         assertEquals("frame 2 at 2", heard.next());
@@ -266,10 +266,22 @@ public class Camera2FeedTest {
     }
 
     @Test
+    public void framesFromBeforeTheLensStoodStillAreLeftOut() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, 1000L);
+        meanwhile();
+        FakeCameras.Frame before = cameras.lastReader().deliver(1, 999, false);
+        eventually(() -> before.closed);
+        cameras.lastReader().deliver(2, 1000, false);
+        assertEquals("frame 2 at 1000", heard.next());
+    }
+
+    @Test
     public void focusingAgainHoldsFramesBackOnceMore() throws InterruptedException {
         FakeCameras.Device device = openAndStream(true);
         eventually(() -> device.session.triggers.size() == 2);
-        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, null);
         meanwhile();
         cameras.lastReader().deliver(1, 1, false);
         assertEquals("frame 1 at 1", heard.next());
@@ -278,7 +290,7 @@ public class Camera2FeedTest {
         meanwhile();
         FakeCameras.Frame blurred = cameras.lastReader().deliver(2, 2, false);
         eventually(() -> blurred.closed);
-        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, null);
         meanwhile();
         cameras.lastReader().deliver(3, 3, false);
         assertEquals("frame 3 at 3", heard.next());

@@ -10,6 +10,7 @@ import android.graphics.ImageFormat;
 import android.graphics.Rect;
 import android.hardware.camera2.CameraCharacteristics;
 import android.hardware.camera2.CameraMetadata;
+import android.os.Build;
 import android.util.Size;
 import android.util.SizeF;
 import java.util.Arrays;
@@ -21,6 +22,7 @@ import org.robolectric.RobolectricTestRunner;
 import org.robolectric.shadow.api.Shadow;
 import org.robolectric.shadows.ShadowCameraCharacteristics;
 import org.robolectric.shadows.StreamConfigurationMapBuilder;
+import org.robolectric.util.ReflectionHelpers;
 
 /** What is read from a camera's characteristics, and what from those of a device that states nothing or nonsense. */
 @RunWith(RobolectricTestRunner.class)
@@ -53,6 +55,7 @@ public class CameraTraitsTest {
         state(CameraCharacteristics.EDGE_AVAILABLE_EDGE_MODES, new int[] {1, 2});
         state(CameraCharacteristics.NOISE_REDUCTION_AVAILABLE_NOISE_REDUCTION_MODES, new int[] {0, 1});
         state(CameraCharacteristics.DISTORTION_CORRECTION_AVAILABLE_MODES, new int[] {0, 1});
+        state(CameraCharacteristics.SCALER_AVAILABLE_ROTATE_AND_CROP_MODES, new int[] {0, 3});
 
         CameraTraits traits = CameraTraits.of("0", characteristics);
         assertEquals("0", traits.id());
@@ -76,7 +79,26 @@ public class CameraTraitsTest {
         assertArrayEquals(new int[] {0}, traits.videoStabilisationModes());
         assertArrayEquals(new int[] {1, 2}, traits.edgeModes());
         assertArrayEquals(new int[] {0, 1}, traits.noiseReductionModes());
+        assertArrayEquals(new int[] {0, 3}, traits.rotateAndCropModes());
         assertFalse(traits.alwaysCorrectsLens());
+    }
+
+    /** Of API 26 and 27 the lens' distortion is not known: what they state of it has no fixed meaning. */
+    @Test
+    public void olderAndroidsStateNoDistortion() {
+        state(CameraCharacteristics.LENS_DISTORTION, new float[] {0.1f, 0, 0, 0, 0});
+        state(CameraCharacteristics.DISTORTION_CORRECTION_AVAILABLE_MODES, new int[] {0, 1});
+        state(CameraCharacteristics.SENSOR_INFO_ACTIVE_ARRAY_SIZE, new Rect(8, 6, 3992, 2994));
+        state(CameraCharacteristics.SENSOR_INFO_PRE_CORRECTION_ACTIVE_ARRAY_SIZE, new Rect(0, 0, 4000, 3000));
+        int now = Build.VERSION.SDK_INT;
+        try {
+            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", 27);
+            CameraTraits traits = CameraTraits.of("0", characteristics);
+            assertNull(traits.distortion());
+            assertTrue(traits.alwaysCorrectsLens());
+        } finally {
+            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", now);
+        }
     }
 
     @Test

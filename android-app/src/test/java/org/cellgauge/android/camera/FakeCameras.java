@@ -250,9 +250,12 @@ final class FakeCameras {
         }
 
         /** The camera says of its next frame how the focus is. */
-        void reportFocus(Integer state) {
+        void reportFocus(Integer state, Long exposureNs) {
             frameNumber++;
             TotalCaptureResult result = result(frameNumber, state);
+            if (exposureNs != null) {
+                ((ShadowTotalCaptureResult) Shadow.extract(result)).set(CaptureResult.SENSOR_TIMESTAMP, exposureNs);
+            }
             repeatingOn.post(() -> repeating.onCaptureCompleted(this, null, result));
         }
 

@@ -55,7 +55,8 @@ class ModelChoiceTest {
         ModelChoice model = ModelChoice.of(sensor().build(), new PixelSize(1344, 1008), file);
         assertCamera(model.camera(), 1000, 3010 / 3.0, 2000 / 3.0, 500);
         assertEquals(1344, model.camera().widthPx());
-        assertEquals(EnumSet.of(CameraNote.CALIBRATION_OF_ANOTHER_CAMERA, CameraNote.CALIBRATION_SCALED), model.notes());
+        assertEquals(EnumSet.of(CameraNote.CALIBRATION_OF_ANOTHER_CAMERA, CameraNote.CALIBRATION_SCALED),
+                model.notes());
     }
 
     @Test

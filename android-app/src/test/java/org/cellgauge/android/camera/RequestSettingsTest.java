@@ -7,6 +7,7 @@ import static org.junit.Assert.assertNull;
 import android.graphics.Rect;
 import android.hardware.camera2.CameraMetadata;
 import android.hardware.camera2.CaptureRequest;
+import android.os.Build;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.HashMap;
@@ -15,6 +16,7 @@ import org.cellgauge.geometry.PixelArea;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 import org.robolectric.RobolectricTestRunner;
+import org.robolectric.util.ReflectionHelpers;
 
 /** What a camera is told, by what it offers. */
 @RunWith(RobolectricTestRunner.class)
@@ -27,6 +29,8 @@ public class RequestSettingsTest {
                         CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_PICTURE)
                 .opticalStabilisationModes(0, 1).videoStabilisationModes(0, 1).edgeModes(0, 1, 2)
                 .noiseReductionModes(0, 1, 2).distortionCorrectionModes(0, 1, 2).focalLengthsMm(4.2f)
+                .rotateAndCropModes(CameraMetadata.SCALER_ROTATE_AND_CROP_NONE,
+                        CameraMetadata.SCALER_ROTATE_AND_CROP_AUTO)
                 .activeArray(new PixelArea(8, 6, 3984, 2988)).preCorrectionActiveArray(new PixelArea(0, 0, 4000, 3000));
     }
 
@@ -53,9 +57,24 @@ public class RequestSettingsTest {
                 settings.get(CaptureRequest.DISTORTION_CORRECTION_MODE));
         assertEquals(CameraMetadata.EDGE_MODE_OFF, settings.get(CaptureRequest.EDGE_MODE));
         assertEquals(CameraMetadata.NOISE_REDUCTION_MODE_FAST, settings.get(CaptureRequest.NOISE_REDUCTION_MODE));
+        assertEquals(CameraMetadata.SCALER_ROTATE_AND_CROP_NONE, settings.get(CaptureRequest.SCALER_ROTATE_AND_CROP));
         assertFalse(settings.containsKey(CaptureRequest.LENS_FOCAL_LENGTH));
         assertEquals(Collections.emptySet(), RequestSettings.of(able().build()).notes());
         assertEquals(RequestSettings.Focus.HELD, RequestSettings.of(able().build()).focus());
+    }
+
+    @Test
+    public void olderAndroidsAreNotAskedForWhatTheyDoNotKnow() {
+        int now = Build.VERSION.SDK_INT;
+        try {
+            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", 27);
+            Map<CaptureRequest.Key<?>, Object> settings = settings(able());
+            assertFalse(settings.containsKey(CaptureRequest.DISTORTION_CORRECTION_MODE));
+            assertFalse(settings.containsKey(CaptureRequest.SCALER_ROTATE_AND_CROP));
+            assertEquals(CameraMetadata.EDGE_MODE_OFF, settings.get(CaptureRequest.EDGE_MODE));
+        } finally {
+            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", now);
+        }
     }
 
     @Test

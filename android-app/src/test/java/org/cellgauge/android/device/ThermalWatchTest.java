@@ -3,6 +3,7 @@ package org.cellgauge.android.device;
 import static org.junit.Assert.assertEquals;
 
 import android.content.Context;
+import android.os.Build;
 import android.os.PowerManager;
 import io.reactivex.rxjava3.subscribers.TestSubscriber;
 import org.junit.Test;
@@ -11,6 +12,7 @@ import org.robolectric.RobolectricTestRunner;
 import org.robolectric.RuntimeEnvironment;
 import org.robolectric.Shadows;
 import org.robolectric.shadows.ShadowPowerManager;
+import org.robolectric.util.ReflectionHelpers;
 
 /** Android's thermal status as levels. */
 @RunWith(RobolectricTestRunner.class)
@@ -38,6 +40,17 @@ public class ThermalWatchTest {
         assertEquals(1, power.getThermalStatusListeners().size());
         seen.cancel();
         assertEquals(0, power.getThermalStatusListeners().size());
+    }
+
+    @Test
+    public void olderAndroidsSayNothingAndStayNormal() {
+        int now = Build.VERSION.SDK_INT;
+        try {
+            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", 28);
+            new ThermalWatch(context).levels().test().assertResult(ThermalLevel.NORMAL);
+        } finally {
+            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", now);
+        }
     }
 
     @Test
