@@ -81,8 +81,8 @@ public final class CellReader {
     }
 
     /**
-     * Reads a cell file's text for a camera that is known otherwise: what the file says of the camera is not read, and it
-     * may say nothing.
+     * Reads a cell file's text for a camera that is known otherwise: what the file says of the camera is not read, and
+     * it may say nothing.
      *
      * @param text YAML
      * @param displayName the name that messages give it

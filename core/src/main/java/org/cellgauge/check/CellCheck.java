@@ -137,9 +137,9 @@ public final class CellCheck {
      * @param detections markers seen in its photo; ids foreign to the cell are ignored
      * @param settings how to go about it
      * @param worldFromCameraStart where the search for the mode starts, for instance at the mode of a similar photo, or
-     *     null for the initial estimate of the settings. It is used only where it leads to a mode that explains the corners
-     *     as well as their noise lets expect, and never where two references or fewer need a weak prior, which is about the
-     *     initial estimate
+     *     null for the initial estimate of the settings. It is used only where it leads to a mode that explains the
+     *     corners as well as their noise lets expect, and never where two references or fewer need a weak prior, which
+     *     is about the initial estimate
      * @return the quick look, from which the chains can be run
      * @throws InputRefusedException as {@link #run}
      */

@@ -281,7 +281,8 @@ final class LinearModel {
                 noise.covariance(state, m, placement, pixel);
                 double[][] byResidual = times(a, mode.gain(m), 8);
                 Reference reference = camera.view.references().get(m);
-                variances.put(VarianceBudget.PLACEMENT_OF_REFERENCE + reference.id(), diagonal(byResidual, placement, 8));
+                variances.put(VarianceBudget.PLACEMENT_OF_REFERENCE + reference.id(),
+                        diagonal(byResidual, placement, 8));
                 add(cornerNoise, diagonal(byResidual, pixel, 8));
             }
             variances.put(VarianceBudget.CORNER_NOISE_OF_REFERENCES, cornerNoise);

@@ -5,8 +5,8 @@ import java.util.function.Function;
 import java.util.function.IntSupplier;
 
 /**
- * The first part of a check: the poses that explain a photo best, with Laplace's approximation of their uncertainty; and
- * the way from there to the chains. Immutable.
+ * The first part of a check: the poses that explain a photo best, with Laplace's approximation of their uncertainty;
+ * and the way from there to the chains. Immutable.
  */
 public final class QuickLook {
     private final CheckUpdate update;

@@ -106,7 +106,8 @@ public final class Reason {
      * @param missingObjects ids of objects that count as a failure because they are not seen; empty where none does
      * @param targetMm the target, or empty
      */
-    static Reason largestDeviation(List<ObjectEstimate> objects, List<Integer> missingObjects, OptionalDouble targetMm) {
+    static Reason largestDeviation(List<ObjectEstimate> objects, List<Integer> missingObjects,
+            OptionalDouble targetMm) {
         Kind kind = !missingObjects.isEmpty() ? Kind.OBJECT_NOT_SEEN
                 : objects.isEmpty() ? Kind.NO_OBJECT : Kind.LARGEST_DEVIATION;
         Parts parts = new Parts(kind);
@@ -276,15 +277,15 @@ public final class Reason {
     public String english() {
         switch (p.kind) {
             case NOT_CONVERGED:
-                return String.format(Locale.ROOT, "The chains have not converged (worst: %s, R-hat %s, effective draws %s): no "
-                        + "accuracy can be read off them.", p.worstParameter, number(p.rHat, 3),
+                return String.format(Locale.ROOT, "The chains have not converged (worst: %s, R-hat %s, effective draws "
+                        + "%s): no accuracy can be read off them.", p.worstParameter, number(p.rHat, 3),
                         number(p.effectiveDraws, 0));
             case TWO_CAMERA_POSES:
-                return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): add a "
-                        + "reference out of their plane.", 100 * p.share.getAsDouble());
+                return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): "
+                        + "add a reference out of their plane.", 100 * p.share.getAsDouble());
             case TWO_OBJECT_POSES:
-                return String.format(Locale.ROOT, "Two poses explain the corners of object %d (the second holds %.0f %%): use "
-                        + "a larger marker, come closer or look at it from the side.", p.objectId.getAsInt(),
+                return String.format(Locale.ROOT, "Two poses explain the corners of object %d (the second holds %.0f "
+                        + "%%): use a larger marker, come closer or look at it from the side.", p.objectId.getAsInt(),
                         100 * p.share.getAsDouble());
             case OBJECT_NOT_SEEN:
                 return "Object " + join(p.missingObjects) + " was not seen in the photo. " + deviation();
@@ -299,8 +300,8 @@ public final class Reason {
         }
         String target = p.targetMm.isPresent()
                 ? String.format(Locale.ROOT, " against a target of %s mm", plain(p.targetMm.getAsDouble())) : "";
-        return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance comes "
-                + "from %s.", p.stdMm.getAsDouble(), "xyz".charAt(p.axis.getAsInt()),
+        return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance "
+                + "comes from %s.", p.stdMm.getAsDouble(), "xyz".charAt(p.axis.getAsInt()),
                 p.grip ? "the gripping point of " : "", p.objectId.getAsInt(), target, 100 * p.share.getAsDouble(),
                 sourceInWords());
     }

@@ -127,7 +127,8 @@ public final class PinholeCamera {
 
     private static double focalPx(int widthPx, double horizontalFieldOfViewRad) {
         if (!(horizontalFieldOfViewRad > 0 && horizontalFieldOfViewRad < Math.PI)) {
-            throw new IllegalArgumentException("a field of view lies between 0 and pi, not at " + horizontalFieldOfViewRad);
+            throw new IllegalArgumentException("a field of view lies between 0 and pi, not at "
+                    + horizontalFieldOfViewRad);
         }
         return widthPx / 2.0 / Math.tan(horizontalFieldOfViewRad / 2);
     }
@@ -182,11 +183,12 @@ public final class PinholeCamera {
     }
 
     /**
-     * How uncertain the focal length is where the field of view is: half the difference between the focal lengths at one
-     * deviation more and one less. A data sheet's angle, perhaps of another image format, is good to some 10 degrees.
+     * How uncertain the focal length is where the field of view is: half the difference between the focal lengths at
+     * one deviation more and one less. A data sheet's angle, perhaps of another image format, is good to some 10
+     * degrees.
      *
-     * @param fieldOfViewStdRad standard deviation of {@link #horizontalFieldOfViewRad()}, rad, positive and small enough
-     *     that the angle stays between 0 and pi
+     * @param fieldOfViewStdRad standard deviation of {@link #horizontalFieldOfViewRad()}, rad, positive and small
+     *     enough that the angle stays between 0 and pi
      * @return standard deviation of fx, px
      * @throws IllegalArgumentException if the deviation is out of range
      */

@@ -17,13 +17,14 @@ import java.util.Arrays;
  * immutable.
  *
  * <p>The conventions are those of Android's Camera2 (reference of {@code CameraCharacteristics}):
- * {@code LENS_INTRINSIC_CALIBRATION} is (fx, fy, cx, cy, s) relative to the upper left corner of the active array before
- * correction, the centre of pixel (x, y) being at (x + 0.5, y + 0.5), as here. {@code LENS_DISTORTION} is
- * (kappa1, …, kappa5) of {@code x_c = x_i (1 + kappa1 r² + kappa2 r⁴ + kappa3 r⁶) + kappa4 2 x_i y_i + kappa5 (r² + 2 x_i²)},
- * y alike with kappa4 and kappa5 exchanged, {@code x_c} being where in the image as taken the light from the undistorted
- * direction {@code x_i} falls: the model and the order k1, k2, k3, p1, p2 of {@link PinholeCamera}. Both active arrays are
- * relative to the full pixel array. A stream of another shape than the active array shows the largest part of its own shape
- * in the middle ({@code SCALER_CROP_REGION}), provided that the device does not zoom.
+ * {@code LENS_INTRINSIC_CALIBRATION} is (fx, fy, cx, cy, s) relative to the upper left corner of the active array
+ * before correction, the centre of pixel (x, y) being at (x + 0.5, y + 0.5), as here. {@code LENS_DISTORTION} is
+ * (kappa1, …, kappa5) of
+ * {@code x_c = x_i (1 + kappa1 r² + kappa2 r⁴ + kappa3 r⁶) + kappa4 2 x_i y_i + kappa5 (r² + 2 x_i²)}, y alike with
+ * kappa4 and kappa5 exchanged, {@code x_c} being where in the image as taken the light from the undistorted direction
+ * {@code x_i} falls: the model and the order k1, k2, k3, p1, p2 of {@link PinholeCamera}. Both active arrays are
+ * relative to the full pixel array. A stream of another shape than the active array shows the largest part of its own
+ * shape in the middle ({@code SCALER_CROP_REGION}), provided that the device does not zoom.
  */
 public final class SensorCalibration {
     private static final int CALIBRATION = 5;
@@ -47,7 +48,8 @@ public final class SensorCalibration {
      * @param before active area before the lens is corrected, in px of the full pixel array
      * @param after active area after the lens is corrected, in px of the full pixel array
      * @return the calibration
-     * @throws IllegalArgumentException if there are not 5 values each, or they are of no camera (some devices state zeros)
+     * @throws IllegalArgumentException if there are not 5 values each, or they are of no camera (some devices state
+     *     zeros)
      */
     public static SensorCalibration of(float[] intrinsicCalibration, float[] distortion, PixelArea before,
             PixelArea after) {
@@ -74,9 +76,9 @@ public final class SensorCalibration {
     }
 
     /**
-     * What follows from the data sheet where the device states no calibration: square to the lens, the optical axis through
-     * the middle of the active area, no distortion. Good to a few per cent at best; estimate the focal length with a prior
-     * such as {@link PinholeCamera#focalStdPx}.
+     * What follows from the data sheet where the device states no calibration: square to the lens, the optical axis
+     * through the middle of the active area, no distortion. Good to a few per cent at best; estimate the focal length
+     * with a prior such as {@link PinholeCamera#focalStdPx}.
      *
      * @param focalLengthMm focal length of the lens, positive
      * @param sensorWidthMm width of the full pixel array, positive
@@ -110,7 +112,8 @@ public final class SensorCalibration {
      */
     public PinholeCamera toCamera(int streamWidthPx, int streamHeightPx, boolean lensCorrected) {
         if (streamWidthPx < 1 || streamHeightPx < 1) {
-            throw new IllegalArgumentException("image size must be positive: " + streamWidthPx + " x " + streamHeightPx);
+            throw new IllegalArgumentException("image size must be positive: " + streamWidthPx + " x "
+                    + streamHeightPx);
         }
         PixelArea seen = (lensCorrected ? after : before).centreCrop(streamWidthPx, streamHeightPx);
         double scale = streamWidthPx / seen.widthPx();

@@ -5,10 +5,10 @@ import java.util.Objects;
 /**
  * How much work a live check may do: what a device that gets warm turns down; immutable.
  *
- * <p>Chains are never reduced below the settings' number, because convergence is judged over all of them (R-hat compares
- * chains with each other). What is stepped down are, in this order, rates, threads, and finally sampling itself: without
- * it there is a quick look and no more, and every figure stays preliminary. No figure depends on the pace, only when it
- * comes.
+ * <p>Chains are never reduced below the settings' number, because convergence is judged over all of them (R-hat
+ * compares chains with each other). What is stepped down are, in this order, rates, threads, and finally sampling
+ * itself: without it there is a quick look and no more, and every figure stays preliminary. No figure depends on the
+ * pace, only when it comes.
  */
 public final class LivePace {
     /** Everything: as many threads as the settings have, at most four; all frames; five states a second. */
@@ -33,12 +33,12 @@ public final class LivePace {
     /**
      * A pace.
      *
-     * @param updateIntervalMs shortest time between two states that bring nothing but newer statistics or a newer frame,
-     *     ms, at least 0
-     * @param minFrameIntervalMs frames that come sooner than this after the last one are dropped before any work, ms, at
-     *     least 0
-     * @param chainThreads threads that chains step on, at least 1; more than there are chains, or than the settings have,
-     *     make no difference
+     * @param updateIntervalMs shortest time between two states that bring nothing but newer statistics or a newer
+     *     frame, ms, at least 0
+     * @param minFrameIntervalMs frames that come sooner than this after the last one are dropped before any work, ms,
+     *     at least 0
+     * @param chainThreads threads that chains step on, at least 1; more than there are chains, or than the settings
+     *     have, make no difference
      * @param sampling whether chains run; false: quick looks only
      * @return the pace
      * @throws IllegalArgumentException if a value is out of range

@@ -304,7 +304,10 @@ final class LiveSession {
 
     // ---- chains
 
-    /** Hears what chains have to say; all of it is handed to the worker, where a run that was stopped is not listened to. */
+    /**
+     * Hears what chains have to say; all of it is handed to the worker, where a run that was stopped is not listened
+     * to.
+     */
     private final class ChainRun extends DisposableSubscriber<CheckUpdate> {
         private final Latest<CheckUpdate> updates =
                 new Latest<>(worker, update -> guarded(() -> onUpdate(this, update)).run());

@@ -9,8 +9,8 @@ import org.cellgauge.vision.Detections;
 /**
  * What a live check knows at one moment; immutable.
  *
- * <p>Figures belong to the key frame, not to the newest frame: draw the overlay of {@link #update()} with the markers of
- * {@link #keyFrame()}. While the camera is held still, it lies on the newest frame as well.
+ * <p>Figures belong to the key frame, not to the newest frame: draw the overlay of {@link #update()} with the markers
+ * of {@link #keyFrame()}. While the camera is held still, it lies on the newest frame as well.
  */
 public final class LiveState {
     /** How far the check has come. */

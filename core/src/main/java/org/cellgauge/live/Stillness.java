@@ -30,8 +30,8 @@ final class Stillness {
     }
 
     /**
-     * Root mean square distance of corresponding corners of the marker of the cell that moved most. The most, because an
-     * object that alone was moved makes its figures wrong, however many others stand still.
+     * Root mean square distance of corresponding corners of the marker of the cell that moved most. The most, because
+     * an object that alone was moved makes its figures wrong, however many others stand still.
      *
      * @return px; NaN where the frames have no marker of the cell in common
      */

@@ -22,8 +22,8 @@ import org.cellgauge.vision.MarkerObservation;
 
 /**
  * Draws one overlay: lines first, then the texts where the lines leave room. Lengths named {@code …U} are in units of
- * {@link Overlay#unitPx(int, int)}. All positions are those of the upright image: markers and ellipses are turned on entry,
- * points of the world where they are projected.
+ * {@link Overlay#unitPx(int, int)}. All positions are those of the upright image: markers and ellipses are turned on
+ * entry, points of the world where they are projected.
  */
 final class CellDrawing {
     /** How far the figures have come. */

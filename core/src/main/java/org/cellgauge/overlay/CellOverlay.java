@@ -10,10 +10,10 @@ import org.cellgauge.vision.Detections;
 /**
  * The overlay of a check at whatever stage: detected, at the quick look, running, finished.
  *
- * <p>Each comes in two forms: over the photo as it is, with its panels, and for a display on which the image is turned or
- * mirrored. The latter is laid out in the upright image: its shapes are turned and mirrored with the image, its texts stay
- * upright and are never mirrored. Without panels, for programs that say in their own way what banner and legend say, labels
- * may use the whole area.
+ * <p>Each comes in two forms: over the photo as it is, with its panels, and for a display on which the image is turned
+ * or mirrored. The latter is laid out in the upright image: its shapes are turned and mirrored with the image, its
+ * texts stay upright and are never mirrored. Without panels, for programs that say in their own way what banner and
+ * legend say, labels may use the whole area.
  */
 public final class CellOverlay {
     private CellOverlay() {

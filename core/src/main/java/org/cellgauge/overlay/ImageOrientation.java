@@ -3,8 +3,8 @@ package org.cellgauge.overlay;
 import org.cellgauge.statistics.Ellipse;
 
 /**
- * How an image must be turned, and perhaps mirrored, to stand upright on a display: first clockwise by quarter turns, then
- * mirrored left to right; immutable.
+ * How an image must be turned, and perhaps mirrored, to stand upright on a display: first clockwise by quarter turns,
+ * then mirrored left to right; immutable.
  *
  * <p>Positions are px with pixel centres at +0.5, so that mapping an image of size (w, h) takes u to w - u and not to
  * w - 1 - u.
@@ -27,8 +27,8 @@ public final class ImageOrientation {
     /**
      * An orientation.
      *
-     * @param quarterTurnsClockwise how often the image is turned clockwise by 90 degrees; any number, negative ones turn
-     *     the other way
+     * @param quarterTurnsClockwise how often the image is turned clockwise by 90 degrees; any number, negative ones
+     *     turn the other way
      * @param mirrored whether it is then mirrored left to right
      * @return the orientation
      */

@@ -66,8 +66,8 @@ final class LabelPlacer {
                 bestTop = s[1];
             }
         }
-        // tens of thousands of places: nothing is made for each, and those that a coarse look rules out by their distance
-        // alone are passed over
+        // tens of thousands of places: nothing is made for each, and those that a coarse look rules out by their
+        // distance alone are passed over
         double step = 4 * unitPx;
         double limit = Math.min(bestCost, leastOf(COARSE * step, width, height, target) * ROUNDING);
         for (double v = area.top(); v + height <= area.bottom() + 1e-9; v += step) {

@@ -1,6 +1,8 @@
 package org.cellgauge.overlay;
 
-/** Where an upright image lies in a view of another size: {@code x = scale u + dx}, {@code y = scale v + dy}; immutable. */
+/**
+ * Where an upright image lies in a view of another size: {@code x = scale u + dx}, {@code y = scale v + dy}; immutable.
+ */
 public final class ViewFit {
     private final double scale;
     private final double dx;
@@ -24,8 +26,8 @@ public final class ViewFit {
      */
     public static ViewFit centreCrop(double imageWidth, double imageHeight, double viewWidth, double viewHeight) {
         require(imageWidth, imageHeight, viewWidth, viewHeight);
-        return new ViewFit(Math.max(viewWidth / imageWidth, viewHeight / imageHeight), imageWidth, imageHeight, viewWidth,
-                viewHeight);
+        return new ViewFit(Math.max(viewWidth / imageWidth, viewHeight / imageHeight), imageWidth, imageHeight,
+                viewWidth, viewHeight);
     }
 
     /**
@@ -40,8 +42,8 @@ public final class ViewFit {
      */
     public static ViewFit fit(double imageWidth, double imageHeight, double viewWidth, double viewHeight) {
         require(imageWidth, imageHeight, viewWidth, viewHeight);
-        return new ViewFit(Math.min(viewWidth / imageWidth, viewHeight / imageHeight), imageWidth, imageHeight, viewWidth,
-                viewHeight);
+        return new ViewFit(Math.min(viewWidth / imageWidth, viewHeight / imageHeight), imageWidth, imageHeight,
+                viewWidth, viewHeight);
     }
 
     private static void require(double... sizes) {

@@ -85,7 +85,8 @@ class QuickLookTest {
             Cell cell = scene.cell();
             Detections photo = scene.detections(0.3, RandomStreams.of(4), 5, 0.01);
             CellEstimate cold = look(cell, photo, null).update().estimate();
-            CellEstimate warm = look(cell, photo, RigidTransform.ofEuler(450, 90, 1040, 3.1, 0.1, 0)).update().estimate();
+            RigidTransform near = RigidTransform.ofEuler(450, 90, 1040, 3.1, 0.1, 0);
+            CellEstimate warm = look(cell, photo, near).update().estimate();
             assertArrayEquals(cold.camera().mean(), warm.camera().mean());
             assertArrayEquals(cold.camera().std(), warm.camera().std());
         }

@@ -51,8 +51,8 @@ class ReasonTest {
         double share = object.budget().shares(reason.axis().getAsInt()).values().stream().mapToDouble(v -> v).max()
                 .getAsDouble();
         assertEquals(share, reason.share().getAsDouble());
-        assertEquals(String.format("Largest deviation: %.2f mm in %s of object %d against a target of 3 mm; %.0f %% of this "
-                + "variance comes from noise in the object's own corners.", largest,
+        assertEquals(String.format("Largest deviation: %.2f mm in %s of object %d against a target of 3 mm; %.0f %% of "
+                + "this variance comes from noise in the object's own corners.", largest,
                 "xyz".charAt(reason.axis().getAsInt()), object.id(), 100 * share), reason.english());
         assertEquals(Reason.Source.CORNER_NOISE_OF_OBJECT, reason.source());
         assertEquals(OptionalInt.empty(), reason.sourceReferenceId());
@@ -129,7 +129,8 @@ class ReasonTest {
         ThesisScene scene = ThesisScene.inPlane(4).noObjects().placement(1, 0.003)
                 .cameraAt(RigidTransform.ofEuler(300, 180, 2200, 3.12, 0.03, 0.02))
                 .object(5, RigidTransform.ofEuler(370, 295, 0, 0.05, 0.02, 0.9));
-        CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.3, RandomStreams.of(4), 1, 0.003), SETTINGS);
+        Detections seen = scene.detections(0.3, RandomStreams.of(4), 1, 0.003);
+        CheckResult result = CellCheck.run(scene.cell(), seen, SETTINGS);
         assertEquals(Verdict.AMBIGUOUS, result.verdict());
         Reason reason = result.finding();
         assertEquals(Reason.Kind.TWO_OBJECT_POSES, reason.kind());
@@ -138,8 +139,8 @@ class ReasonTest {
         assertEquals(share, reason.share().getAsDouble());
         assertEquals(String.format("Two poses explain the corners of object 5 (the second holds %.0f %%): use a larger "
                 + "marker, come closer or look at it from the side.", 100 * share), result.reason());
-        assertEquals("Two camera poses explain the references (the second holds 12 %): add a reference out of their plane.",
-                Reason.twoCameraPoses(0.12).english());
+        assertEquals("Two camera poses explain the references (the second holds 12 %): add a reference out of their "
+                + "plane.", Reason.twoCameraPoses(0.12).english());
     }
 
     /** Whatever a budget names must be known to the reason. */

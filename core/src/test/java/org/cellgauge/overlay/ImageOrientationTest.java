@@ -107,9 +107,9 @@ class ImageOrientationTest {
     }
 
     /**
-     * Independent of Android's rule: by the directions of the device. Its axes in natural orientation are x right, y up, z
-     * towards the user. Whatever lies in direction x of the device must be shown in direction x of its screen, as a window
-     * (back camera) or a mirror (front camera) would.
+     * Independent of Android's rule: by the directions of the device. Its axes in natural orientation are x right, y
+     * up, z towards the user. Whatever lies in direction x of the device must be shown in direction x of its screen, as
+     * a window (back camera) or a mirror (front camera) would.
      */
     @Test
     void cameraImagesStandUprightOnTheDisplayHoweverTheDeviceIsHeld() {
@@ -118,12 +118,13 @@ class ImageOrientationTest {
             for (int display = 0; display < 360; display += 90) {
                 for (boolean front : new boolean[] {false, true}) {
                     ImageOrientation orientation = ImageOrientation.of(sensor, display, front);
-                    // right and up of the image if the sensor were not turned: the back camera looks along -z, the front
-                    // camera along +z, so that its right is the device's left
+                    // right and up of the image if the sensor were not turned: the back camera looks along -z, the
+                    // front camera along +z, so that its right is the device's left
                     double[] right = {front ? -1 : 1, 0};
                     double[] up = {0, 1};
-                    // the image comes turned anticlockwise by the sensor's angle, as turning it clockwise makes it upright:
-                    // the direction that the image shows at its top is the one upright shows at angle s clockwise from top
+                    // the image comes turned anticlockwise by the sensor's angle, as turning it clockwise makes it
+                    // upright: the direction that the image shows at its top is the one upright shows at angle s
+                    // clockwise from top
                     double s = Math.toRadians(sensor);
                     double[] imageUp = combine(Math.cos(s), up, Math.sin(s), right);
                     double[] imageRight = combine(-Math.sin(s), up, Math.cos(s), right);

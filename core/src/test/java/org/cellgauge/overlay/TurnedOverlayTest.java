@@ -23,7 +23,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** An overlay for a turned display: the same shapes, turned; texts upright, where the turned image has room for them. */
+/**
+ * An overlay for a turned display: the same shapes, turned; texts upright, where the turned image has room for them.
+ */
 class TurnedOverlayTest {
     private static final CheckSettings SETTINGS = CheckSettings.builder().threads(1).build();
     private static final ThesisScene SCENE = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.05).target(3)
@@ -84,7 +86,9 @@ class TurnedOverlayTest {
         }
     }
 
-    /** Ellipses may be drawn larger or smaller where their unit of length differs, but in one magnification all of them. */
+    /**
+     * Ellipses may be drawn larger or smaller where their unit of length differs, but in one magnification all of them.
+     */
     @ParameterizedTest
     @MethodSource("orientations")
     void ellipsesAreTurnedWithTheImage(ImageOrientation orientation) {
@@ -168,7 +172,8 @@ class TurnedOverlayTest {
                         ImageOrientation.of(2, false), false))) {
             assertEquals(List.of(), overlay.shapes(Role.BANNER));
             assertEquals(List.of(), overlay.shapes(Role.LEGEND));
-            assertEquals(5, overlay.shapes(Role.REFERENCE_OUTLINE).size() + overlay.shapes(Role.FOREIGN_OUTLINE).size());
+            assertEquals(4, overlay.shapes(Role.REFERENCE_OUTLINE).size());
+            assertEquals(1, overlay.shapes(Role.FOREIGN_OUTLINE).size());
         }
         Overlay with = CellOverlay.of(RESULT, ImageOrientation.of(1, false), true);
         assertTrue(!with.shapes(Role.BANNER).isEmpty() && !with.shapes(Role.LEGEND).isEmpty());

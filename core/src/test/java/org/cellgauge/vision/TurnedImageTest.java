@@ -11,7 +11,9 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.overlay.ImageOrientation;
 import org.junit.jupiter.api.Test;
 
-/** Corners found in a turned picture are the turned corners of the picture: the convention of pixels holds throughout. */
+/**
+ * Corners found in a turned picture are the turned corners of the picture: the convention of pixels holds throughout.
+ */
 class TurnedImageTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 480;
