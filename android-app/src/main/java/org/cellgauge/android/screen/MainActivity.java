@@ -435,7 +435,9 @@ public final class MainActivity extends Activity {
         bannerMark.setImageResource(now.mark());
         banner.setBackgroundColor(getColor(now.colour()));
         optional(reason, content.reason(s));
-        optional(caption, content.caption(s));
+        // keeps its room where it is empty, so that the picture stays where it is
+        String below = content.caption(s);
+        text(caption, below == null ? "" : below);
         rows.show(content.rows(s));
         showMessage(s);
         showPicture(s);

@@ -264,6 +264,8 @@ final class ScreenContent {
                 return words.get(R.string.mark_ambiguous);
             case NOT_JUDGED:
                 return words.get(R.string.mark_not_judged);
+            case NO_FIGURE:
+                return words.get(R.string.mark_no_figure);
             default:
                 return words.get(R.string.mark_not_seen);
         }
@@ -283,6 +285,8 @@ final class ScreenContent {
                 return R.drawable.mark_ambiguous;
             case NOT_JUDGED:
                 return R.drawable.mark_not_judged;
+            case NO_FIGURE:
+                return R.drawable.mark_no_figure;
             default:
                 return R.drawable.mark_not_seen;
         }

@@ -28,7 +28,9 @@ final class CheckFigures {
         for (ObjectMarker marker : cell.objects()) {
             ObjectEstimate object = estimate == null ? null : estimate.object(marker.id());
             if (object == null) {
-                rows.add(new ObjectRow(marker.id(), ObjectRow.Mark.NOT_SEEN, null, null, null, null));
+                boolean seen = estimate == null && !live.missingObjects().contains(marker.id());
+                rows.add(new ObjectRow(marker.id(), seen ? ObjectRow.Mark.NO_FIGURE : ObjectRow.Mark.NOT_SEEN, null, null,
+                        null, null));
             } else {
                 rows.add(result != null ? judged(object, result) : preliminary(object, estimate));
             }

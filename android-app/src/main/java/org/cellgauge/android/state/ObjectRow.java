@@ -19,6 +19,8 @@ public final class ObjectRow {
         AMBIGUOUS,
         /** Converged; there is no target to judge by. */
         NOT_JUDGED,
+        /** The object is in view, and nothing can be said of it: no reference is, or the frame was refused. */
+        NO_FIGURE,
         /** The object is not in view. */
         NOT_SEEN
     }

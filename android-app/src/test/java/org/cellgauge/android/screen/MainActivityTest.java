@@ -210,6 +210,21 @@ public class MainActivityTest {
     }
 
     @Test
+    public void objectWithoutAnyReferenceHasNoFigure() {
+        try (Screen screen = live()) {
+            GreyImage image = FIXTURE.image();
+            // the references' columns; object 30 at (601, 393) stays, and so do the others
+            for (int y = 0; y < image.heightPx(); y++) {
+                Arrays.fill(image.luminance(), y * image.widthPx(), y * image.widthPx() + 550, (byte) 120);
+                Arrays.fill(image.luminance(), y * image.widthPx() + 690, (y + 1) * image.widthPx(), (byte) 120);
+            }
+            feed().frame(image);
+            screen.until("search", () -> screen.state().phase() == LiveState.Phase.SEARCHING);
+            assertTrue(rows(screen), rows(screen).contains("Object 30 – in view, no figure"));
+        }
+    }
+
+    @Test
     public void referenceThatIsCoveredIsNamed() {
         try (Screen screen = live()) {
             GreyImage image = FIXTURE.image();
