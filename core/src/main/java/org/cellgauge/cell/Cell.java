@@ -66,6 +66,17 @@ public final class Cell {
     }
 
     /**
+     * The same cell with another target.
+     *
+     * @param stdMm largest allowed standard deviation of any axis, mm, positive, or empty for none
+     * @return a new cell
+     * @throws IllegalArgumentException if the target is not positive
+     */
+    public Cell withTarget(OptionalDouble stdMm) {
+        return new Cell(camera, family, references, objects, pixelStdPx, stdMm);
+    }
+
+    /**
      * The camera.
      *
      * @return intrinsics and image size

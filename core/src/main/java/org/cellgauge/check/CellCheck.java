@@ -513,56 +513,8 @@ public final class CellCheck {
                         + "what is known there is the weak prior %s; add a reference", 100 * share, posePriorText));
             }
         }
-        Verdict verdict = verdict(estimate, diagnostics);
-        return new CheckResult(cell, detections, settings, verdict, finding(verdict, estimate, diagnostics), estimate,
-                quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
+        return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
                 quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, camera);
-    }
-
-    private Verdict verdict(CellEstimate estimate, Diagnostics diagnostics) {
-        if (!diagnostics.converged()) {
-            return Verdict.NOT_CONVERGED;
-        }
-        if (ambiguous(estimate.cameraModes())) {
-            return Verdict.AMBIGUOUS;
-        }
-        for (ObjectEstimate object : estimate.objects()) {
-            if (ambiguous(object.modes())) {
-                return Verdict.AMBIGUOUS;
-            }
-        }
-        if (!cell.targetStdMm().isPresent()) {
-            return Verdict.NO_TARGET;
-        }
-        if (!missing.isEmpty()) {
-            return Verdict.FAIL;
-        }
-        for (ObjectEstimate object : estimate.objects()) {
-            if (!(object.worstStdMm() <= cell.targetStdMm().getAsDouble())) {
-                return Verdict.FAIL;
-            }
-        }
-        return Verdict.PASS;
-    }
-
-    private static boolean ambiguous(List<ModeEstimate> modes) {
-        return modes.size() > 1 && modes.get(1).weight() > AMBIGUOUS_SHARE;
-    }
-
-    private Reason finding(Verdict verdict, CellEstimate estimate, Diagnostics diagnostics) {
-        if (verdict == Verdict.NOT_CONVERGED) {
-            return Reason.notConverged(diagnostics);
-        }
-        if (ambiguous(estimate.cameraModes())) {
-            return Reason.twoCameraPoses(estimate.cameraModes().get(1).weight());
-        }
-        for (ObjectEstimate object : estimate.objects()) {
-            if (ambiguous(object.modes())) {
-                return Reason.twoObjectPoses(object.id(), object.modes().get(1).weight());
-            }
-        }
-        return Reason.largestDeviation(estimate.objects(),
-                verdict == Verdict.FAIL ? ids(missing) : Collections.emptyList(), cell.targetStdMm());
     }
 
     private static List<Integer> ids(List<ObjectMarker> markers) {

@@ -2,6 +2,7 @@ package org.cellgauge.check;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.OptionalDouble;
 
 /** Camera, unknown intrinsics and objects with their uncertainties, at whatever stage of a check; immutable. */
 public final class CellEstimate {
@@ -67,5 +68,28 @@ public final class CellEstimate {
             }
         }
         return null;
+    }
+
+    /**
+     * Whether no single figure describes an object: two poses of the camera, or of the object, explain the photo.
+     *
+     * @param objectId marker id
+     * @return true if the second one holds more than {@link CellCheck#AMBIGUOUS_SHARE}; false for an object not seen
+     */
+    public boolean isAmbiguous(int objectId) {
+        ObjectEstimate object = object(objectId);
+        return object != null && (Judgement.ambiguous(cameraModes) || Judgement.ambiguous(object.modes()));
+    }
+
+    /**
+     * The largest standard deviation of one object and its gripping point, and what causes most of it.
+     *
+     * @param objectId marker id
+     * @return a reason of the kind {@link Reason.Kind#LARGEST_DEVIATION} without a target, or null for an object not seen
+     */
+    public Reason largestDeviation(int objectId) {
+        ObjectEstimate object = object(objectId);
+        return object == null ? null
+                : Reason.largestDeviation(Collections.singletonList(object), Collections.emptyList(), OptionalDouble.empty());
     }
 }

@@ -2,6 +2,7 @@ package org.cellgauge.check;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.CameraState;
@@ -16,6 +17,7 @@ public final class CheckResult {
     private final Cell cell;
     private final Detections detections;
     private final CheckSettings settings;
+    private final Judgement judgement;
     private final Verdict verdict;
     private final Reason finding;
     private final CellEstimate estimate;
@@ -32,16 +34,17 @@ public final class CheckResult {
     private final SamplerKind samplerUsed;
     private final CameraTarget camera;
 
-    CheckResult(Cell cell, Detections detections, CheckSettings settings, Verdict verdict, Reason finding,
-            CellEstimate estimate, CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx,
-            Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
+    CheckResult(Cell cell, Detections detections, CheckSettings settings, CellEstimate estimate,
+            CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx, Diagnostics diagnostics,
+            List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
             CameraTarget camera) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
-        this.verdict = verdict;
-        this.finding = finding;
+        this.judgement = new Judgement(cell, estimate, diagnostics);
+        this.verdict = judgement.verdict();
+        this.finding = judgement.finding();
         this.estimate = estimate;
         this.quickLook = quickLook;
         this.referencesUsed = Collections.unmodifiableList(referencesUsed);
@@ -109,6 +112,41 @@ public final class CheckResult {
      */
     public Reason finding() {
         return finding;
+    }
+
+    /**
+     * The verdict on one object of the cell, by the same rules.
+     *
+     * @param objectId marker id
+     * @return never null; an object that was not seen misses any target
+     */
+    public Verdict verdict(int objectId) {
+        return judgement.verdict(objectId);
+    }
+
+    /**
+     * Why one object was judged as {@link #verdict(int)} says.
+     *
+     * @param objectId marker id
+     * @return the reason in parts, about this object alone
+     */
+    public Reason finding(int objectId) {
+        return judgement.finding(objectId);
+    }
+
+    /**
+     * The same figures held against another target; nothing is sampled again.
+     *
+     * @param targetStdMm largest allowed standard deviation of any axis, mm, or empty for none
+     * @return this result where the target is the same, else a new one whose cell has that target
+     */
+    public CheckResult withTarget(OptionalDouble targetStdMm) {
+        if (targetStdMm.equals(cell.targetStdMm())) {
+            return this;
+        }
+        return new CheckResult(cell.withTarget(targetStdMm), detections, settings, estimate, quickLook, referencesUsed,
+                pixelStdPx, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior, samplerUsed,
+                camera);
     }
 
     /**

@@ -63,6 +63,7 @@ final class CellDrawing {
     private final Stage stage;
     private final ImageOrientation orientation;
     private final boolean panels;
+    private final LabelWords words;
     private final int photoWidth;
     private final int photoHeight;
     private final double width;
@@ -87,10 +88,12 @@ final class CellDrawing {
      * @param stage how far the figures have come
      * @param orientation how the photo is turned and mirrored where the overlay is shown
      * @param panels whether banner and legend are drawn
+     * @param words what the labels say
      */
     CellDrawing(Cell cell, Detections photo, CellEstimate estimate, List<Integer> referencesUsed, Stage stage,
-            ImageOrientation orientation, boolean panels) {
+            ImageOrientation orientation, boolean panels, LabelWords words) {
         this.cell = cell;
+        this.words = words;
         this.orientation = orientation;
         this.panels = panels;
         this.photoWidth = photo.widthPx();
@@ -678,17 +681,17 @@ final class CellDrawing {
             MarkerObservation m = detections.find(r.id());
             if (m != null) {
                 boolean out = leftOut(r.id());
-                name(boxOf(m), out ? Status.FAIL : Status.NEUTRAL, r.id() + (out ? " left out" : ""));
+                name(boxOf(m), out ? Status.FAIL : Status.NEUTRAL, out ? words.leftOut(r.id()) : Integer.toString(r.id()));
             } else if (view != null) {
                 double[] centre = view.project(r.worldFromMarker().translationMm());
                 if (view.inImage(centre)) {
-                    name(new Box(centre[0], centre[1], centre[0], centre[1]), Status.FAIL, r.id() + " not seen");
+                    name(new Box(centre[0], centre[1], centre[0], centre[1]), Status.FAIL, words.notSeen(r.id()));
                 }
             }
         }
         for (MarkerObservation m : detections.markers()) {
             if (!isReference(m.id()) && objectMarker(m.id()) == null) {
-                name(boxOf(m), Status.NEUTRAL, m.id() + " not in the cell file");
+                name(boxOf(m), Status.NEUTRAL, words.notInCell(m.id()));
             }
         }
     }
@@ -699,41 +702,25 @@ final class CellDrawing {
         if (object == null) {
             lines.add(Integer.toString(id));
         } else if (stage == Stage.NOT_CONVERGED) {
-            lines.add(id + ": not converged");
+            lines.add(words.notConverged(id));
         } else if (status(id) == Status.AMBIGUOUS) {
-            lines.add(id + ": ambiguous" + (ambiguous(object.modes()) ? shares(object.modes()) : ""));
+            lines.add(words.ambiguous(id, ambiguous(object.modes()) ? shares(object.modes()) : Collections.emptyList()));
         } else {
-            lines.add(id + ": \u03c3 " + figures(object.pose().std()) + " mm");
+            lines.add(words.deviations(id, object.pose().std()));
             if (object.grip() != null) {
-                lines.add("grip: \u03c3 " + figures(object.grip().stdMm()) + " mm");
+                lines.add(words.gripDeviations(object.grip().stdMm()));
             }
             if (stage == Stage.PRELIMINARY) {
-                lines.add("not converged yet");
+                lines.add(words.notConvergedYet());
             }
         }
         return lines;
     }
 
-    private static String shares(List<ModeEstimate> modes) {
-        StringBuilder text = new StringBuilder();
-        for (ModeEstimate mode : modes) {
-            text.append(text.length() == 0 ? ", " : " / ");
-            text.append(String.format(Locale.ROOT, "%.0f %%", 100 * mode.weight()));
-        }
-        return text.toString();
-    }
-
-    private static String figures(double[] std) {
-        return figure(std[0]) + ", " + figure(std[1]) + ", " + figure(std[2]);
-    }
-
-    /** Two digits that count: more would say more than a standard deviation is known to. */
-    private static String figure(double value) {
-        if (!Double.isFinite(value)) {
-            return "?";
-        }
-        int decimals = value >= 9.95 ? 0 : value >= 0.995 ? 1 : value >= 0.0995 ? 2 : 3;
-        return String.format(Locale.ROOT, "%." + decimals + "f", value);
+    private static List<Double> shares(List<ModeEstimate> modes) {
+        List<Double> shares = new ArrayList<>();
+        modes.forEach(mode -> shares.add(mode.weight()));
+        return shares;
     }
 
     private static String plain(double value) {

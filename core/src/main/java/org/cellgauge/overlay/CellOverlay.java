@@ -38,6 +38,19 @@ public final class CellOverlay {
      * @return what to draw over the upright photo
      */
     public static Overlay of(CheckResult result, ImageOrientation orientation, boolean panels) {
+        return of(result, orientation, panels, LabelWords.ENGLISH);
+    }
+
+    /**
+     * The overlay of a finished check for a display, its labels in another language.
+     *
+     * @param result the result
+     * @param orientation how the photo is turned and mirrored there
+     * @param panels whether there is a banner and a legend, in English
+     * @param words what the labels say
+     * @return what to draw over the upright photo
+     */
+    public static Overlay of(CheckResult result, ImageOrientation orientation, boolean panels, LabelWords words) {
         Status status;
         String headline;
         switch (result.verdict()) {
@@ -65,7 +78,7 @@ public final class CellOverlay {
         CellDrawing.Stage stage = status == Status.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
                 : CellDrawing.Stage.FINAL;
         return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referencesUsed(), stage,
-                orientation, panels).draw(status, headline, result.reason());
+                orientation, panels, words).draw(status, headline, result.reason());
     }
 
     /**
@@ -92,12 +105,28 @@ public final class CellOverlay {
      */
     public static Overlay of(Cell cell, Detections detections, CheckUpdate update, ImageOrientation orientation,
             boolean panels) {
+        return of(cell, detections, update, orientation, panels, LabelWords.ENGLISH);
+    }
+
+    /**
+     * The overlay of a running check for a display, its labels in another language.
+     *
+     * @param cell the cell
+     * @param detections the markers of the photo
+     * @param update the newest item of the check's stream
+     * @param orientation how the photo is turned and mirrored there
+     * @param panels whether there is a banner and a legend, in English
+     * @param words what the labels say
+     * @return what to draw over the upright photo
+     */
+    public static Overlay of(Cell cell, Detections detections, CheckUpdate update, ImageOrientation orientation,
+            boolean panels, LabelWords words) {
         if (update.result() != null) {
-            return of(update.result(), orientation, panels);
+            return of(update.result(), orientation, panels, words);
         }
         String headline = update.phase() == CheckUpdate.Phase.QUICK_LOOK ? "QUICK LOOK"
                 : String.format(Locale.ROOT, "SAMPLING \u2013 %d iterations per chain", update.iterationsPerChain());
-        return preliminary(cell, detections, update.estimate(), headline, orientation, panels);
+        return preliminary(cell, detections, update.estimate(), headline, orientation, panels, words);
     }
 
     /**
@@ -124,13 +153,13 @@ public final class CellOverlay {
      */
     public static Overlay of(Cell cell, Detections detections, CellEstimate estimate, ImageOrientation orientation,
             boolean panels) {
-        return preliminary(cell, detections, estimate, "QUICK LOOK", orientation, panels);
+        return preliminary(cell, detections, estimate, "QUICK LOOK", orientation, panels, LabelWords.ENGLISH);
     }
 
     private static Overlay preliminary(Cell cell, Detections detections, CellEstimate estimate, String headline,
-            ImageOrientation orientation, boolean panels) {
-        return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY, orientation, panels)
-                .draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
+            ImageOrientation orientation, boolean panels, LabelWords words) {
+        return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY, orientation, panels,
+                words).draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
     }
 
     /**
@@ -162,7 +191,25 @@ public final class CellOverlay {
      */
     public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
             String reason, ImageOrientation orientation, boolean panels) {
-        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY, orientation, panels)
+        return ofDetections(cell, detections, status, headline, reason, orientation, panels, LabelWords.ENGLISH);
+    }
+
+    /**
+     * The overlay of a photo that was not, or could not be, checked, for a display, its labels in another language.
+     *
+     * @param cell the cell
+     * @param detections the markers of the photo
+     * @param status {@link Status#FAIL} where the photo was refused, {@link Status#NEUTRAL} where it only waits
+     * @param headline a few words
+     * @param reason a sentence
+     * @param orientation how the photo is turned and mirrored there
+     * @param panels whether there is a banner and a legend; without them headline and reason are not drawn
+     * @param words what the labels say
+     * @return what to draw over the upright photo
+     */
+    public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
+            String reason, ImageOrientation orientation, boolean panels, LabelWords words) {
+        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY, orientation, panels, words)
                 .draw(status, headline, reason);
     }
 }

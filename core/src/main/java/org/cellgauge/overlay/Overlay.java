@@ -36,14 +36,15 @@ public final class Overlay {
     }
 
     /**
-     * The length that line widths and texts are measured in: 1 px in a VGA image, growing with the image.
+     * The length that line widths and texts are measured in: 1 px in a VGA image, growing with the image, the same however
+     * the image is turned.
      *
      * @param widthPx image width
      * @param heightPx image height
      * @return px, at least 0.5
      */
     public static double unitPx(int widthPx, int heightPx) {
-        return Math.max(0.5, Math.min(heightPx / 480.0, widthPx / 640.0));
+        return Math.max(0.5, Math.min(Math.min(widthPx, heightPx) / 480.0, Math.max(widthPx, heightPx) / 640.0));
     }
 
     /**

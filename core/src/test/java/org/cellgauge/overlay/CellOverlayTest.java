@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import org.apache.commons.math3.random.Well19937c;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellCheck;
@@ -60,6 +61,34 @@ class CellOverlayTest {
         v[PinholeCamera.P1] = 0.001;
         v[PinholeCamera.P2] = -0.0008;
         return PinholeCamera.of(1280, 720, v);
+    }
+
+    @Test
+    void labelsSpeakTheLanguageTheyAreGiven() {
+        Cell cell = fine().cell();
+        Detections detections = fine().exactDetections();
+        LabelWords german = new LabelWords(Locale.GERMAN, "ausgelassen", "nicht gesehen", "nicht in der Zelldatei",
+                "nicht konvergiert", "noch nicht konvergiert", "mehrdeutig", "Greifpunkt");
+        CheckUpdate update = quickLook(cell, detections);
+        List<String> english = texts(CellOverlay.of(cell, detections, update, ImageOrientation.IDENTITY, false), Role.LABEL);
+        List<String> translated = texts(CellOverlay.of(cell, detections, update, ImageOrientation.IDENTITY, false, german),
+                Role.LABEL);
+        assertEquals(english.size(), translated.size());
+        assertTrue(translated.contains("noch nicht konvergiert"));
+        assertFalse(translated.contains("not converged yet"));
+        for (int i = 0; i < english.size(); i++) {
+            // figures are the same, with a comma and, so that figures stay apart, semicolons between them
+            assertEquals(english.get(i).replace(", ", "; ").replace('.', ',').replace("grip", "Greifpunkt")
+                    .replace("not converged yet", "noch nicht konvergiert"), translated.get(i));
+        }
+    }
+
+    @Test
+    void lengthsDoNotDependOnHowTheImageIsTurned() {
+        assertEquals(Overlay.unitPx(1280, 720), Overlay.unitPx(720, 1280));
+        assertEquals(1, Overlay.unitPx(640, 480));
+        assertEquals(1, Overlay.unitPx(480, 640));
+        assertEquals(1.5, Overlay.unitPx(1280, 720));
     }
 
     @Test

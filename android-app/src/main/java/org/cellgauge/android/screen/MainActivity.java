@@ -1,19 +1,530 @@
 package org.cellgauge.android.screen;
 
+import android.Manifest;
 import android.app.Activity;
+import android.content.ActivityNotFoundException;
+import android.content.ClipData;
+import android.content.Intent;
+import android.content.pm.PackageManager;
+import android.content.res.ColorStateList;
+import android.graphics.SurfaceTexture;
+import android.hardware.display.DisplayManager;
+import android.net.Uri;
 import android.os.Bundle;
-import android.view.Gravity;
+import android.os.Handler;
+import android.os.Looper;
+import android.provider.Settings;
+import android.view.Display;
+import android.view.Surface;
+import android.view.TextureView;
+import android.view.View;
+import android.view.WindowManager;
+import android.widget.Button;
+import android.widget.ImageView;
 import android.widget.TextView;
+import android.widget.Toast;
+import io.reactivex.rxjava3.core.Scheduler;
+import io.reactivex.rxjava3.disposables.Disposable;
+import io.reactivex.rxjava3.schedulers.Schedulers;
+import java.util.ArrayList;
+import java.util.List;
+import org.cellgauge.android.AppParts;
+import org.cellgauge.android.CellGaugeApp;
 import org.cellgauge.android.R;
+import org.cellgauge.android.camera.CameraFeed;
+import org.cellgauge.android.files.CellDocument;
+import org.cellgauge.android.files.SavedResult;
+import org.cellgauge.android.state.CameraPermission;
+import org.cellgauge.android.state.CheckScreenState;
+import org.cellgauge.android.state.CheckSession;
+import org.cellgauge.android.state.FrozenFrameFile;
+import org.cellgauge.android.state.ImageSource;
+import org.cellgauge.android.state.SessionMemory;
 
-/** Stands where the app's screen will be. */
+/** The screen: shows states, hands on what the user does, and opens and closes the camera. It decides nothing else. */
 public final class MainActivity extends Activity {
+    private static final int REQUEST_CELL = 1;
+    private static final int REQUEST_CALIBRATION = 2;
+    private static final int REQUEST_PHOTO = 3;
+    private static final int REQUEST_PERMISSION = 4;
+    private static final String TARGET_TEXT = "target-text";
+    private static final int QUARTER_DEG = 90;
+
+    private final Handler handler = new Handler(Looper.getMainLooper());
+    private final Scheduler mainThread = Schedulers.from(handler::post);
+    private AppParts parts;
+    private CheckSession session;
+    private CameraFeed feed;
+    private DisplayManager displays;
+    private ScreenContent content;
+    private Wording words;
+    private final DisplayTurns turns = new DisplayTurns();
+    private Disposable states = Disposable.disposed();
+    private Disposable levels = Disposable.disposed();
+    private TargetDialog targetDialog;
+
+    private boolean resumed;
+    private SurfaceTexture surface;
+    /** The cell that the camera is open for; null while it is closed. */
+    private CellDocument openFor;
+
+    private ImageView bannerMark;
+    private TextView headline;
+    private View banner;
+    private TextView reason;
+    private TextView caption;
+    private RowList rows;
+    private ViewportLayout viewport;
+    private PreviewView preview;
+    private StillView still;
+    private OverlayView overlay;
+    private View messageView;
+    private Message message;
+    private CheckScreenState shown;
+
     @Override
-    protected void onCreate(Bundle state) {
-        super.onCreate(state);
-        TextView text = new TextView(this);
-        text.setGravity(Gravity.CENTER);
-        text.setText(R.string.placeholder);
-        setContentView(text);
+    protected void onCreate(Bundle saved) {
+        super.onCreate(saved);
+        parts = ((CellGaugeApp) getApplication()).parts();
+        Kept kept = (Kept) getLastNonConfigurationInstance();
+        if (kept != null) {
+            session = kept.session;
+            feed = kept.feed;
+        } else {
+            SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().seed())
+                    : SessionMemory.read(saved);
+            session = new CheckSession(parts.cellLibrary(), parts.resultArchive(),
+                    new FrozenFrameFile(parts.cacheFolder()), parts.settings(), parts.sessionThreads(), memory);
+            feed = parts.cameraFeed(getApplicationContext());
+        }
+        displays = getSystemService(DisplayManager.class);
+        words = new Wording(getResources());
+        content = new ScreenContent(words);
+        setContentView(R.layout.main);
+        findViews();
+        wireBar();
+        rows.onAction(this::perform);
+        preview.setSurfaceTextureListener(new PreviewSurface());
+        if (saved != null && saved.containsKey(TARGET_TEXT)) {
+            targetDialog = new TargetDialog(this, session, saved.getString(TARGET_TEXT));
+        }
+    }
+
+    private void findViews() {
+        banner = findViewById(R.id.banner);
+        bannerMark = findViewById(R.id.banner_mark);
+        headline = findViewById(R.id.banner_headline);
+        reason = findViewById(R.id.reason);
+        caption = findViewById(R.id.caption);
+        rows = findViewById(R.id.rows);
+        viewport = findViewById(R.id.viewport);
+        preview = findViewById(R.id.preview);
+        still = findViewById(R.id.still);
+        overlay = findViewById(R.id.overlay);
+        messageView = findViewById(R.id.message);
+    }
+
+    private void wireBar() {
+        findViewById(R.id.freeze).setOnClickListener(v -> {
+            if (session.state().source() == ImageSource.LIVE) {
+                session.freeze();
+            } else {
+                session.resume();
+            }
+        });
+        findViewById(R.id.save).setOnClickListener(v -> session.save());
+        findViewById(R.id.share).setOnClickListener(v -> share());
+        findViewById(R.id.target).setOnClickListener(v -> targetDialog = new TargetDialog(this, session, null));
+        findViewById(R.id.refocus).setOnClickListener(v -> feed.refocus());
+        findViewById(R.id.photo).setOnClickListener(v -> chooseDocument(REQUEST_PHOTO, "image/*"));
+        findViewById(R.id.cell).setOnClickListener(v -> chooseDocument(REQUEST_CELL, "*/*"));
+    }
+
+    // ---- life
+
+    @Override
+    protected void onStart() {
+        super.onStart();
+        session.display(rotationDeg(), words.labels());
+        displays.registerDisplayListener(turns, handler);
+        show();
+        states = session.states().observeOn(mainThread, false, 1).subscribe(s -> show());
+        levels = parts.thermalLevels().subscribe(session::heat);
+    }
+
+    @Override
+    protected void onResume() {
+        super.onResume();
+        resumed = true;
+        lookAtPermission();
+        session.retryCamera();
+        runCamera();
+    }
+
+    @Override
+    protected void onPause() {
+        resumed = false;
+        runCamera();
+        super.onPause();
+    }
+
+    @Override
+    protected void onStop() {
+        states.dispose();
+        levels.dispose();
+        displays.unregisterDisplayListener(turns);
+        super.onStop();
+    }
+
+    @Override
+    protected void onDestroy() {
+        if (targetDialog != null) {
+            targetDialog.dismiss();
+        }
+        if (!isChangingConfigurations()) {
+            session.close();
+        }
+        super.onDestroy();
+    }
+
+    /** What a turn of the device leaves alone; the feed, too, so that its next opening waits for its last closing. */
+    private static final class Kept {
+        private final CheckSession session;
+        private final CameraFeed feed;
+
+        Kept(CheckSession session, CameraFeed feed) {
+            this.session = session;
+            this.feed = feed;
+        }
+    }
+
+    @Override
+    public Object onRetainNonConfigurationInstance() {
+        return new Kept(session, feed);
+    }
+
+    /** The state on the screen. */
+    CheckScreenState shown() {
+        return shown;
+    }
+
+    /** Where the screen's states come from. */
+    CheckSession session() {
+        return session;
+    }
+
+    @Override
+    protected void onSaveInstanceState(Bundle out) {
+        super.onSaveInstanceState(out);
+        session.memory().write(out);
+        if (targetDialog != null && targetDialog.isShowing()) {
+            out.putString(TARGET_TEXT, targetDialog.text());
+        }
+    }
+
+    // ---- camera
+
+    /** Half a turn leaves the layout as it is, so that the activity hears of it from the display alone. */
+    private final class DisplayTurns implements DisplayManager.DisplayListener {
+        @Override
+        public void onDisplayAdded(int id) {
+            // not where the activity is
+        }
+
+        @Override
+        public void onDisplayRemoved(int id) {
+            // not where the activity is
+        }
+
+        @Override
+        public void onDisplayChanged(int id) {
+            if (id == Display.DEFAULT_DISPLAY) {
+                session.display(rotationDeg(), words.labels());
+            }
+        }
+    }
+
+    private int rotationDeg() {
+        switch (displays.getDisplay(Display.DEFAULT_DISPLAY).getRotation()) {
+            case Surface.ROTATION_90:
+                return QUARTER_DEG;
+            case Surface.ROTATION_180:
+                return 2 * QUARTER_DEG;
+            case Surface.ROTATION_270:
+                return 3 * QUARTER_DEG;
+            default:
+                return 0;
+        }
+    }
+
+    private void runCamera() {
+        CheckScreenState s = session.state();
+        boolean wanted = resumed && surface != null && s.wantsCamera() && s.fault() == null
+                && s.permission() == CameraPermission.GRANTED;
+        if (wanted && openFor != s.cell()) {
+            openFor = s.cell();
+            feed.open(s.cell().calibration(), surface, session.cameraListener());
+        } else if (!wanted && openFor != null) {
+            openFor = null;
+            feed.close();
+        }
+        if (wanted && s.source() == ImageSource.LIVE) {
+            getWindow().addFlags(WindowManager.LayoutParams.FLAG_KEEP_SCREEN_ON);
+        } else {
+            getWindow().clearFlags(WindowManager.LayoutParams.FLAG_KEEP_SCREEN_ON);
+        }
+    }
+
+    /** The camera draws as soon as there is something to draw on. */
+    private final class PreviewSurface implements TextureView.SurfaceTextureListener {
+        @Override
+        public void onSurfaceTextureAvailable(SurfaceTexture texture, int width, int height) {
+            surface = texture;
+            runCamera();
+        }
+
+        @Override
+        public void onSurfaceTextureSizeChanged(SurfaceTexture texture, int width, int height) {
+            // the preview is turned and scaled where the view is
+        }
+
+        @Override
+        public boolean onSurfaceTextureDestroyed(SurfaceTexture texture) {
+            surface = null;
+            runCamera();
+            return true;
+        }
+
+        @Override
+        public void onSurfaceTextureUpdated(SurfaceTexture texture) {
+            // nothing depends on single frames of the preview
+        }
+    }
+
+    private void lookAtPermission() {
+        boolean granted = checkSelfPermission(Manifest.permission.CAMERA) == PackageManager.PERMISSION_GRANTED;
+        if (granted) {
+            session.permission(CameraPermission.GRANTED);
+        } else if (session.state().permission() != CameraPermission.REFUSED) {
+            session.permission(CameraPermission.ASK);
+        }
+    }
+
+    @Override
+    public void onRequestPermissionsResult(int request, String[] permissions, int[] results) {
+        if (request != REQUEST_PERMISSION || results.length == 0) {
+            return;
+        }
+        boolean granted = results[0] == PackageManager.PERMISSION_GRANTED;
+        session.permission(granted ? CameraPermission.GRANTED
+                : shouldShowRequestPermissionRationale(Manifest.permission.CAMERA) ? CameraPermission.ASK
+                : CameraPermission.REFUSED);
+    }
+
+    // ---- what the user does
+
+    private void perform(Action action) {
+        switch (action) {
+            case CHOOSE_CELL:
+            case CHOOSE_ANOTHER_CELL:
+                chooseDocument(REQUEST_CELL, "*/*");
+                break;
+            case TRY_EXAMPLE:
+                session.tryExample();
+                break;
+            case KEEP_CELL:
+                session.dismissCellProblem();
+                break;
+            case CHOOSE_CALIBRATION:
+                chooseDocument(REQUEST_CALIBRATION, "*/*");
+                break;
+            case OPEN_PHOTO:
+            case OPEN_ANOTHER_PHOTO:
+                chooseDocument(REQUEST_PHOTO, "image/*");
+                break;
+            case BACK_TO_CAMERA:
+            case TRY_AGAIN:
+                session.resume();
+                break;
+            case ALLOW_CAMERA:
+                requestPermissions(new String[] {Manifest.permission.CAMERA}, REQUEST_PERMISSION);
+                break;
+            case OPEN_SETTINGS:
+                start(new Intent(Settings.ACTION_APPLICATION_DETAILS_SETTINGS,
+                        Uri.fromParts("package", getPackageName(), null)));
+                break;
+            default:
+                session.save();
+                break;
+        }
+    }
+
+    private void chooseDocument(int request, String type) {
+        Intent intent = new Intent(Intent.ACTION_OPEN_DOCUMENT).addCategory(Intent.CATEGORY_OPENABLE).setType(type);
+        try {
+            startActivityForResult(intent, request);
+        } catch (ActivityNotFoundException e) {
+            Toast.makeText(this, R.string.no_app, Toast.LENGTH_LONG).show();
+        }
+    }
+
+    private void start(Intent intent) {
+        try {
+            startActivity(intent);
+        } catch (ActivityNotFoundException e) {
+            Toast.makeText(this, R.string.no_app, Toast.LENGTH_LONG).show();
+        }
+    }
+
+    @Override
+    protected void onActivityResult(int request, int result, Intent data) {
+        Uri uri = result == RESULT_OK && data != null ? data.getData() : null;
+        if (uri == null) {
+            return;
+        }
+        try {
+            getContentResolver().takePersistableUriPermission(uri, Intent.FLAG_GRANT_READ_URI_PERMISSION);
+        } catch (SecurityException e) {
+            // a provider that grants for now only: the document can be read, if not after the app was ended
+        }
+        switch (request) {
+            case REQUEST_CELL:
+                session.chooseCell(uri.toString());
+                break;
+            case REQUEST_CALIBRATION:
+                session.chooseCalibration(uri.toString());
+                break;
+            case REQUEST_PHOTO:
+                session.openPhoto(uri.toString());
+                break;
+            default:
+                break;
+        }
+    }
+
+    private void share() {
+        SavedResult saved = session.state().saved();
+        if (saved == null || saved.uris().isEmpty()) {
+            return;
+        }
+        ArrayList<Uri> uris = new ArrayList<>();
+        saved.uris().forEach(uri -> uris.add(Uri.parse(uri)));
+        // grants go by the clip: those of EXTRA_STREAM alone do not reach through the chooser on every version
+        ClipData clip = ClipData.newRawUri(saved.name(), uris.get(0));
+        for (Uri uri : uris.subList(1, uris.size())) {
+            clip.addItem(new ClipData.Item(uri));
+        }
+        Intent intent = new Intent(Intent.ACTION_SEND_MULTIPLE).setType("*/*")
+                .putParcelableArrayListExtra(Intent.EXTRA_STREAM, uris).putExtra(Intent.EXTRA_SUBJECT, saved.name())
+                .addFlags(Intent.FLAG_GRANT_READ_URI_PERMISSION);
+        intent.setClipData(clip);
+        start(Intent.createChooser(intent, getString(R.string.share_title)));
+    }
+
+    // ---- what is shown
+
+    /** Shows the newest state, whichever brought the news: one that waited for its turn may be outdated. */
+    private void show() {
+        CheckScreenState s = session.state();
+        if (s == shown) {
+            return;
+        }
+        shown = s;
+        Banner now = Banner.of(s);
+        text(headline, content.headline(s));
+        bannerMark.setImageResource(now.mark());
+        banner.setBackgroundColor(getColor(now.colour()));
+        optional(reason, content.reason(s));
+        // keeps its room where it is empty, so that the picture stays where it is
+        String below = content.caption(s);
+        text(caption, below == null ? "" : below);
+        rows.show(content.rows(s));
+        showMessage(s);
+        showPicture(s);
+        runCamera();
+        showBar(s);
+    }
+
+    private void showPicture(CheckScreenState s) {
+        boolean stillShown = s.source() != ImageSource.LIVE;
+        int width = 0;
+        int height = 0;
+        if (s.still() != null) {
+            width = s.still().luminance().widthPx();
+            height = s.still().luminance().heightPx();
+        } else if (!stillShown && s.setup() != null) {
+            width = s.setup().camera().widthPx();
+            height = s.setup().camera().heightPx();
+        }
+        viewport.setPicture(s.orientation().uprightWidthPx(width, height),
+                s.orientation().uprightHeightPx(width, height));
+        preview.configure(s.setup(), s.displayRotationDeg());
+        still.setVisibility(stillShown ? View.VISIBLE : View.GONE);
+        still.setStill(s.still(), s.orientation());
+        overlay.setOverlay(message == null ? s.overlay() : null);
+        overlay.describe(content.spoken(s));
+    }
+
+    private void showMessage(CheckScreenState s) {
+        message = content.message(s);
+        messageView.setVisibility(message == null ? View.GONE : View.VISIBLE);
+        // what is covered is not there for a screen reader either
+        viewport.setImportantForAccessibility(message == null ? View.IMPORTANT_FOR_ACCESSIBILITY_AUTO
+                : View.IMPORTANT_FOR_ACCESSIBILITY_NO_HIDE_DESCENDANTS);
+        if (message == null) {
+            return;
+        }
+        TextView title = findViewById(R.id.message_title);
+        if (!message.title().contentEquals(title.getText())) {
+            messageView.scrollTo(0, 0);
+        }
+        text(title, message.title());
+        text(findViewById(R.id.message_text), message.text());
+        int[] buttons = {R.id.message_first, R.id.message_second, R.id.message_third};
+        List<Action> actions = message.actions();
+        for (int i = 0; i < buttons.length; i++) {
+            Button button = findViewById(buttons[i]);
+            button.setVisibility(i < actions.size() ? View.VISIBLE : View.GONE);
+            if (i < actions.size()) {
+                Action action = actions.get(i);
+                text(button, action == Action.KEEP_CELL ? words.get(action.label(), content.cellName(s))
+                        : words.get(action.label()));
+                button.setOnClickListener(v -> perform(action));
+            }
+        }
+    }
+
+    private void showBar(CheckScreenState s) {
+        boolean liveShown = s.source() == ImageSource.LIVE;
+        Button freeze = findViewById(R.id.freeze);
+        freeze.setEnabled(s.cell() != null && (s.canFreeze() || !liveShown));
+        text(freeze, words.get(liveShown ? R.string.freeze : R.string.resume));
+        freeze.setContentDescription(words.get(liveShown ? R.string.freeze_spoken : R.string.resume_spoken));
+        freeze.setCompoundDrawablesWithIntrinsicBounds(0, liveShown ? R.drawable.ic_freeze : R.drawable.ic_resume, 0, 0);
+        enable(R.id.save, s.canSave());
+        enable(R.id.share, s.canShare());
+        enable(R.id.target, s.cell() != null);
+        enable(R.id.refocus, s.setup() != null && liveShown && openFor != null);
+        enable(R.id.photo, s.cell() != null);
+        View target = findViewById(R.id.target);
+        target.setContentDescription(words.get(R.string.target_spoken, s.targetStdMm().isPresent()
+                ? words.get(R.string.target_mm, words.plain(s.targetStdMm().getAsDouble()))
+                : words.get(R.string.target_not_set)));
+    }
+
+    private void enable(int id, boolean enabled) {
+        findViewById(id).setEnabled(enabled);
+    }
+
+    private static void optional(TextView view, String text) {
+        view.setVisibility(text == null || text.isEmpty() ? View.GONE : View.VISIBLE);
+        text(view, text == null ? "" : text);
+    }
+
+    /** Text that has not changed is left alone, so that a selection in it stays. */
+    private static void text(TextView view, String text) {
+        if (!text.contentEquals(view.getText())) {
+            view.setText(text);
+        }
     }
 }

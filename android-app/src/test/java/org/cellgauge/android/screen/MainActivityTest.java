@@ -1,55 +1,768 @@
 package org.cellgauge.android.screen;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNotNull;
+import static org.junit.Assert.assertNotSame;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertSame;
 import static org.junit.Assert.assertTrue;
+import static org.robolectric.Shadows.shadowOf;
 
+import android.Manifest;
+import android.app.Activity;
+import android.app.AlertDialog;
+import android.content.ClipData;
+import android.content.Intent;
+import android.content.pm.PackageManager;
 import android.graphics.Bitmap;
-import android.graphics.Canvas;
-import android.graphics.Color;
+import android.net.Uri;
+import android.os.Bundle;
+import android.os.Parcel;
+import android.provider.Settings;
+import android.view.Surface;
 import android.view.View;
-import android.view.View.MeasureSpec;
+import android.widget.EditText;
 import android.widget.TextView;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
 import org.cellgauge.android.R;
+import org.cellgauge.android.camera.CameraFault;
+import org.cellgauge.android.camera.CameraModelSource;
+import org.cellgauge.android.camera.CameraNote;
+import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.files.CellDocument;
+import org.cellgauge.android.files.Photo;
+import org.cellgauge.android.files.StorageFullException;
+import org.cellgauge.android.state.CheckSession;
+import org.cellgauge.android.state.ImageSource;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.check.CellCheck;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.check.Verdict;
+import org.cellgauge.live.LiveState;
+import org.cellgauge.overlay.CellOverlay;
+import org.cellgauge.overlay.Overlay;
+import org.cellgauge.overlay.Role;
+import org.cellgauge.overlay.Shape;
+import org.cellgauge.vision.BoofMarkerDetector;
+import org.cellgauge.vision.GreyImage;
 import org.junit.Test;
 import org.junit.runner.RunWith;
-import org.robolectric.Robolectric;
 import org.robolectric.RobolectricTestRunner;
-import org.robolectric.android.controller.ActivityController;
+import org.robolectric.annotation.Config;
+import org.robolectric.shadows.ShadowActivity;
+import org.robolectric.shadows.ShadowDialog;
 
-/** The activity started on Android's own code. */
+/** What a user meets: the first start, rough handling, and what is kept. */
 @RunWith(RobolectricTestRunner.class)
+@Config(application = TestApp.class, qualifiers = Screen.TABLET_LANDSCAPE)
 public class MainActivityTest {
+    private static final Fixture FIXTURE = Fixture.LIFTED;
 
-    @Test
-    public void startsAndIsTitledWithTheAppsName() {
-        try (ActivityController<MainActivity> controller = Robolectric.buildActivity(MainActivity.class).setup()) {
-            assertEquals("CellGauge", controller.get().getTitle().toString());
-        }
+    private static TestApp.FakeFeed feed() {
+        return Screen.app().feed;
     }
 
-    @Test
-    public void textIsDrawnIntoABitmap() {
-        try (ActivityController<MainActivity> controller = Robolectric.buildActivity(MainActivity.class).setup()) {
-            TextView text = new TextView(controller.get());
-            text.setText(R.string.placeholder);
-            text.setTextColor(Color.WHITE);
-            Bitmap drawn = drawn(text, 400, 60);
-            int bright = 0;
-            for (int y = 0; y < drawn.getHeight(); y++) {
-                for (int x = 0; x < drawn.getWidth(); x++) {
-                    bright += Color.alpha(drawn.getPixel(x, y)) > 128 ? 1 : 0;
-                }
+    private static Screen live() {
+        Screen.turnDisplay(Surface.ROTATION_90);
+        return Screen.live(FIXTURE.document(), 90, false);
+    }
+
+    private static String rows(Screen screen) {
+        RowList rows = screen.find(R.id.rows);
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < rows.getChildCount(); i++) {
+            for (int id : new int[] {R.id.row_title, R.id.row_figures, R.id.row_text}) {
+                TextView view = rows.getChildAt(i).findViewById(id);
+                text.append(view.getVisibility() == View.VISIBLE ? Screen.plain(view.getText()) + "\n" : "");
             }
-            assertTrue(bright + " pixels of 400 x 60 drawn", bright > 200 && bright < 8000);
+        }
+        return text.toString();
+    }
+
+    private static void tapRow(Screen screen, String label) {
+        RowList rows = screen.find(R.id.rows);
+        for (int i = 0; i < rows.getChildCount(); i++) {
+            TextView button = rows.getChildAt(i).findViewById(R.id.row_action);
+            if (button.getVisibility() == View.VISIBLE && button.getText().toString().equals(label)) {
+                button.performClick();
+                screen.settle();
+                return;
+            }
+        }
+        throw new AssertionError("no row offers " + label + ":\n" + rows(screen));
+    }
+
+    private static boolean messageShown(Screen screen) {
+        return screen.find(R.id.message).getVisibility() == View.VISIBLE;
+    }
+
+    // ---- first start
+
+    @Test
+    public void firstStartExplainsAndOffersAFileAndTheExample() {
+        try (Screen screen = Screen.start()) {
+            assertEquals("No cell chosen", screen.text(R.id.banner_headline));
+            assertTrue(messageShown(screen));
+            assertEquals("Choose cell file", screen.text(R.id.message_first));
+            assertEquals("Try the example", screen.text(R.id.message_second));
+            assertEquals("", screen.text(R.id.message_third));
+            assertFalse(feed().isOpen());
         }
     }
 
-    private static Bitmap drawn(View view, int width, int height) {
-        view.measure(MeasureSpec.makeMeasureSpec(width, MeasureSpec.EXACTLY),
-                MeasureSpec.makeMeasureSpec(height, MeasureSpec.EXACTLY));
-        view.layout(0, 0, width, height);
-        Bitmap bitmap = Bitmap.createBitmap(width, height, Bitmap.Config.ARGB_8888);
-        view.draw(new Canvas(bitmap));
-        return bitmap;
+    @Test
+    public void exampleShowsAResultWithoutCameraOrPermission() {
+        try (Screen screen = Screen.start()) {
+            screen.tap(R.id.message_second);
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals("Pass – target met", screen.text(R.id.banner_headline));
+            assertEquals(ImageSource.PHOTO, screen.state().source());
+            assertFalse(messageShown(screen));
+            assertEquals(0, feed().openings);
+            assertTrue(rows(screen), rows(screen).contains("Object 20 – within 3 mm"));
+        }
+    }
+
+    @Test
+    public void documentsAreAskedForAndTheirAccessIsKept() {
+        try (Screen screen = Screen.start()) {
+            screen.tap(R.id.message_first);
+            ShadowActivity.IntentForResult asked = shadowOf(screen.activity()).getNextStartedActivityForResult();
+            assertEquals(Intent.ACTION_OPEN_DOCUMENT, asked.intent.getAction());
+            assertTrue(asked.intent.getCategories().contains(Intent.CATEGORY_OPENABLE));
+            CellDocument document = FIXTURE.document();
+            Screen.app().library.cells.put(document.uri(), () -> document);
+            shadowOf(screen.activity()).receiveResult(asked.intent, Activity.RESULT_OK,
+                    new Intent().setData(Uri.parse(document.uri())));
+            screen.settle();
+            assertSame(document, screen.state().cell());
+            assertEquals(document.uri(), screen.activity().getContentResolver().getPersistedUriPermissions().get(0)
+                    .getUri().toString());
+        }
+    }
+
+    @Test
+    public void cancelledPickerChangesNothing() {
+        try (Screen screen = Screen.start()) {
+            screen.tap(R.id.message_first);
+            ShadowActivity.IntentForResult asked = shadowOf(screen.activity()).getNextStartedActivityForResult();
+            shadowOf(screen.activity()).receiveResult(asked.intent, Activity.RESULT_CANCELED, null);
+            screen.settle();
+            assertEquals("No cell chosen", screen.text(R.id.banner_headline));
+        }
+    }
+
+    // ---- the check
+
+    @Test
+    public void stillCameraEndsInTheResultOfItsKeyFrameAlone() {
+        try (Screen screen = live()) {
+            assertEquals("Starting the camera…", screen.text(R.id.banner_headline));
+            screen.holdStillUntilResult(FIXTURE);
+            CheckResult shown = screen.state().result();
+            CheckResult alone = CellCheck.run(FIXTURE.cell(),
+                    BoofMarkerDetector.forCell(FIXTURE.cell()).detect(FIXTURE.image(), "alone"),
+                    CheckSettings.builder().build());
+            for (int id : new int[] {5, 20, 30}) {
+                assertArrayEquals(alone.estimate().object(id).pose().std(), shown.estimate().object(id).pose().std(), 0);
+            }
+            assertEquals(Verdict.PASS, screen.state().verdict());
+            assertEquals(alone.reason().replace(" %", "%"), screen.text(R.id.reason));
+            assertTrue(rows(screen), rows(screen).contains("σ  x 0.72 · y 0.76 · z 1.77 mm"));
+            assertEquals("95% ellipses, magnified 10× · grid 100 mm", screen.text(R.id.caption));
+        }
+    }
+
+    @Test
+    public void figuresBeforeConvergenceAreMarkedAsSuch() {
+        Screen.app().levels.onNext(ThermalLevel.HOT);
+        try (Screen screen = live()) {
+            feed().frame(FIXTURE.image());
+            screen.until("quick look", () -> screen.state().phase() == LiveState.Phase.QUICK_LOOK);
+            assertEquals("Preliminary – quick look", screen.text(R.id.banner_headline));
+            assertTrue(screen.text(R.id.reason), screen.text(R.id.reason).contains("have not converged"));
+            assertTrue(rows(screen), rows(screen).contains("Object 5 – preliminary"));
+            assertEquals(3, rows(screen).split("not converged yet", -1).length - 1);
+            assertTrue(screen.text(R.id.caption), screen.text(R.id.caption).contains("dashed: not converged yet"));
+            assertFalse(screen.find(R.id.save).isEnabled());
+            assertTrue(screen.state().overlay().shapes(Role.OBJECT_ELLIPSE).stream()
+                    .allMatch(Shape::dashed));
+        }
+    }
+
+    @Test
+    public void noMarkersInViewNamesWhatIsLookedFor() {
+        try (Screen screen = live()) {
+            feed().frame(FIXTURE.blank());
+            screen.until("search", () -> screen.state().phase() == LiveState.Phase.SEARCHING);
+            assertEquals("No reference in view", screen.text(R.id.banner_headline));
+            assertEquals("None of the references 944, 1234, 911 and 22 is in view: come closer, or check light and focus.",
+                    screen.text(R.id.reason));
+            assertFalse(screen.find(R.id.freeze).isEnabled());
+        }
+    }
+
+    @Test
+    public void objectWithoutAnyReferenceHasNoFigure() {
+        try (Screen screen = live()) {
+            GreyImage image = FIXTURE.image();
+            // the references' columns; object 30 at (601, 393) stays, and so do the others
+            for (int y = 0; y < image.heightPx(); y++) {
+                Arrays.fill(image.luminance(), y * image.widthPx(), y * image.widthPx() + 550, (byte) 120);
+                Arrays.fill(image.luminance(), y * image.widthPx() + 690, (y + 1) * image.widthPx(), (byte) 120);
+            }
+            feed().frame(image);
+            screen.until("search", () -> screen.state().phase() == LiveState.Phase.SEARCHING);
+            assertTrue(rows(screen), rows(screen).contains("Object 30 – in view, no figure"));
+        }
+    }
+
+    @Test
+    public void referenceThatIsCoveredIsNamed() {
+        try (Screen screen = live()) {
+            GreyImage image = FIXTURE.image();
+            // 944 is at (745, 171)
+            for (int y = 140; y < 205; y++) {
+                Arrays.fill(image.luminance(), y * image.widthPx() + 710, y * image.widthPx() + 780, (byte) 120);
+            }
+            feed().frame(image);
+            screen.until("figures", () -> screen.state().overlay() != null && screen.state().live().update() != null);
+            assertTrue(rows(screen), rows(screen).contains("Reference 944 is not in view."));
+        }
+    }
+
+    @Test
+    public void anotherTargetJudgesTheSameDrawsAnew() {
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            CheckResult before = screen.state().result();
+            screen.session().chooseTarget(1.5);
+            screen.settle();
+            assertEquals("Target missed", screen.text(R.id.banner_headline));
+            assertSame(before.estimate(), screen.state().result().estimate());
+            assertSame(before.draws(), screen.state().result().draws());
+            assertTrue(rows(screen), rows(screen).contains("Object 5 – beyond 1.5 mm"));
+            assertTrue(rows(screen), rows(screen).contains("Target: 1.5 mm on every axis, chosen here."));
+            screen.session().resetTarget();
+            screen.settle();
+            assertEquals("Pass – target met", screen.text(R.id.banner_headline));
+        }
+    }
+
+    @Test
+    public void cellWithoutTargetIsNotJudged() {
+        Screen.allowCamera();
+        try (Screen screen = Screen.start()) {
+            CellDocument document = FIXTURE.document(FIXTURE.cell().withTarget(OptionalDouble.empty()));
+            screen.chooseCell(document);
+            screen.openPhoto(FIXTURE.photo());
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals("No target set", screen.text(R.id.banner_headline));
+            assertTrue(rows(screen), rows(screen).contains("Object 5 – no target"));
+        }
+    }
+
+    // ---- freezing and keeping
+
+    @Test
+    public void savedFrameIsTheOneThatTheFiguresCameFrom() {
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            screen.tap(R.id.freeze);
+            assertEquals(ImageSource.FROZEN, screen.state().source());
+            assertEquals("Resume", screen.text(R.id.freeze));
+            // the camera goes on, and looks elsewhere
+            feed().frame(FIXTURE.blank());
+            screen.tap(R.id.save);
+            assertArrayEquals(FIXTURE.image().luminance(), Screen.app().archive.photos.get(0).luminance().luminance());
+            assertEquals(Screen.app().archive.results.get(0).detections().imageName(),
+                    Screen.app().archive.photos.get(0).name());
+            assertTrue(rows(screen), rows(screen).contains("Saved as lifted-4-1"));
+            assertFalse("a second tap would keep it twice", screen.find(R.id.save).isEnabled());
+            assertTrue(screen.find(R.id.share).isEnabled());
+        }
+    }
+
+    @Test
+    public void frozenFrameIsSampledToItsEndAndTheCameraGoesOnAfterwards() {
+        try (Screen screen = live()) {
+            feed().frame(FIXTURE.image());
+            screen.until("figures", () -> screen.state().canFreeze());
+            screen.tap(R.id.freeze);
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals(ImageSource.FROZEN, screen.state().source());
+            screen.tap(R.id.freeze);
+            assertEquals(ImageSource.LIVE, screen.state().source());
+            assertNull(screen.state().result());
+            screen.holdStillUntilResult(FIXTURE);
+            assertEquals("Pass – target met", screen.text(R.id.banner_headline));
+        }
+    }
+
+    @Test
+    public void resultIsKeptAgainUnderAnotherTarget() {
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            screen.tap(R.id.save);
+            screen.session().chooseTarget(1);
+            screen.settle();
+            assertTrue(rows(screen), rows(screen).contains("Saved before: lifted-4-1"));
+            screen.tap(R.id.save);
+            assertEquals(OptionalDouble.of(1), Screen.app().archive.results.get(1).cell().targetStdMm());
+            assertEquals(Verdict.FAIL, Screen.app().archive.results.get(1).verdict());
+        }
+    }
+
+    @Test
+    public void fullStorageIsSaidAndSavingCanBeTriedAgain() {
+        Screen.app().archive.fault = new StorageFullException("4 MB are missing.");
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            screen.tap(R.id.save);
+            assertTrue(rows(screen), rows(screen).contains("Not saved: no room on the device"));
+            assertTrue(rows(screen), rows(screen).contains("4 MB are missing."));
+            assertFalse(screen.find(R.id.share).isEnabled());
+            Screen.app().archive.fault = null;
+            tapRow(screen, "Save again");
+            assertTrue(rows(screen), rows(screen).contains("Saved as lifted-4-1"));
+        }
+    }
+
+    @Test
+    public void failedSavingIsSaid() {
+        Screen.app().archive.fault = new IOException("the card was removed");
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            screen.tap(R.id.save);
+            assertTrue(rows(screen), rows(screen).contains("Not saved\nthe card was removed"));
+        }
+    }
+
+    @Test
+    public void savedResultIsSharedWithTheRightToReadIt() {
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            screen.tap(R.id.save);
+            screen.tap(R.id.share);
+            Intent chooser = shadowOf(screen.activity()).getNextStartedActivity();
+            Intent shared = chooser.getParcelableExtra(Intent.EXTRA_INTENT, Intent.class);
+            assertEquals(Intent.ACTION_SEND_MULTIPLE, shared.getAction());
+            List<Uri> uris = shared.getParcelableArrayListExtra(Intent.EXTRA_STREAM, Uri.class);
+            assertEquals(Arrays.asList(Uri.parse("content://results/lifted-4-1.png"),
+                    Uri.parse("content://results/lifted-4-1.result.json")), uris);
+            assertTrue((shared.getFlags() & Intent.FLAG_GRANT_READ_URI_PERMISSION) != 0);
+            ClipData clip = shared.getClipData();
+            assertEquals(uris.get(0), clip.getItemAt(0).getUri());
+            assertEquals(uris.get(1), clip.getItemAt(1).getUri());
+        }
+    }
+
+    // ---- permission
+
+    @Test
+    public void permissionIsAskedForInContextAndRefusalIsNoEnd() {
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(FIXTURE.document());
+            assertEquals("The camera needs your permission", screen.text(R.id.message_title));
+            assertEquals("The camera is off", screen.text(R.id.banner_headline));
+            assertNull("nothing is asked before the user knows why",
+                    shadowOf(screen.activity()).getLastRequestedPermission());
+            screen.tap(R.id.message_first);
+            ShadowActivity.PermissionsRequest asked = shadowOf(screen.activity()).getLastRequestedPermission();
+            assertArrayEquals(new String[] {Manifest.permission.CAMERA}, asked.requestedPermissions);
+            screen.activity().onRequestPermissionsResult(asked.requestCode, asked.requestedPermissions,
+                    new int[] {PackageManager.PERMISSION_DENIED});
+            screen.settle();
+            assertEquals("Open settings", screen.text(R.id.message_first));
+            assertEquals("Open a saved photo", screen.text(R.id.message_second));
+            assertFalse(screen.activity().isFinishing());
+            screen.tap(R.id.message_first);
+            Intent settings = shadowOf(screen.activity()).getNextStartedActivity();
+            assertEquals(Settings.ACTION_APPLICATION_DETAILS_SETTINGS, settings.getAction());
+            assertEquals("package:org.cellgauge.android", settings.getDataString());
+            // given there; the camera starts by itself
+            screen.pause();
+            Screen.allowCamera();
+            screen.resume();
+            assertTrue(feed().isOpen());
+            assertFalse(messageShown(screen));
+        }
+    }
+
+    @Test
+    public void photosAreCheckedWithoutThePermission() {
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(FIXTURE.document());
+            screen.openPhoto(FIXTURE.photo());
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertFalse(messageShown(screen));
+            assertEquals(0, feed().openings);
+        }
+    }
+
+    @Test
+    public void permissionTakenBackWhileAwayIsNoticed() {
+        try (Screen screen = live()) {
+            assertTrue(feed().isOpen());
+            screen.pause();
+            shadowOf(Screen.app()).denyPermissions(Manifest.permission.CAMERA);
+            screen.resume();
+            assertFalse(feed().isOpen());
+            assertEquals("The camera needs your permission", screen.text(R.id.message_title));
+        }
+    }
+
+    // ---- the camera fails
+
+    @Test
+    public void everyFaultIsExplainedAndNoneEndsTheApp() {
+        for (CameraFault fault : CameraFault.values()) {
+            try (Screen screen = live()) {
+                feed().fault(fault);
+                screen.settle();
+                assertEquals("The camera is off", screen.text(R.id.banner_headline));
+                assertTrue(messageShown(screen));
+                assertTrue(fault + ": " + screen.text(R.id.message_text), screen.text(R.id.message_text).length() > 20);
+                String offers = screen.text(R.id.message_first) + screen.text(R.id.message_second)
+                        + screen.text(R.id.message_third);
+                assertTrue(offers, offers.contains("Open a saved photo"));
+            }
+        }
+    }
+
+    @Test
+    public void cameraIsTriedAgainByTapAndOnReturn() {
+        try (Screen screen = live()) {
+            feed().fault(CameraFault.IN_USE);
+            screen.settle();
+            assertFalse(feed().isOpen());
+            screen.tap(R.id.message_first);
+            assertTrue(feed().isOpen());
+            feed().fault(CameraFault.DISCONNECTED);
+            screen.settle();
+            screen.pause();
+            screen.resume();
+            assertTrue(feed().isOpen());
+            assertEquals(3, feed().openings);
+        }
+    }
+
+    @Test
+    public void lostCameraLeavesItsLastFigures() {
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            feed().fault(CameraFault.DISCONNECTED);
+            screen.settle();
+            assertFalse(messageShown(screen));
+            assertEquals("Pass – target met", screen.text(R.id.banner_headline));
+            assertEquals(View.VISIBLE, screen.find(R.id.still).getVisibility());
+            assertTrue(rows(screen), rows(screen).contains("The camera was disconnected. The last frame with figures is held."));
+            screen.tap(R.id.save);
+            assertArrayEquals(FIXTURE.image().luminance(), Screen.app().archive.photos.get(0).luminance().luminance());
+            tapRow(screen, "Try again");
+            assertTrue(feed().isOpen());
+            assertEquals(ImageSource.LIVE, screen.state().source());
+        }
+    }
+
+    @Test
+    public void cameraRunsOnlyWhileTheAppIsInFront() {
+        try (Screen screen = live()) {
+            screen.pause();
+            assertFalse(feed().isOpen());
+            screen.resume();
+            assertTrue(feed().isOpen());
+        }
+    }
+
+    @Test
+    public void cameraNotesAndModelAreSaid() {
+        Screen.allowCamera();
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(new CellDocument("cell.yaml", "content://cells/own", FIXTURE.cell(), null));
+            assertNull("the device's own model is asked for", feed().openedWith);
+            feed().opened(FIXTURE.cell().camera(), CameraModelSource.FIELD_OF_VIEW, 90, false, CameraNote.FOCUS_NOT_LOCKED,
+                    CameraNote.FOCAL_LENGTH_ESTIMATED);
+            screen.settle();
+            assertTrue(rows(screen), rows(screen).contains("From the lens's field of view only."));
+            assertTrue(rows(screen), rows(screen).contains("The focus cannot be locked"));
+            assertTrue(rows(screen), rows(screen).contains("The focal length is not calibrated"));
+            screen.tap(R.id.refocus);
+            assertEquals(1, feed().refocusings);
+        }
+    }
+
+    // ---- warmth
+
+    @Test
+    public void warmDeviceStepsDownAndACriticalOneStopsTheCamera() {
+        try (Screen screen = live()) {
+            Screen.app().levels.onNext(ThermalLevel.WARM);
+            screen.settle();
+            assertTrue(rows(screen), rows(screen).contains("The device is warm"));
+            Screen.app().levels.onNext(ThermalLevel.CRITICAL);
+            screen.settle();
+            assertFalse(feed().isOpen());
+            assertEquals("The device is too hot", screen.text(R.id.message_title));
+            Screen.app().levels.onNext(ThermalLevel.NORMAL);
+            screen.settle();
+            assertTrue(feed().isOpen());
+            assertFalse(messageShown(screen));
+        }
+    }
+
+    @Test
+    public void hotDeviceDoesNotSampleAndTakesItUpWhenItHasCooled() {
+        Screen.app().levels.onNext(ThermalLevel.HOT);
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(FIXTURE.document());
+            screen.openPhoto(FIXTURE.photo());
+            screen.until("quick look", () -> screen.state().phase() == LiveState.Phase.QUICK_LOOK);
+            assertTrue(screen.text(R.id.reason), screen.text(R.id.reason).contains("too warm for sampling"));
+            assertNull(screen.state().result());
+            Screen.app().levels.onNext(ThermalLevel.NORMAL);
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals("Pass – target met", screen.text(R.id.banner_headline));
+        }
+    }
+
+    // ---- files that are refused
+
+    @Test
+    public void refusedCellIsShownInFullAndTheOldOneStays() {
+        try (Screen screen = live()) {
+            String message = "kitchen.yaml, line 7: references.944.position_mm has 2 numbers; write three: [x, y, z] in mm";
+            Screen.app().library.cells.put("content://cells/kitchen", () -> {
+                throw new InputRefusedException(message);
+            });
+            screen.session().chooseCell("content://cells/kitchen");
+            screen.settle();
+            assertEquals(message, screen.text(R.id.message_text));
+            assertTrue(((TextView) screen.find(R.id.message_text)).isTextSelectable());
+            assertEquals("Keep lifted-4.yaml", screen.text(R.id.message_second));
+            screen.tap(R.id.message_second);
+            assertFalse(messageShown(screen));
+            assertEquals("lifted-4.yaml", screen.state().cell().name());
+        }
+    }
+
+    @Test
+    public void photoOfAnotherSizeIsRefusedWithBothSizes() {
+        try (Screen screen = live()) {
+            screen.openPhoto(new Photo("small.png", GreyImage.packed(new byte[640 * 480], 640, 480)));
+            assertEquals("The photo is of another size", screen.text(R.id.message_title));
+            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("640 x 480 px"));
+            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("1280 x 720 px"));
+            screen.tap(R.id.message_second);
+            assertEquals(ImageSource.LIVE, screen.state().source());
+            assertTrue(feed().isOpen());
+        }
+    }
+
+    @Test
+    public void photoThatCannotBeReadIsRefusedWithItsReason() {
+        try (Screen screen = live()) {
+            Screen.app().library.photos.put("content://photos/broken", () -> {
+                throw new InputRefusedException("broken.png: is no image; choose a PNG or JPEG file");
+            });
+            screen.session().openPhoto("content://photos/broken");
+            screen.settle();
+            assertEquals("The photo was refused", screen.text(R.id.message_title));
+            assertEquals("broken.png: is no image; choose a PNG or JPEG file", screen.text(R.id.message_text));
+        }
+    }
+
+    @Test
+    public void photoWithoutReferencesCannotBeJudged() {
+        try (Screen screen = live()) {
+            screen.openPhoto(new Photo("wall.png", FIXTURE.blank()));
+            screen.until("search", () -> screen.state().phase() == LiveState.Phase.SEARCHING);
+            assertEquals("No reference in view", screen.text(R.id.banner_headline));
+            assertFalse(screen.find(R.id.save).isEnabled());
+        }
+    }
+
+    @Test
+    public void photoOfAnUnknownCameraIsNotChecked() {
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(new CellDocument("cell.yaml", "content://cells/own", FIXTURE.cell(), null, "camera.yaml"));
+            assertTrue(rows(screen), rows(screen).contains("The cell file names the camera camera.yaml"));
+            screen.openPhoto(FIXTURE.photo());
+            assertEquals("The camera of this photo is not known", screen.text(R.id.message_title));
+            assertEquals("Choose calibration file", screen.text(R.id.message_second));
+        }
+    }
+
+    // ---- turning and dying
+
+    @Test
+    public void turningTheDeviceLosesNothing() {
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            CheckSession session = screen.session();
+            CheckResult result = screen.state().result();
+            screen.session().chooseTarget(1);
+            MainActivity before = screen.activity();
+            screen.turn(Screen.TABLET_PORTRAIT, Surface.ROTATION_0);
+            assertNotSame(before, screen.activity());
+            assertSame(session, screen.session());
+            assertSame(result.draws(), screen.state().result().draws());
+            assertEquals("Target missed", screen.text(R.id.banner_headline));
+            assertEquals(0, screen.state().displayRotationDeg());
+            assertEquals(720, screen.state().overlay().widthPx());
+            assertTrue("the camera runs on the new screen", feed().isOpen());
+            assertEquals(2, feed().openings);
+        }
+    }
+
+    @Test
+    public void halfATurnIsNoticedWithoutANewActivity() {
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            assertFalse(screen.state().orientation().mirrored());
+            assertEquals(0, screen.state().orientation().quarterTurnsClockwise());
+            Screen.turnDisplay(Surface.ROTATION_270);
+            screen.settle();
+            assertEquals(2, screen.state().orientation().quarterTurnsClockwise());
+        }
+    }
+
+    @Test
+    public void frozenCheckComesBackAfterTheProcessWasEnded() {
+        Bundle kept;
+        double[] std;
+        try (Screen screen = live()) {
+            screen.session().chooseTarget(2.5);
+            screen.holdStillUntilResult(FIXTURE);
+            screen.tap(R.id.freeze);
+            std = screen.state().result().estimate().object(20).pose().std();
+            kept = screen.killed();
+        }
+        Bundle parcelled = throughAParcel(kept);
+        try (Screen screen = Screen.start(parcelled)) {
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals(ImageSource.FROZEN, screen.state().source());
+            assertEquals("lifted-4.yaml", screen.state().cell().name());
+            assertEquals(OptionalDouble.of(2.5), screen.state().targetStdMm());
+            assertArrayEquals(FIXTURE.image().luminance(), screen.state().still().luminance().luminance());
+            assertArrayEquals("same photo, same seed, same figures", std,
+                    screen.state().result().estimate().object(20).pose().std(), 0);
+            screen.tap(R.id.freeze);
+            assertEquals(ImageSource.LIVE, screen.state().source());
+        }
+    }
+
+    @Test
+    public void photoCheckStartsAgainAfterTheProcessWasEnded() {
+        Bundle kept;
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(FIXTURE.document());
+            screen.openPhoto(FIXTURE.photo());
+            // in the middle of it
+            kept = screen.killed();
+        }
+        try (Screen screen = Screen.start(throughAParcel(kept))) {
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals(ImageSource.PHOTO, screen.state().source());
+            assertEquals("lifted-4.png", screen.state().still().name());
+            assertEquals("Pass – target met", screen.text(R.id.banner_headline));
+        }
+    }
+
+    @Test
+    public void exampleComesBackAfterTheProcessWasEnded() {
+        Bundle kept;
+        try (Screen screen = Screen.start()) {
+            screen.tap(R.id.message_second);
+            kept = screen.killed();
+        }
+        try (Screen screen = Screen.start(throughAParcel(kept))) {
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals("Pass – target met", screen.text(R.id.banner_headline));
+        }
+    }
+
+    private static Bundle throughAParcel(Bundle bundle) {
+        Parcel parcel = Parcel.obtain();
+        bundle.writeToParcel(parcel, 0);
+        parcel.setDataPosition(0);
+        Bundle read = Bundle.CREATOR.createFromParcel(parcel);
+        read.setClassLoader(MainActivityTest.class.getClassLoader());
+        parcel.recycle();
+        return read;
+    }
+
+    // ---- the target's dialog
+
+    @Test
+    public void targetIsTypedInTheUsersNotation() {
+        assertEquals(1.5, Decimals.parse("1,5"), 0);
+        assertEquals(1.5, Decimals.parse(" 1.5"), 0);
+        assertEquals(0.5, Decimals.parse(".5"), 0);
+        assertEquals(2, Decimals.parse("2."), 0);
+        for (String wrong : new String[] {"", ".", "1.2.3", "-1", "1e3", "abc"}) {
+            assertTrue(wrong, Double.isNaN(Decimals.parse(wrong)));
+        }
+    }
+
+    @Test
+    public void targetDialogSetsRefusesAndSurvivesATurn() {
+        try (Screen screen = live()) {
+            screen.tap(R.id.target);
+            AlertDialog dialog = (AlertDialog) ShadowDialog.getLatestDialog();
+            EditText field = dialog.findViewById(R.id.target_field);
+            assertEquals("3", field.getText().toString());
+            field.setText("0");
+            dialog.getButton(AlertDialog.BUTTON_POSITIVE).performClick();
+            screen.settle();
+            assertTrue(dialog.isShowing());
+            assertNotNull(field.getError());
+            field.setText("0.75");
+            screen.turn(Screen.TABLET_PORTRAIT, Surface.ROTATION_0);
+            dialog = (AlertDialog) ShadowDialog.getLatestDialog();
+            assertTrue(dialog.isShowing());
+            field = dialog.findViewById(R.id.target_field);
+            assertEquals("0.75", field.getText().toString());
+            dialog.getButton(AlertDialog.BUTTON_POSITIVE).performClick();
+            screen.settle();
+            assertFalse(dialog.isShowing());
+            assertEquals(OptionalDouble.of(0.75), screen.state().targetStdMm());
+        }
+    }
+
+    // ---- the picture that is kept
+
+    @Test
+    public void overlayPictureHasPhotoShapesBannerAndLegend() {
+        CheckResult result = CellCheck.run(FIXTURE.cell(),
+                BoofMarkerDetector.forCell(FIXTURE.cell()).detect(FIXTURE.image(), "photo"),
+                CheckSettings.builder().build());
+        Overlay overlay = CellOverlay.of(result);
+        Bitmap painted = OverlayPainter.paint(FIXTURE.image(), overlay);
+        Screen.write("overlay-picture", painted);
+        BufferedImage desktop = org.cellgauge.cli.OverlayPainter.paint(FIXTURE.image(), overlay);
+        long difference = 0;
+        int far = 0;
+        for (int y = 0; y < painted.getHeight(); y++) {
+            for (int x = 0; x < painted.getWidth(); x++) {
+                int a = painted.getPixel(x, y);
+                int b = desktop.getRGB(x, y);
+                int d = Math.abs((a >> 16 & 0xFF) - (b >> 16 & 0xFF)) + Math.abs((a >> 8 & 0xFF) - (b >> 8 & 0xFF))
+                        + Math.abs((a & 0xFF) - (b & 0xFF));
+                difference += d;
+                far += d > 150 ? 1 : 0;
+            }
+        }
+        double pixels = (double) painted.getWidth() * painted.getHeight();
+        // two renderers differ in how they smooth edges, and in nothing else
+        assertTrue("mean difference " + difference / pixels / 3, difference / pixels / 3 < 1);
+        assertTrue(far + " pixels far off", far < 0.001 * pixels);
     }
 }

@@ -1,0 +1,81 @@
+package org.cellgauge.android;
+
+import android.content.Context;
+import android.content.pm.PackageManager;
+import io.reactivex.rxjava3.core.Flowable;
+import java.io.File;
+import java.time.Clock;
+import org.cellgauge.android.camera.Camera2Feed;
+import org.cellgauge.android.camera.CameraFeed;
+import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.device.ThermalWatch;
+import org.cellgauge.android.files.CellLibrary;
+import org.cellgauge.android.files.DocumentLibrary;
+import org.cellgauge.android.files.FolderArchive;
+import org.cellgauge.android.files.ResultArchive;
+import org.cellgauge.android.screen.OverlayPainter;
+import org.cellgauge.android.state.SessionThreads;
+import org.cellgauge.check.CheckSettings;
+
+/** The device's own camera, documents and storage. */
+final class DeviceParts implements AppParts {
+    private final Context context;
+    private final ThermalWatch thermal;
+    private final CellLibrary library;
+    private final ResultArchive archive;
+
+    /**
+     * The parts of an app.
+     *
+     * @param context of the app
+     */
+    DeviceParts(Context context) {
+        this.context = context;
+        this.thermal = new ThermalWatch(context);
+        this.library = new DocumentLibrary(context);
+        this.archive = new FolderArchive(context, OverlayPainter::paint, Clock.systemDefaultZone(), version(context));
+    }
+
+    private static String version(Context context) {
+        try {
+            return context.getPackageManager().getPackageInfo(context.getPackageName(), 0).versionName;
+        } catch (PackageManager.NameNotFoundException e) {
+            throw new IllegalStateException("the app is not installed", e);
+        }
+    }
+
+    @Override
+    public CameraFeed cameraFeed(Context activity) {
+        return new Camera2Feed(activity);
+    }
+
+    @Override
+    public Flowable<ThermalLevel> thermalLevels() {
+        return thermal.levels();
+    }
+
+    @Override
+    public CellLibrary cellLibrary() {
+        return library;
+    }
+
+    @Override
+    public ResultArchive resultArchive() {
+        return archive;
+    }
+
+    @Override
+    public File cacheFolder() {
+        return context.getCacheDir();
+    }
+
+    @Override
+    public CheckSettings settings() {
+        return CheckSettings.builder().build();
+    }
+
+    @Override
+    public SessionThreads sessionThreads() {
+        return SessionThreads.ofApp();
+    }
+}

@@ -1,0 +1,56 @@
+package org.cellgauge.android.camera;
+
+import android.graphics.SurfaceTexture;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.vision.GreyImage;
+
+/** A camera that delivers frames: the device's, or one of a test. All methods are called on the main thread. */
+public interface CameraFeed {
+    /** Gets what the camera has to say, on a thread of the feed; calls never overlap. */
+    interface Listener {
+        /**
+         * The camera is open and frames will follow. Called again where it turns out later that less is known of the
+         * frames, as when the focus does not hold: the set-up replaces the earlier one.
+         *
+         * @param setup how they come
+         */
+        void onOpened(CameraSetup setup);
+
+        /**
+         * The newest frame; older ones that nobody fetched are gone.
+         *
+         * @param luminance the frame's luminance in sensor orientation; valid until this call returns, its array is
+         *     used again
+         * @param timestampNs time of the exposure, from a clock that never runs backwards
+         */
+        void onFrame(GreyImage luminance, long timestampNs);
+
+        /**
+         * The camera stopped; it is closed already and can be opened again.
+         *
+         * @param fault why
+         */
+        void onFault(CameraFault fault);
+    }
+
+    /**
+     * Opens the camera; a call while it is open closes it first.
+     *
+     * @param calibration intrinsics that the user has for the camera, or null: the device's own model
+     * @param preview where the camera shows its picture, or null for none
+     * @param listener gets set-up, frames and faults
+     */
+    void open(PinholeCamera calibration, SurfaceTexture preview, Listener listener);
+
+    /**
+     * Focuses once more and then holds the focus, as after opening. No frames come while the lens moves. Does nothing
+     * where the camera is closed, or its lens does not move.
+     */
+    void refocus();
+
+    /**
+     * Closes the camera; no call of the listener begins after it, but one that has begun may still run. Does nothing
+     * where the camera is closed. Returns at once, before the device has let go of the camera.
+     */
+    void close();
+}

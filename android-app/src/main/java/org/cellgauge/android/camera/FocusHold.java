@@ -1,0 +1,81 @@
+package org.cellgauge.android.camera;
+
+import android.hardware.camera2.CameraMetadata;
+
+/**
+ * Whether the lens stands still, so that frames may be measured in. A scan is asked for, the device reports how it
+ * goes, and from its end on the lens stays where it is.
+ */
+final class FocusHold {
+    private final RequestSettings.Focus focus;
+    private boolean scanning;
+    /** Number of the frame with which the scan in progress was asked for; reports on earlier ones are of the past. */
+    private long scanFrame = Long.MAX_VALUE;
+
+    /**
+     * A lens before its first scan.
+     *
+     * @param focus how its focus is held
+     */
+    FocusHold(RequestSettings.Focus focus) {
+        this.focus = focus;
+    }
+
+    /** Whether a scan makes sense: the lens moves, and stays where it came to. */
+    boolean canScan() {
+        return focus == RequestSettings.Focus.HELD;
+    }
+
+    /** A scan was asked for. */
+    void scanAsked() {
+        if (canScan()) {
+            scanning = true;
+            scanFrame = Long.MAX_VALUE;
+        }
+    }
+
+    /**
+     * The camera took up the request for a scan.
+     *
+     * @param frameNumber the frame that it goes with
+     */
+    void scanBegun(long frameNumber) {
+        scanFrame = frameNumber;
+    }
+
+    /**
+     * The device reports on a frame.
+     *
+     * @param frameNumber the frame
+     * @param state one of the {@code CONTROL_AF_STATE} constants; null where the device reports none
+     * @return whether the scan ended with this
+     */
+    boolean report(long frameNumber, Integer state) {
+        if (!scanning || frameNumber < scanFrame || state == null) {
+            return false;
+        }
+        // whether it is sharp is for the user to see; what counts here is that it stays
+        if (state == CameraMetadata.CONTROL_AF_STATE_FOCUSED_LOCKED
+                || state == CameraMetadata.CONTROL_AF_STATE_NOT_FOCUSED_LOCKED) {
+            scanning = false;
+            return true;
+        }
+        return false;
+    }
+
+    /**
+     * Waiting has no more sense.
+     *
+     * @return whether a scan was in progress: then nobody knows whether the lens stays
+     */
+    boolean giveUp() {
+        boolean was = scanning;
+        scanning = false;
+        return was;
+    }
+
+    /** Whether frames may be measured in: no scan is in progress. */
+    boolean isStill() {
+        return !scanning;
+    }
+}

@@ -1,0 +1,169 @@
+package org.cellgauge.android.camera;
+
+import android.graphics.Rect;
+import android.hardware.camera2.CameraMetadata;
+import android.hardware.camera2.CaptureRequest;
+import android.os.Build;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Set;
+import org.cellgauge.geometry.PixelArea;
+
+/**
+ * What a camera is told so that a calibration holds for its frames: no zoom, no stabilisation, no correction of the
+ * lens, a focus that stays, nothing that sharpens edges; immutable.
+ */
+final class RequestSettings {
+    /** How the focus is held. */
+    enum Focus {
+        /** The lens does not move. */
+        FIXED,
+        /** It is focused once and then stays until it is asked again. */
+        HELD,
+        /** The device moves it when it likes. */
+        FREE
+    }
+
+    /** Takes settings: a request's builder. */
+    interface Target {
+        /**
+         * Sets one key.
+         *
+         * @param <T> type of its value
+         * @param key the key
+         * @param value its value
+         */
+        <T> void set(CaptureRequest.Key<T> key, T value);
+    }
+
+    private static final int NO_MODE = -1;
+
+    private final CameraTraits traits;
+    private final Focus focus;
+    private final int focusMode;
+    private final Set<CameraNote> notes;
+
+    private RequestSettings(CameraTraits traits, Focus focus, int focusMode, Set<CameraNote> notes) {
+        this.traits = traits;
+        this.focus = focus;
+        this.focusMode = focusMode;
+        this.notes = Collections.unmodifiableSet(notes);
+    }
+
+    /**
+     * The settings for a camera.
+     *
+     * @param traits what it offers
+     * @return the settings
+     */
+    static RequestSettings of(CameraTraits traits) {
+        Set<CameraNote> notes = EnumSet.noneOf(CameraNote.class);
+        if (cannotBeOff(traits.opticalStabilisationModes(), CameraMetadata.LENS_OPTICAL_STABILIZATION_MODE_OFF)
+                || cannotBeOff(traits.videoStabilisationModes(), CameraMetadata.CONTROL_VIDEO_STABILIZATION_MODE_OFF)) {
+            notes.add(CameraNote.STABILISATION_ON);
+        }
+        int mode = holdingMode(traits.focusModes());
+        Focus focus = Focus.FREE;
+        if (traits.minFocusDistanceDpt() == 0 || mode == CameraMetadata.CONTROL_AF_MODE_OFF) {
+            focus = Focus.FIXED;
+            mode = CameraTraits.has(traits.focusModes(), CameraMetadata.CONTROL_AF_MODE_OFF)
+                    ? CameraMetadata.CONTROL_AF_MODE_OFF : NO_MODE;
+        } else if (mode != NO_MODE) {
+            focus = Focus.HELD;
+        } else {
+            notes.add(CameraNote.FOCUS_NOT_LOCKED);
+        }
+        return new RequestSettings(traits, focus, mode, notes);
+    }
+
+    private static boolean cannotBeOff(int[] modes, int off) {
+        return modes.length > 0 && !CameraTraits.has(modes, off);
+    }
+
+    /**
+     * The mode in which the lens stays where a trigger left it; in the continuous ones it does once they are triggered.
+     */
+    private static int holdingMode(int[] modes) {
+        int[] preferred = {CameraMetadata.CONTROL_AF_MODE_AUTO, CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_PICTURE,
+            CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_VIDEO, CameraMetadata.CONTROL_AF_MODE_MACRO,
+            CameraMetadata.CONTROL_AF_MODE_OFF};
+        for (int mode : preferred) {
+            if (CameraTraits.has(modes, mode)) {
+                return mode;
+            }
+        }
+        return NO_MODE;
+    }
+
+    /**
+     * The focal length that is asked for: a lens with several would else zoom.
+     *
+     * @return the shortest, mm; NaN where none is stated
+     */
+    static float focalLengthMm(CameraTraits traits) {
+        float shortest = Float.NaN;
+        for (float f : traits.focalLengthsMm()) {
+            if (f > 0 && !(f >= shortest)) {
+                shortest = f;
+            }
+        }
+        return shortest;
+    }
+
+    /** How the focus is held. */
+    Focus focus() {
+        return focus;
+    }
+
+    /** What the camera cannot do. */
+    Set<CameraNote> notes() {
+        return notes;
+    }
+
+    /**
+     * Writes the settings of every frame.
+     *
+     * @param request gets them
+     */
+    void applyTo(Target request) {
+        request.set(CaptureRequest.CONTROL_MODE, CameraMetadata.CONTROL_MODE_AUTO);
+        if (focusMode != NO_MODE) {
+            request.set(CaptureRequest.CONTROL_AF_MODE, focusMode);
+        }
+        setIfOffered(request, CaptureRequest.LENS_OPTICAL_STABILIZATION_MODE, traits.opticalStabilisationModes(),
+                CameraMetadata.LENS_OPTICAL_STABILIZATION_MODE_OFF);
+        setIfOffered(request, CaptureRequest.CONTROL_VIDEO_STABILIZATION_MODE, traits.videoStabilisationModes(),
+                CameraMetadata.CONTROL_VIDEO_STABILIZATION_MODE_OFF);
+        // sharpening draws a rim along edges, which is what corners are measured by
+        setIfOffered(request, CaptureRequest.EDGE_MODE, traits.edgeModes(), CameraMetadata.EDGE_MODE_OFF);
+        setIfOffered(request, CaptureRequest.NOISE_REDUCTION_MODE, traits.noiseReductionModes(),
+                CameraMetadata.NOISE_REDUCTION_MODE_FAST);
+        PixelArea whole = traits.activeArray();
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.P
+                && CameraTraits.has(traits.distortionCorrectionModes(),
+                        CameraMetadata.DISTORTION_CORRECTION_MODE_OFF)) {
+            request.set(CaptureRequest.DISTORTION_CORRECTION_MODE, CameraMetadata.DISTORTION_CORRECTION_MODE_OFF);
+            // without the correction, areas are those of the sensor before it
+            whole = traits.preCorrectionActiveArray();
+        }
+        if (whole != null) {
+            request.set(CaptureRequest.SCALER_CROP_REGION,
+                    new Rect(0, 0, (int) whole.widthPx(), (int) whole.heightPx()));
+        }
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.S) {
+            // else Android turns and cuts images for apps that it shows in a window of the other orientation
+            setIfOffered(request, CaptureRequest.SCALER_ROTATE_AND_CROP, traits.rotateAndCropModes(),
+                    CameraMetadata.SCALER_ROTATE_AND_CROP_NONE);
+        }
+        float focalLength = focalLengthMm(traits);
+        if (traits.focalLengthsMm().length > 1 && focalLength > 0) {
+            request.set(CaptureRequest.LENS_FOCAL_LENGTH, focalLength);
+        }
+    }
+
+    private static void setIfOffered(Target request, CaptureRequest.Key<Integer> key, int[] offered, int mode) {
+        if (CameraTraits.has(offered, mode)) {
+            request.set(key, mode);
+        }
+    }
+}

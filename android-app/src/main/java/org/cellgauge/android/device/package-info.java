@@ -1,0 +1,2 @@
+/** How the device itself is doing. */
+package org.cellgauge.android.device;

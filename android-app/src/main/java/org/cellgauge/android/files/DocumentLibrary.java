@@ -1,0 +1,95 @@
+package org.cellgauge.android.files;
+
+import android.content.Context;
+import android.content.res.AssetManager;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import org.cellgauge.cell.CameraReader;
+import org.cellgauge.cell.CameraSource;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.cell.InputFiles;
+import org.cellgauge.cell.StatedCamera;
+import org.cellgauge.geometry.PinholeCamera;
+
+/** Cells and photos out of Android's document picker, and the example out of the app itself. */
+public final class DocumentLibrary implements CellLibrary {
+    private static final String CELL_FILE = "cell file";
+    private static final String CAMERA_FILE = "camera file";
+    private static final String PHOTO = "photo";
+    private static final String EXAMPLE = "example/";
+    private static final String EXAMPLE_CELL = "cell.yaml";
+    private static final String EXAMPLE_PHOTO = "photo.png";
+    /** Stands in a cell whose camera is the device's, until that is known. */
+    private static final PinholeCamera PLACEHOLDER = PinholeCamera.ideal(1280, 720, 1000, 1000, 640, 360);
+
+    private final AssetManager assets;
+    private final Documents documents;
+
+    /**
+     * A library.
+     *
+     * @param context of the app
+     */
+    public DocumentLibrary(Context context) {
+        this.assets = context.getApplicationContext().getAssets();
+        this.documents = new Documents(context.getApplicationContext().getContentResolver());
+    }
+
+    @Override
+    public CellDocument example() {
+        CameraSource cameras = name -> asset(name, CAMERA_FILE, CameraReader.MAX_BYTES);
+        Cell cell = CellReader.read(asset(EXAMPLE_CELL, CELL_FILE, CellReader.MAX_BYTES), EXAMPLE_CELL, cameras);
+        return new CellDocument(EXAMPLE_CELL, null, cell, cell.camera());
+    }
+
+    @Override
+    public Photo examplePhoto() {
+        try (InputStream in = assets.open(EXAMPLE + EXAMPLE_PHOTO)) {
+            return new Photo(EXAMPLE_PHOTO, PhotoReader.read(in, EXAMPLE_PHOTO));
+        } catch (IOException e) {
+            throw new UncheckedIOException("the app was packed without its example", e);
+        }
+    }
+
+    private String asset(String name, String what, int maxBytes) {
+        try (InputStream in = assets.open(EXAMPLE + name)) {
+            return InputFiles.text(in, name, what, maxBytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException("the app was packed without its example", e);
+        }
+    }
+
+    @Override
+    public CellDocument cell(String uri, String calibrationUri) {
+        return documents.read(uri, CELL_FILE, true, (in, name) -> cell(uri, name,
+                InputFiles.text(in, name, CELL_FILE, CellReader.MAX_BYTES), calibrationUri));
+    }
+
+    private CellDocument cell(String uri, String name, String text, String calibrationUri) {
+        if (calibrationUri != null) {
+            PinholeCamera camera = calibration(calibrationUri);
+            return new CellDocument(name, uri, CellReader.read(text, name, camera), camera);
+        }
+        StatedCamera stated = CellReader.statedCamera(text, name);
+        if (stated.kind() == StatedCamera.Kind.INLINE) {
+            CameraSource none = file -> {
+                throw new IllegalStateException("the camera is inline");
+            };
+            Cell cell = CellReader.read(text, name, none);
+            return new CellDocument(name, uri, cell, cell.camera());
+        }
+        return new CellDocument(name, uri, CellReader.read(text, name, PLACEHOLDER), null, stated.fileName());
+    }
+
+    private PinholeCamera calibration(String uri) {
+        return documents.read(uri, CAMERA_FILE, true, (in, name) -> CameraReader.read(
+                InputFiles.text(in, name, CAMERA_FILE, CameraReader.MAX_BYTES), name));
+    }
+
+    @Override
+    public Photo photo(String uri) {
+        return documents.read(uri, PHOTO, false, (in, name) -> new Photo(name, PhotoReader.read(in, name)));
+    }
+}

@@ -1,0 +1,27 @@
+package org.cellgauge.android.files;
+
+import java.io.IOException;
+import java.util.List;
+import org.cellgauge.check.CheckResult;
+
+/** Where results are kept. Methods write and block: they are not for the main thread. */
+public interface ResultArchive {
+    /**
+     * Keeps a result: the photo as lossless grey PNG, from which the command line makes the same figures, the result
+     * file, the overlay's picture and the cell file with the camera that was used. All of them or none.
+     *
+     * @param photo the frame or photo that was checked
+     * @param result what came out
+     * @return what was written
+     * @throws StorageFullException if there is no room; nothing was written
+     * @throws IOException if writing failed for another reason; nothing was written
+     */
+    SavedResult save(Photo photo, CheckResult result) throws IOException;
+
+    /**
+     * What was kept so far.
+     *
+     * @return the newest first
+     */
+    List<SavedResult> saved();
+}

@@ -1,0 +1,71 @@
+package org.cellgauge.android.screen;
+
+import java.util.Objects;
+
+/** One row of the list, ready to be shown; immutable. Parts that are null take no room. */
+final class Row {
+    private final int mark;
+    private final int colour;
+    private final String title;
+    private final String figures;
+    private final String text;
+    private final Action action;
+
+    /**
+     * A row.
+     *
+     * @param mark its drawable
+     * @param colour the mark's colour resource
+     * @param title a few words
+     * @param figures numbers, or null
+     * @param text what else there is to say, or null
+     * @param action what can be done, or null
+     */
+    Row(int mark, int colour, String title, String figures, String text, Action action) {
+        this.mark = mark;
+        this.colour = colour;
+        this.title = title;
+        this.figures = figures;
+        this.text = text;
+        this.action = action;
+    }
+
+    int mark() {
+        return mark;
+    }
+
+    int colour() {
+        return colour;
+    }
+
+    String title() {
+        return title;
+    }
+
+    String figures() {
+        return figures;
+    }
+
+    String text() {
+        return text;
+    }
+
+    Action action() {
+        return action;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        if (!(other instanceof Row)) {
+            return false;
+        }
+        Row o = (Row) other;
+        return mark == o.mark && colour == o.colour && title.equals(o.title) && Objects.equals(figures, o.figures)
+                && Objects.equals(text, o.text) && action == o.action;
+    }
+
+    @Override
+    public int hashCode() {
+        return Objects.hash(mark, colour, title, figures, text, action);
+    }
+}

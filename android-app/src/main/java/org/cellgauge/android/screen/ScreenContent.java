@@ -1,0 +1,399 @@
+package org.cellgauge.android.screen;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.cellgauge.android.R;
+import org.cellgauge.android.camera.CameraFault;
+import org.cellgauge.android.camera.CameraNote;
+import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.state.CameraPermission;
+import org.cellgauge.android.state.CheckScreenState;
+import org.cellgauge.android.state.ImageSource;
+import org.cellgauge.android.state.ObjectRow;
+import org.cellgauge.android.state.Problem;
+import org.cellgauge.check.Verdict;
+import org.cellgauge.overlay.EllipseShape;
+import org.cellgauge.overlay.Overlay;
+import org.cellgauge.overlay.Role;
+import org.cellgauge.overlay.Shape;
+
+/** What a state says, in the user's language: pure text, so that the activity only has to put it in its places. */
+final class ScreenContent {
+    private final Wording words;
+
+    ScreenContent(Wording words) {
+        this.words = words;
+    }
+
+    // ---- banner
+
+    String headline(CheckScreenState s) {
+        return words.get(Banner.of(s).headline());
+    }
+
+    /** Why the banner says what it says; empty where the headline or the message over the picture says all. */
+    String reason(CheckScreenState s) {
+        switch (Banner.of(s)) {
+            case NO_CELL:
+                return words.get(R.string.reason_no_cell);
+            case SEARCHING:
+                return words.plural(R.plurals.reason_searching, s.missingReferences().size(),
+                        words.ids(s.missingReferences()));
+            case QUICK_LOOK:
+                if (!s.allowsSampling()) {
+                    return words.get(R.string.reason_too_hot);
+                }
+                return words.get(s.source() == ImageSource.LIVE ? R.string.reason_quick_look
+                        : R.string.reason_quick_look_still);
+            case SAMPLING:
+                return words.plural(R.plurals.reason_sampling, s.iterationsPerChain(),
+                        words.number(s.iterationsPerChain(), 0));
+            case REFUSED:
+                return s.live().message();
+            case INTERNAL:
+                return words.get(R.string.reason_internal, s.checkProblem().message());
+            case PASS:
+            case FAIL:
+            case NOT_CONVERGED:
+            case AMBIGUOUS:
+            case NO_TARGET:
+                return words.reason(s.reason());
+            default:
+                return "";
+        }
+    }
+
+    // ---- below the picture
+
+    /** What the picture's legend would say; null where nothing is drawn that needs explaining. */
+    String caption(CheckScreenState s) {
+        Overlay overlay = s.overlay();
+        if (overlay == null) {
+            return null;
+        }
+        String text = null;
+        for (Shape shape : overlay.shapes()) {
+            if (shape instanceof EllipseShape) {
+                text = overlay.magnification() == 1 ? words.get(R.string.caption_true_size)
+                        : words.get(R.string.caption_magnified, words.plain(overlay.magnification()));
+                if (s.result() == null) {
+                    text = words.get(R.string.caption_parts, text, words.get(R.string.caption_preliminary));
+                } else if (s.verdict() == Verdict.NOT_CONVERGED) {
+                    text = words.get(R.string.caption_parts, text, words.get(R.string.caption_not_converged));
+                }
+                break;
+            }
+        }
+        if (!overlay.shapes(Role.WORLD_GRID).isEmpty()) {
+            String grid = words.get(R.string.caption_grid, words.plain(overlay.gridSpacingMm()));
+            text = text == null ? grid : words.get(R.string.caption_parts, text, grid);
+        }
+        return text;
+    }
+
+    /** What a screen reader says of the picture. Without counts that run, so that it speaks of what matters alone. */
+    String spoken(CheckScreenState s) {
+        StringBuilder objects = new StringBuilder();
+        for (ObjectRow row : s.objects()) {
+            objects.append(objects.length() == 0 ? "" : " ")
+                    .append(words.get(R.string.spoken_object, row.id(), mark(row, s)));
+        }
+        return words.get(R.string.spoken_overlay, headline(s), objects).trim();
+    }
+
+    // ---- what is in the way
+
+    /** What stands over the picture, or null. */
+    Message message(CheckScreenState s) {
+        Problem cell = s.cellProblem();
+        if (cell != null) {
+            return s.cell() == null
+                    ? new Message(words.get(R.string.cell_refused), cell.message(), Action.CHOOSE_ANOTHER_CELL,
+                            Action.TRY_EXAMPLE)
+                    : new Message(words.get(R.string.cell_refused), cell.message(), Action.CHOOSE_ANOTHER_CELL,
+                            Action.KEEP_CELL);
+        }
+        if (s.cell() == null) {
+            return s.readingCell() ? null
+                    : new Message(words.get(R.string.welcome), words.get(R.string.welcome_text), Action.CHOOSE_CELL,
+                            Action.TRY_EXAMPLE);
+        }
+        if (s.photoProblem() != null) {
+            return photo(s, s.photoProblem());
+        }
+        return s.source() == ImageSource.LIVE ? camera(s) : null;
+    }
+
+    private Message photo(CheckScreenState s, Problem problem) {
+        switch (problem.kind()) {
+            case PHOTO_WITHOUT_CAMERA:
+                String text = words.get(R.string.photo_without_camera_text);
+                return canCalibrate(s)
+                        ? new Message(words.get(R.string.photo_without_camera), text, Action.BACK_TO_CAMERA,
+                                Action.CHOOSE_CALIBRATION)
+                        : new Message(words.get(R.string.photo_without_camera), text, Action.BACK_TO_CAMERA);
+            case PHOTO_SIZE:
+                return new Message(words.get(R.string.photo_size), problem.message(), Action.OPEN_ANOTHER_PHOTO,
+                        Action.BACK_TO_CAMERA);
+            default:
+                return new Message(words.get(R.string.photo_refused), problem.message(), Action.OPEN_ANOTHER_PHOTO,
+                        Action.BACK_TO_CAMERA);
+        }
+    }
+
+    private Message camera(CheckScreenState s) {
+        if (!s.allowsCamera()) {
+            return new Message(words.get(R.string.too_hot), words.get(R.string.too_hot_text), Action.OPEN_PHOTO);
+        }
+        if (s.permission() == CameraPermission.ASK) {
+            return new Message(words.get(R.string.permission), words.get(R.string.permission_text), Action.ALLOW_CAMERA,
+                    Action.OPEN_PHOTO);
+        }
+        if (s.permission() == CameraPermission.REFUSED) {
+            return new Message(words.get(R.string.permission), words.get(R.string.permission_refused_text),
+                    Action.OPEN_SETTINGS, Action.OPEN_PHOTO);
+        }
+        CameraFault fault = s.fault();
+        if (fault == null) {
+            return null;
+        }
+        String title = words.fault(fault);
+        String text = words.remedy(fault);
+        switch (fault) {
+            case NO_CAMERA:
+                return new Message(title, text, Action.OPEN_PHOTO);
+            case NOT_PERMITTED:
+                return new Message(title, text, Action.OPEN_SETTINGS, Action.TRY_AGAIN, Action.OPEN_PHOTO);
+            case NO_SUITABLE_SIZE:
+                return canCalibrate(s) ? new Message(title, text, Action.CHOOSE_CALIBRATION, Action.OPEN_PHOTO)
+                        : new Message(title, text, Action.OPEN_PHOTO);
+            default:
+                return new Message(title, text, Action.TRY_AGAIN, Action.OPEN_PHOTO);
+        }
+    }
+
+    private static boolean canCalibrate(CheckScreenState s) {
+        return s.cell() != null && s.cell().uri() != null;
+    }
+
+    // ---- rows
+
+    /** The list: what was kept, the objects, and what else the user should know. */
+    List<Row> rows(CheckScreenState s) {
+        List<Row> rows = new ArrayList<>();
+        if (s.cell() == null) {
+            return rows;
+        }
+        kept(s, rows);
+        cameraFile(s, rows);
+        for (ObjectRow object : s.objects()) {
+            rows.add(object(object, s));
+        }
+        if (!s.missingReferences().isEmpty() && s.live().update() != null) {
+            rows.add(note(R.drawable.mark_not_seen, words.plural(R.plurals.missing_references,
+                    s.missingReferences().size(), words.ids(s.missingReferences())), null, null));
+        }
+        heat(s, rows);
+        source(s, rows);
+        rows.add(cameraModel(s));
+        rows.add(note(R.drawable.ic_cell, words.get(R.string.cell_in_use, cellName(s)), target(s), null));
+        warnings(s, rows);
+        return rows;
+    }
+
+    private void kept(CheckScreenState s, List<Row> rows) {
+        if (s.saving()) {
+            rows.add(note(R.drawable.mark_preliminary, words.get(R.string.saving), null, null));
+        } else if (s.saveProblem() != null) {
+            boolean full = s.saveProblem().kind() == Problem.Kind.STORAGE_FULL;
+            String message = s.saveProblem().message();
+            rows.add(new Row(R.drawable.mark_not_converged, R.color.mark_fail,
+                    words.get(full ? R.string.storage_full : R.string.not_saved), null,
+                    full ? words.get(R.string.storage_full_text, message).trim() : message,
+                    s.canSave() ? Action.SAVE_AGAIN : null));
+        } else if (s.saved() != null) {
+            rows.add(s.showsSaved()
+                    ? new Row(R.drawable.mark_pass, R.color.mark_pass, words.get(R.string.saved, s.saved().name()), null,
+                            null, null)
+                    : note(R.drawable.ic_save, words.get(R.string.saved_earlier, s.saved().name()),
+                            words.get(R.string.saved_earlier_text), null));
+        }
+    }
+
+    private Row object(ObjectRow object, CheckScreenState s) {
+        String figures = null;
+        String text = null;
+        if (object.stdMm() != null) {
+            figures = deviations(R.string.figures, object.stdMm());
+            if (object.gripStdMm() != null) {
+                figures += "\n" + deviations(R.string.figures_grip, object.gripStdMm());
+            }
+            if (object.mark() == ObjectRow.Mark.PRELIMINARY) {
+                figures += "\n" + words.get(R.string.figures_preliminary);
+            }
+            text = words.cause(object.reason());
+            if (object.ellipse95Px() != null) {
+                String ellipse = words.get(R.string.ellipse, words.number(object.ellipse95Px().semiMajor(), 1),
+                        words.number(object.ellipse95Px().semiMinor(), 1));
+                text = text == null ? ellipse : text + "\n" + ellipse;
+            }
+        } else if (object.mark() == ObjectRow.Mark.AMBIGUOUS) {
+            text = object.reason() == null ? words.get(R.string.no_figure_two_poses) : words.reason(object.reason());
+        } else if (object.mark() == ObjectRow.Mark.NOT_CONVERGED) {
+            text = words.get(R.string.no_figure_not_converged);
+        }
+        return new Row(drawable(object.mark()), colour(object.mark()),
+                words.get(R.string.object_title, object.id(), mark(object, s)), figures, text, null);
+    }
+
+    private String deviations(int id, double[] stdMm) {
+        return words.get(id, words.mm(stdMm[0]), words.mm(stdMm[1]), words.mm(stdMm[2]));
+    }
+
+    private String mark(ObjectRow object, CheckScreenState s) {
+        switch (object.mark()) {
+            case OK:
+                return words.get(R.string.mark_ok, words.plain(s.targetStdMm().getAsDouble()));
+            case NOT_OK:
+                return words.get(R.string.mark_not_ok, words.plain(s.targetStdMm().getAsDouble()));
+            case PRELIMINARY:
+                return words.get(R.string.mark_preliminary);
+            case NOT_CONVERGED:
+                return words.get(R.string.mark_not_converged);
+            case AMBIGUOUS:
+                return words.get(R.string.mark_ambiguous);
+            case NOT_JUDGED:
+                return words.get(R.string.mark_not_judged);
+            case NO_FIGURE:
+                return words.get(R.string.mark_no_figure);
+            default:
+                return words.get(R.string.mark_not_seen);
+        }
+    }
+
+    static int drawable(ObjectRow.Mark mark) {
+        switch (mark) {
+            case OK:
+                return R.drawable.mark_pass;
+            case NOT_OK:
+                return R.drawable.mark_fail;
+            case PRELIMINARY:
+                return R.drawable.mark_preliminary;
+            case NOT_CONVERGED:
+                return R.drawable.mark_not_converged;
+            case AMBIGUOUS:
+                return R.drawable.mark_ambiguous;
+            case NOT_JUDGED:
+                return R.drawable.mark_not_judged;
+            case NO_FIGURE:
+                return R.drawable.mark_no_figure;
+            default:
+                return R.drawable.mark_not_seen;
+        }
+    }
+
+    private static int colour(ObjectRow.Mark mark) {
+        switch (mark) {
+            case OK:
+                return R.color.mark_pass;
+            case NOT_OK:
+            case NOT_SEEN:
+                return R.color.mark_fail;
+            case NOT_CONVERGED:
+                return R.color.mark_not_converged;
+            case AMBIGUOUS:
+                return R.color.mark_ambiguous;
+            default:
+                return R.color.mark_neutral;
+        }
+    }
+
+    private void heat(CheckScreenState s, List<Row> rows) {
+        if (s.heat() == ThermalLevel.WARM) {
+            rows.add(note(R.drawable.mark_not_converged, words.get(R.string.heat_warm),
+                    words.get(R.string.heat_warm_text), null));
+        } else if (s.heat() == ThermalLevel.HOT) {
+            rows.add(note(R.drawable.mark_not_converged, words.get(R.string.heat_hot), words.get(R.string.heat_hot_text),
+                    null));
+        } else if (s.heat() == ThermalLevel.CRITICAL && s.source() != ImageSource.LIVE) {
+            rows.add(note(R.drawable.mark_not_converged, words.get(R.string.too_hot), words.get(R.string.too_hot_text),
+                    null));
+        }
+    }
+
+    /** Android gives an app the documents that a user chose, not their neighbours. */
+    private void cameraFile(CheckScreenState s, List<Row> rows) {
+        String name = s.cell().cameraFile();
+        if (name != null && s.cell().calibration() == null) {
+            rows.add(new Row(R.drawable.mark_not_converged, R.color.mark_ambiguous,
+                    words.get(R.string.camera_file, name), null, words.get(R.string.camera_file_text),
+                    Action.CHOOSE_CALIBRATION));
+        }
+    }
+
+    private void source(CheckScreenState s, List<Row> rows) {
+        if (s.source() == ImageSource.FROZEN) {
+            if (s.fault() != null) {
+                rows.add(note(R.drawable.ic_camera_off, words.get(R.string.lost_camera, words.fault(s.fault())),
+                        words.remedy(s.fault()), Action.TRY_AGAIN));
+            } else {
+                rows.add(note(R.drawable.ic_freeze, words.get(R.string.frozen), words.get(R.string.frozen_text), null));
+            }
+        } else if (s.source() == ImageSource.PHOTO && s.still() != null) {
+            rows.add(note(R.drawable.ic_photo, words.get(R.string.photo_shown, s.still().name()), null,
+                    Action.BACK_TO_CAMERA));
+        }
+    }
+
+    private Row cameraModel(CheckScreenState s) {
+        List<String> lines = new ArrayList<>();
+        boolean photo = s.source() == ImageSource.PHOTO;
+        if (photo && s.cell().calibration() != null) {
+            lines.add(words.get(R.string.camera_model_calibration));
+            lines.add(words.get(R.string.image_size, s.cell().calibration().widthPx(),
+                    s.cell().calibration().heightPx()));
+        } else if (s.setup() != null) {
+            if (photo) {
+                lines.add(words.get(R.string.camera_model_photo_device));
+            }
+            lines.add(words.model(s.setup().source()));
+            lines.add(words.get(R.string.image_size, s.setup().camera().widthPx(), s.setup().camera().heightPx()));
+            for (CameraNote note : s.setup().notes()) {
+                lines.add(words.note(note));
+            }
+        } else if (s.cell().calibration() != null) {
+            lines.add(words.get(R.string.camera_model_calibration));
+        } else {
+            lines.add(words.get(R.string.camera_model_none));
+        }
+        return note(R.drawable.ic_focus, words.get(R.string.camera_model), String.join("\n", lines),
+                canCalibrate(s) && (s.cell().cameraFile() == null || s.cell().calibration() != null)
+                        ? Action.CHOOSE_CALIBRATION : null);
+    }
+
+    String cellName(CheckScreenState s) {
+        return s.cell().uri() == null ? words.get(R.string.cell_example) : s.cell().name();
+    }
+
+    private String target(CheckScreenState s) {
+        if (!s.targetStdMm().isPresent()) {
+            return words.get(R.string.target_none);
+        }
+        boolean chosen = !s.targetStdMm().equals(s.cell().cell().targetStdMm());
+        return words.get(chosen ? R.string.target_in_use_chosen : R.string.target_in_use,
+                words.plain(s.targetStdMm().getAsDouble()));
+    }
+
+    private void warnings(CheckScreenState s, List<Row> rows) {
+        List<String> warnings = s.result() != null ? s.result().warnings()
+                : s.live() != null ? s.live().detections().warnings() : new ArrayList<>();
+        if (!warnings.isEmpty()) {
+            rows.add(new Row(R.drawable.mark_not_converged, R.color.mark_ambiguous, words.get(R.string.warnings), null,
+                    String.join("\n", warnings), null));
+        }
+    }
+
+    private static Row note(int mark, String title, String text, Action action) {
+        return new Row(mark, R.color.mark_neutral, title, null, text, action);
+    }
+}

@@ -1,0 +1,208 @@
+package org.cellgauge.android.screen;
+
+import android.content.res.Resources;
+import java.text.NumberFormat;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.cellgauge.android.R;
+import org.cellgauge.android.camera.CameraFault;
+import org.cellgauge.android.camera.CameraModelSource;
+import org.cellgauge.android.camera.CameraNote;
+import org.cellgauge.check.Reason;
+import org.cellgauge.overlay.LabelWords;
+
+/** Sentences in the user's language, with numbers as written there, from what core and camera say in parts. */
+final class Wording {
+    private final Resources resources;
+    private final Locale locale;
+
+    Wording(Resources resources) {
+        this.resources = resources;
+        this.locale = resources.getConfiguration().getLocales().get(0);
+    }
+
+    String get(int id, Object... arguments) {
+        // a string without arguments is no pattern: a per cent sign in it stands for itself
+        return arguments.length == 0 ? resources.getString(id) : resources.getString(id, arguments);
+    }
+
+    String plural(int id, int count, Object... arguments) {
+        return resources.getQuantityString(id, count, arguments);
+    }
+
+    // ---- numbers
+
+    /** A deviation in mm, to a hundredth, as core's reasons have it. */
+    String mm(double value) {
+        return number(value, 2);
+    }
+
+    String number(double value, int decimals) {
+        if (Double.isNaN(value)) {
+            return get(R.string.undefined);
+        }
+        NumberFormat format = NumberFormat.getNumberInstance(locale);
+        format.setMinimumFractionDigits(decimals);
+        format.setMaximumFractionDigits(decimals);
+        return format.format(value);
+    }
+
+    /** A number as it was chosen, without digits that say nothing. */
+    String plain(double value) {
+        NumberFormat format = NumberFormat.getNumberInstance(locale);
+        format.setMaximumFractionDigits(6);
+        return format.format(value);
+    }
+
+    String percent(double share) {
+        return NumberFormat.getPercentInstance(locale).format(share);
+    }
+
+    /** Ids as in "5, 20 and 30". */
+    String ids(List<Integer> ids) {
+        String text = "";
+        for (int i = 0; i < ids.size(); i++) {
+            String id = Integer.toString(ids.get(i));
+            text = i == 0 ? id : get(i == ids.size() - 1 ? R.string.list_two : R.string.list_more, text, id);
+        }
+        return text;
+    }
+
+    // ---- core
+
+    /** Why a check ended as it did. */
+    String reason(Reason reason) {
+        switch (reason.kind()) {
+            case NOT_CONVERGED:
+                return get(R.string.not_converged, reason.worstParameter(), number(reason.rHat(), 3),
+                        number(reason.effectiveDraws(), 0));
+            case TWO_CAMERA_POSES:
+                return get(R.string.two_camera_poses, percent(reason.share().getAsDouble()));
+            case TWO_OBJECT_POSES:
+                return get(R.string.two_object_poses, reason.objectId().getAsInt(),
+                        percent(reason.share().getAsDouble()));
+            case OBJECT_NOT_SEEN:
+                return plural(R.plurals.not_seen, reason.missingObjects().size(), ids(reason.missingObjects())) + " "
+                        + deviation(reason);
+            default:
+                return (reason.targetMm().isPresent() ? "" : get(R.string.no_target) + " ") + deviation(reason);
+        }
+    }
+
+    private String deviation(Reason reason) {
+        if (!reason.stdMm().isPresent()) {
+            return get(R.string.no_object);
+        }
+        String std = mm(reason.stdMm().getAsDouble());
+        String of = get(reason.grip() ? R.string.of_grip : R.string.of_object, reason.objectId().getAsInt());
+        String share = percent(reason.share().getAsDouble());
+        OptionalDouble target = reason.targetMm();
+        return target.isPresent()
+                ? get(R.string.largest_target, std, axis(reason), of, plain(target.getAsDouble()), share, source(reason))
+                : get(R.string.largest, std, axis(reason), of, share, source(reason));
+    }
+
+    /** What causes most of one object's largest deviation; null where core does not say. */
+    String cause(Reason reason) {
+        if (reason == null || reason.source() == null) {
+            return null;
+        }
+        return get(reason.grip() ? R.string.cause_grip : R.string.cause, percent(reason.share().getAsDouble()),
+                axis(reason), source(reason));
+    }
+
+    private static String axis(Reason reason) {
+        return "xyz".substring(reason.axis().getAsInt(), reason.axis().getAsInt() + 1);
+    }
+
+    private String source(Reason reason) {
+        switch (reason.source()) {
+            case PLACEMENT_OF_REFERENCE:
+                return get(R.string.source_placement, reason.sourceReferenceId().getAsInt());
+            case CORNER_NOISE_OF_REFERENCES:
+                return get(R.string.source_reference_corners);
+            case CORNER_NOISE_OF_OBJECT:
+                return get(R.string.source_object_corners);
+            case INTRINSICS:
+                return get(R.string.source_intrinsics);
+            default:
+                return get(R.string.source_pose_prior);
+        }
+    }
+
+    /** What labels in the picture say. */
+    LabelWords labels() {
+        return new LabelWords(locale, get(R.string.label_left_out), get(R.string.label_not_seen),
+                get(R.string.label_not_in_cell), get(R.string.label_not_converged),
+                get(R.string.label_not_converged_yet), get(R.string.label_ambiguous), get(R.string.label_grip));
+    }
+
+    // ---- camera
+
+    String fault(CameraFault fault) {
+        switch (fault) {
+            case NO_CAMERA:
+                return get(R.string.fault_no_camera);
+            case NOT_PERMITTED:
+                return get(R.string.fault_not_permitted);
+            case IN_USE:
+                return get(R.string.fault_in_use);
+            case DISABLED:
+                return get(R.string.fault_disabled);
+            case DISCONNECTED:
+                return get(R.string.fault_disconnected);
+            case NO_SUITABLE_SIZE:
+                return get(R.string.fault_no_size);
+            default:
+                return get(R.string.fault_failed);
+        }
+    }
+
+    String remedy(CameraFault fault) {
+        switch (fault) {
+            case NO_CAMERA:
+                return get(R.string.fault_no_camera_text);
+            case NOT_PERMITTED:
+                return get(R.string.fault_not_permitted_text);
+            case IN_USE:
+                return get(R.string.fault_in_use_text);
+            case DISABLED:
+                return get(R.string.fault_disabled_text);
+            case DISCONNECTED:
+                return get(R.string.fault_disconnected_text);
+            case NO_SUITABLE_SIZE:
+                return get(R.string.fault_no_size_text);
+            default:
+                return get(R.string.fault_failed_text);
+        }
+    }
+
+    String note(CameraNote note) {
+        switch (note) {
+            case FOCUS_NOT_LOCKED:
+                return get(R.string.note_focus);
+            case STABILISATION_ON:
+                return get(R.string.note_stabilisation);
+            case DISTORTION_UNKNOWN:
+                return get(R.string.note_distortion);
+            case CALIBRATION_SCALED:
+                return get(R.string.note_scaled);
+            case CALIBRATION_OF_ANOTHER_CAMERA:
+                return get(R.string.note_other_camera);
+            default:
+                return get(R.string.note_focal);
+        }
+    }
+
+    String model(CameraModelSource source) {
+        switch (source) {
+            case CALIBRATION_FILE:
+                return get(R.string.camera_model_calibration);
+            case DEVICE_CALIBRATION:
+                return get(R.string.camera_model_device);
+            default:
+                return get(R.string.camera_model_view);
+        }
+    }
+}

@@ -1,0 +1,111 @@
+package org.cellgauge.android.state;
+
+import io.reactivex.rxjava3.core.Flowable;
+import io.reactivex.rxjava3.disposables.Disposable;
+import io.reactivex.rxjava3.functions.Consumer;
+import io.reactivex.rxjava3.processors.FlowableProcessor;
+import io.reactivex.rxjava3.processors.PublishProcessor;
+import java.util.Arrays;
+import org.cellgauge.android.files.CellDocument;
+import org.cellgauge.android.files.Photo;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.live.LivePace;
+import org.cellgauge.live.LiveState;
+import org.cellgauge.vision.BoofMarkerDetector;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.MarkerDetector;
+
+/** One check: a cell with its camera, over the frames of that camera or over one photo. */
+final class CheckRun {
+    /** A key frame is chosen while the next few frames come: at 30 frames a second this is a quarter of one. */
+    private static final int RECENT_FRAMES = 8;
+
+    private final int number;
+    private final CellDocument document;
+    private final Cell cell;
+    private final boolean focalEstimated;
+    private final Photo photo;
+    private final MarkerDetector detector;
+    private final RecentFrames recent = new RecentFrames(RECENT_FRAMES);
+    private final FlowableProcessor<Detections> frames = PublishProcessor.<Detections>create().toSerialized();
+    private volatile Disposable subscription = Disposable.disposed();
+
+    /**
+     * A check that has not begun. Takes some tenths of a second where the lens distorts.
+     *
+     * @param number tells it from others of its session
+     * @param document the cell
+     * @param camera the camera of the frames to come
+     * @param focalEstimated whether its focal length is estimated along
+     * @param photo the one photo that is checked, or null: frames come
+     */
+    CheckRun(int number, CellDocument document, PinholeCamera camera, boolean focalEstimated, Photo photo) {
+        this.number = number;
+        this.document = document;
+        this.cell = document.cell().withCamera(camera);
+        this.focalEstimated = focalEstimated;
+        this.photo = photo;
+        this.detector = BoofMarkerDetector.forCell(cell);
+    }
+
+    /**
+     * Begins; a photo is searched for markers in this call.
+     *
+     * @param general how checks go about it
+     * @param pace how much work it may do
+     * @param threads where it works
+     * @param states gets what it knows
+     * @param faults gets what should not happen
+     */
+    void start(CheckSettings general, Flowable<LivePace> pace, SessionThreads threads, Consumer<LiveState> states,
+            Consumer<Throwable> faults) {
+        CheckSettings settings = general.toBuilder()
+                .estimate(focalEstimated ? CheckSettings.Estimate.FOCAL : CheckSettings.Estimate.NONE).build();
+        Flowable<Detections> input = photo == null ? frames
+                : Flowable.just(detector.detect(photo.luminance(), photo.name()));
+        subscription = threads.check(input, cell, settings, pace).subscribe(states, faults);
+    }
+
+    /** Looks for markers in a frame and hands them on; the frame may change afterwards. */
+    void frame(GreyImage image, String name) {
+        Detections found = detector.detect(image, name);
+        recent.keep(found, image);
+        frames.onNext(found);
+    }
+
+    /** No frame comes any more: the one that figures belong to is checked to its end. */
+    void endFrames() {
+        frames.onComplete();
+    }
+
+    /** The pixels that figures belong to, or null where there are none. */
+    Photo photoOf(Detections keyFrame) {
+        return keyFrame == null ? null : photo != null ? photo : recent.choose(keyFrame);
+    }
+
+    void stop() {
+        subscription.dispose();
+    }
+
+    int number() {
+        return number;
+    }
+
+    Cell cell() {
+        return cell;
+    }
+
+    boolean focalEstimated() {
+        return focalEstimated;
+    }
+
+    /** Whether frames of a camera belong to this check. */
+    boolean fits(CellDocument other, PinholeCamera camera, boolean focal) {
+        return photo == null && other == document && focal == focalEstimated
+                && camera.widthPx() == cell.camera().widthPx() && camera.heightPx() == cell.camera().heightPx()
+                && Arrays.equals(camera.intrinsics(), cell.camera().intrinsics());
+    }
+}

@@ -1,0 +1,619 @@
+package org.cellgauge.android.state;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.cellgauge.android.camera.CameraFault;
+import org.cellgauge.android.camera.CameraSetup;
+import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.files.CellDocument;
+import org.cellgauge.android.files.Photo;
+import org.cellgauge.android.files.SavedResult;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckUpdate;
+import org.cellgauge.check.Reason;
+import org.cellgauge.check.Verdict;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.live.LiveState;
+import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.overlay.LabelWords;
+import org.cellgauge.overlay.Overlay;
+
+/** All that the screen shows; immutable. The screen knows nothing else, and changes nothing but through a session. */
+public final class CheckScreenState {
+    /** Nothing was chosen yet. */
+    public static final CheckScreenState EMPTY = new CheckScreenState(new Builder());
+
+    private final Builder v;
+
+    private CheckScreenState(Builder b) {
+        v = new Builder(b);
+    }
+
+    /**
+     * The cell in use.
+     *
+     * @return null before one was chosen
+     */
+    public CellDocument cell() {
+        return v.cell;
+    }
+
+    /**
+     * Whether a cell file is being read.
+     *
+     * @return true until it is there or was refused
+     */
+    public boolean readingCell() {
+        return v.readingCell;
+    }
+
+    /**
+     * Why the last cell or calibration file was not taken; the cell in use stays.
+     *
+     * @return null where there is nothing to say
+     */
+    public Problem cellProblem() {
+        return v.cellProblem;
+    }
+
+    /**
+     * The target in force.
+     *
+     * @return largest allowed standard deviation of any axis, mm; empty where none is set
+     */
+    public OptionalDouble targetStdMm() {
+        return v.targetStdMm;
+    }
+
+    /**
+     * What is shown.
+     *
+     * @return never null
+     */
+    public ImageSource source() {
+        return v.source;
+    }
+
+    /**
+     * The picture in place of the camera's.
+     *
+     * @return the frozen frame or the photo; null while live or while a photo is read
+     */
+    public Photo still() {
+        return v.source == ImageSource.LIVE ? null : v.still;
+    }
+
+    /**
+     * How the picture is turned and mirrored on the display.
+     *
+     * @return from the image as it comes, or was stored, to the upright image
+     */
+    public ImageOrientation orientation() {
+        if (v.source == ImageSource.LIVE && v.setup != null) {
+            return ImageOrientation.of(v.setup.sensorOrientationDeg(), v.displayRotationDeg, v.setup.frontFacing());
+        }
+        return v.source == ImageSource.FROZEN && v.stillOrientation != null ? v.stillOrientation
+                : ImageOrientation.IDENTITY;
+    }
+
+    /**
+     * Whether a photo is being read.
+     *
+     * @return true until it is there or was refused
+     */
+    public boolean readingPhoto() {
+        return v.readingPhoto;
+    }
+
+    /**
+     * Why the photo is not checked.
+     *
+     * @return null where there is nothing to say
+     */
+    public Problem photoProblem() {
+        return v.photoProblem;
+    }
+
+    /**
+     * How the camera delivers, as it said when it was opened last.
+     *
+     * @return null before that
+     */
+    public CameraSetup setup() {
+        return v.setup;
+    }
+
+    /**
+     * Why the camera does not deliver.
+     *
+     * @return null while it does, or is being opened
+     */
+    public CameraFault fault() {
+        return v.fault;
+    }
+
+    /**
+     * Whether the camera may be used.
+     *
+     * @return never null
+     */
+    public CameraPermission permission() {
+        return v.permission;
+    }
+
+    /**
+     * How warm the device is.
+     *
+     * @return never null
+     */
+    public ThermalLevel heat() {
+        return v.heat;
+    }
+
+    /**
+     * Whether the device is cool enough for the camera.
+     *
+     * @return false where it is off for that reason
+     */
+    public boolean allowsCamera() {
+        return ThermalPace.allowsCamera(v.heat);
+    }
+
+    /**
+     * Whether the device is cool enough for chains.
+     *
+     * @return false where every figure stays preliminary for that reason
+     */
+    public boolean allowsSampling() {
+        return ThermalPace.of(v.heat).sampling();
+    }
+
+    /**
+     * Rotation of what is drawn from the device's natural orientation.
+     *
+     * @return 0, 90, 180 or 270 degrees
+     */
+    public int displayRotationDeg() {
+        return v.displayRotationDeg;
+    }
+
+    /**
+     * What the check knows.
+     *
+     * @return null before the first frame, or while another cell or photo is read
+     */
+    public LiveState live() {
+        return v.live;
+    }
+
+    /**
+     * How far the check has come.
+     *
+     * @return null where there is none
+     */
+    public LiveState.Phase phase() {
+        return v.live == null ? null : v.live.phase();
+    }
+
+    /**
+     * Iterations each chain has run.
+     *
+     * @return 0 before the chains
+     */
+    public int iterationsPerChain() {
+        CheckUpdate update = v.live == null ? null : v.live.update();
+        return update == null ? 0 : update.iterationsPerChain();
+    }
+
+    /**
+     * The result, judged by the target in force.
+     *
+     * @return null before the chains have ended
+     */
+    public CheckResult result() {
+        return v.result;
+    }
+
+    /**
+     * The verdict by the target in force.
+     *
+     * @return null before the chains have ended
+     */
+    public Verdict verdict() {
+        return v.result == null ? null : v.result.verdict();
+    }
+
+    /**
+     * Why.
+     *
+     * @return core's reason in parts; null before the chains have ended
+     */
+    public Reason reason() {
+        return v.result == null ? null : v.result.finding();
+    }
+
+    /**
+     * What is said of each object of the cell.
+     *
+     * @return in the order of the cell; empty where there is no check; unmodifiable
+     */
+    public List<ObjectRow> objects() {
+        return v.objects;
+    }
+
+    /**
+     * References of the cell that are not in view.
+     *
+     * @return marker ids; unmodifiable
+     */
+    public List<Integer> missingReferences() {
+        return v.live == null ? Collections.emptyList() : v.live.missingReferences();
+    }
+
+    /**
+     * What to draw over the picture, in px of the upright image.
+     *
+     * @return null for nothing
+     */
+    public Overlay overlay() {
+        return v.overlay;
+    }
+
+    /**
+     * The frame or photo that the figures belong to.
+     *
+     * @return null where there are no figures
+     */
+    public Photo checkedPhoto() {
+        return v.checked;
+    }
+
+    /**
+     * Whether the result is being written.
+     *
+     * @return true until it is there or failed
+     */
+    public boolean saving() {
+        return v.saving;
+    }
+
+    /**
+     * The result that was kept last; perhaps not the one on the screen, see {@link #showsSaved()}.
+     *
+     * @return null where none was
+     */
+    public SavedResult saved() {
+        return v.saved;
+    }
+
+    /**
+     * Whether the result on the screen is the one that was kept last.
+     *
+     * @return true if so, with the same target
+     */
+    public boolean showsSaved() {
+        return v.saved != null && v.result == v.savedResult;
+    }
+
+    /**
+     * Why the result was not kept.
+     *
+     * @return null where there is nothing to say
+     */
+    public Problem saveProblem() {
+        return v.saveProblem;
+    }
+
+    /**
+     * A fault of the program in the check.
+     *
+     * @return null where there is none
+     */
+    public Problem checkProblem() {
+        return v.checkProblem;
+    }
+
+    /**
+     * Whether the camera should run as far as the user is concerned; permission and faults are another matter.
+     *
+     * @return true with a cell, unless a photo is shown or the device is too hot
+     */
+    public boolean wantsCamera() {
+        return v.cell != null && v.source != ImageSource.PHOTO && allowsCamera();
+    }
+
+    /**
+     * Whether there is a frame to freeze.
+     *
+     * @return true while live with figures
+     */
+    public boolean canFreeze() {
+        return v.source == ImageSource.LIVE && v.checked != null;
+    }
+
+    /**
+     * Whether there is a result to keep that was not kept yet.
+     *
+     * @return true once the chains have ended
+     */
+    public boolean canSave() {
+        return v.result != null && v.checked != null && !v.saving && !showsSaved();
+    }
+
+    /**
+     * Whether there is a kept result to hand on.
+     *
+     * @return true after one was saved
+     */
+    public boolean canShare() {
+        return v.saved != null;
+    }
+
+    /**
+     * What is needed to come back to this state in another process.
+     *
+     * @param seed of the session
+     * @return the memory
+     */
+    SessionMemory memory(long seed) {
+        if (v.cell == null) {
+            return SessionMemory.nothing(seed);
+        }
+        return new SessionMemory(seed, v.cell.uri(), v.calibrationUri, v.targetChosen, v.targetStdMm, v.source,
+                v.photoUri, v.photoCamera, v.focalEstimated);
+    }
+
+    /** The camera of the photo or frozen frame. */
+    PinholeCamera photoCamera() {
+        return v.photoCamera;
+    }
+
+    /** Whether the focal length of that camera is estimated along. */
+    boolean focalEstimated() {
+        return v.focalEstimated;
+    }
+
+    /** Whether the target is the user's and not the cell file's. */
+    boolean targetChosen() {
+        return v.targetChosen;
+    }
+
+    /** The calibration file in use, or null. */
+    String calibrationUri() {
+        return v.calibrationUri;
+    }
+
+    /** What labels in the picture say. */
+    LabelWords words() {
+        return v.words;
+    }
+
+    /**
+     * Which check the state belongs to; a state of an earlier one is stale.
+     *
+     * @return the number
+     */
+    OptionalInt run() {
+        return v.run;
+    }
+
+    Builder change() {
+        return new Builder(v);
+    }
+
+    /** A state in the making. */
+    static final class Builder {
+        private CellDocument cell;
+        private boolean readingCell;
+        private Problem cellProblem;
+        private OptionalDouble targetStdMm = OptionalDouble.empty();
+        private ImageSource source = ImageSource.LIVE;
+        private Photo still;
+        private ImageOrientation stillOrientation;
+        private boolean readingPhoto;
+        private Problem photoProblem;
+        private CameraSetup setup;
+        private CameraFault fault;
+        private CameraPermission permission = CameraPermission.UNKNOWN;
+        private ThermalLevel heat = ThermalLevel.NORMAL;
+        private int displayRotationDeg;
+        private OptionalInt run = OptionalInt.empty();
+        private LiveState live;
+        private CheckResult result;
+        private List<ObjectRow> objects = Collections.emptyList();
+        private Overlay overlay;
+        private Photo checked;
+        private boolean saving;
+        private SavedResult saved;
+        private CheckResult savedResult;
+        private Problem saveProblem;
+        private Problem checkProblem;
+        private LabelWords words = LabelWords.ENGLISH;
+        private String calibrationUri;
+        private boolean targetChosen;
+        private String photoUri;
+        private PinholeCamera photoCamera;
+        private boolean focalEstimated;
+
+        private Builder() {
+        }
+
+        private Builder(Builder o) {
+            cell = o.cell;
+            readingCell = o.readingCell;
+            cellProblem = o.cellProblem;
+            targetStdMm = o.targetStdMm;
+            source = o.source;
+            still = o.still;
+            stillOrientation = o.stillOrientation;
+            readingPhoto = o.readingPhoto;
+            photoProblem = o.photoProblem;
+            setup = o.setup;
+            fault = o.fault;
+            permission = o.permission;
+            heat = o.heat;
+            displayRotationDeg = o.displayRotationDeg;
+            run = o.run;
+            live = o.live;
+            result = o.result;
+            objects = o.objects;
+            overlay = o.overlay;
+            checked = o.checked;
+            saving = o.saving;
+            saved = o.saved;
+            savedResult = o.savedResult;
+            saveProblem = o.saveProblem;
+            checkProblem = o.checkProblem;
+            words = o.words;
+            calibrationUri = o.calibrationUri;
+            targetChosen = o.targetChosen;
+            photoUri = o.photoUri;
+            photoCamera = o.photoCamera;
+            focalEstimated = o.focalEstimated;
+        }
+
+        Builder cell(CellDocument value) {
+            cell = value;
+            return this;
+        }
+
+        Builder readingCell(boolean value) {
+            readingCell = value;
+            return this;
+        }
+
+        Builder cellProblem(Problem value) {
+            cellProblem = value;
+            return this;
+        }
+
+        Builder target(OptionalDouble value, boolean chosen) {
+            targetStdMm = value;
+            targetChosen = chosen;
+            return this;
+        }
+
+        Builder calibrationUri(String value) {
+            calibrationUri = value;
+            return this;
+        }
+
+        Builder words(LabelWords value) {
+            words = value;
+            return this;
+        }
+
+        Builder photo(String uri, PinholeCamera camera, boolean focal) {
+            photoUri = uri;
+            photoCamera = camera;
+            focalEstimated = focal;
+            return this;
+        }
+
+        Builder source(ImageSource value) {
+            source = value;
+            return this;
+        }
+
+        Builder still(Photo value, ImageOrientation orientation) {
+            still = value;
+            stillOrientation = orientation;
+            return this;
+        }
+
+        Builder readingPhoto(boolean value) {
+            readingPhoto = value;
+            return this;
+        }
+
+        Builder photoProblem(Problem value) {
+            photoProblem = value;
+            return this;
+        }
+
+        Builder setup(CameraSetup value) {
+            setup = value;
+            return this;
+        }
+
+        Builder fault(CameraFault value) {
+            fault = value;
+            return this;
+        }
+
+        Builder permission(CameraPermission value) {
+            permission = value;
+            return this;
+        }
+
+        Builder heat(ThermalLevel value) {
+            heat = value;
+            return this;
+        }
+
+        Builder displayRotationDeg(int value) {
+            displayRotationDeg = value;
+            return this;
+        }
+
+        /** No check, or one that has not said anything yet. */
+        Builder noCheck(OptionalInt newRun) {
+            run = newRun;
+            live = null;
+            result = null;
+            objects = Collections.emptyList();
+            overlay = null;
+            checked = null;
+            checkProblem = null;
+            return this;
+        }
+
+        Builder live(LiveState value, Photo checkedPhoto) {
+            live = value;
+            checked = checkedPhoto;
+            return this;
+        }
+
+        Builder result(CheckResult value) {
+            result = value;
+            return this;
+        }
+
+        Builder objects(List<ObjectRow> value) {
+            objects = Collections.unmodifiableList(value);
+            return this;
+        }
+
+        Builder overlay(Overlay value) {
+            overlay = value;
+            return this;
+        }
+
+        Builder saving(boolean value) {
+            saving = value;
+            return this;
+        }
+
+        Builder saved(SavedResult value, CheckResult of) {
+            saved = value;
+            savedResult = of;
+            return this;
+        }
+
+        Builder saveProblem(Problem value) {
+            saveProblem = value;
+            return this;
+        }
+
+        Builder checkProblem(Problem value) {
+            checkProblem = value;
+            return this;
+        }
+
+        CheckScreenState build() {
+            return new CheckScreenState(this);
+        }
+    }
+}

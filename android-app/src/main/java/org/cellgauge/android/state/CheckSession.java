@@ -1,0 +1,601 @@
+package org.cellgauge.android.state;
+
+import io.reactivex.rxjava3.core.Flowable;
+import io.reactivex.rxjava3.disposables.CompositeDisposable;
+import io.reactivex.rxjava3.processors.BehaviorProcessor;
+import io.reactivex.rxjava3.processors.FlowableProcessor;
+import io.reactivex.rxjava3.processors.UnicastProcessor;
+import java.io.IOException;
+import java.text.SimpleDateFormat;
+import java.util.Date;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import org.cellgauge.android.camera.CameraFault;
+import org.cellgauge.android.camera.CameraFeed;
+import org.cellgauge.android.camera.CameraModelSource;
+import org.cellgauge.android.camera.CameraSetup;
+import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.files.CellDocument;
+import org.cellgauge.android.files.CellLibrary;
+import org.cellgauge.android.files.Photo;
+import org.cellgauge.android.files.ResultArchive;
+import org.cellgauge.android.files.SavedResult;
+import org.cellgauge.android.files.StorageFullException;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.live.LivePace;
+import org.cellgauge.live.LiveState;
+import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.overlay.LabelWords;
+import org.cellgauge.vision.GreyImage;
+
+/**
+ * Holds the screen's state: what the user and the camera do goes in, {@link #states()} comes out, and nothing flows the
+ * other way. Knows no screen, so that it outlives the rotation of one.
+ *
+ * <p>Inputs may come on any thread. They are queued and make states one after the other on one thread. Markers are
+ * searched on the thread that a frame comes on: the camera then drops what comes meanwhile.
+ */
+public final class CheckSession {
+    private static final long NS_PER_MS = 1_000_000;
+
+    private final CellLibrary library;
+    private final ResultArchive archive;
+    private final FrozenFrameFile frozenFrame;
+    private final CheckSettings settings;
+    private final SessionThreads threads;
+    private final SessionMemory remembered;
+    private final FlowableProcessor<UnaryOperator<CheckScreenState>> changes =
+            UnicastProcessor.<UnaryOperator<CheckScreenState>>create().toSerialized();
+    private final BehaviorProcessor<CheckScreenState> states = BehaviorProcessor.createDefault(CheckScreenState.EMPTY);
+    private final BehaviorProcessor<LivePace> pace = BehaviorProcessor.createDefault(LivePace.FULL);
+    private final CompositeDisposable work = new CompositeDisposable();
+    private final CameraFeed.Listener listener = new Frames();
+
+    // What the camera's thread must know at once, not when its turn comes.
+    private final Object runLock = new Object();
+    private CheckRun run;
+    private final AtomicInteger runs = new AtomicInteger();
+    private volatile CellDocument document;
+    private volatile CameraSetup openSetup;
+    private volatile boolean live = true;
+    private volatile boolean closed;
+
+    /**
+     * A session.
+     *
+     * @param library where cells and photos come from
+     * @param archive where results are kept
+     * @param frozenFrame where a frozen frame outlives the process
+     * @param settings how checks go about it; the seed is the memory's
+     * @param threads where the session works; ended with it
+     * @param memory of the session before, which is taken up again, or of none
+     */
+    public CheckSession(CellLibrary library, ResultArchive archive, FrozenFrameFile frozenFrame, CheckSettings settings,
+            SessionThreads threads, SessionMemory memory) {
+        this.library = library;
+        this.archive = archive;
+        this.frozenFrame = frozenFrame;
+        this.settings = settings.toBuilder().seed(memory.seed()).build();
+        this.threads = threads;
+        this.remembered = memory;
+        changes.observeOn(threads.states())
+                .scan(CheckScreenState.EMPTY, (state, change) -> change.apply(state))
+                .subscribe(states);
+        work.add(states.filter(s -> s.source() == ImageSource.FROZEN && s.still() != null)
+                .distinctUntilChanged(CheckScreenState::still)
+                .onBackpressureLatest().observeOn(threads.files(), false, 1)
+                .subscribe(s -> keepFrozen(s)));
+        if (memory.hasCell()) {
+            restore();
+        }
+    }
+
+    /**
+     * What the screen shows.
+     *
+     * @return the newest state at once, then every other one; on a thread of the session
+     */
+    public Flowable<CheckScreenState> states() {
+        return states.onBackpressureLatest();
+    }
+
+    /**
+     * The newest state.
+     *
+     * @return never null
+     */
+    public CheckScreenState state() {
+        return states.getValue();
+    }
+
+    /**
+     * What is needed to take this session up in another process.
+     *
+     * @return the memory
+     */
+    public SessionMemory memory() {
+        CheckScreenState state = state();
+        // killed once more before what was remembered could be read again
+        return state.cell() == null && remembered.hasCell() && state.cellProblem() == null ? remembered
+                : state.memory(remembered.seed());
+    }
+
+    /**
+     * Gets what the camera has to say.
+     *
+     * @return to be given to the feed
+     */
+    public CameraFeed.Listener cameraListener() {
+        return listener;
+    }
+
+    /** Ends the session: checks stop, no state comes any more. */
+    public void close() {
+        closed = true;
+        stopRun();
+        work.dispose();
+        changes.onComplete();
+        threads.close();
+    }
+
+    // ---- what the user does
+
+    /**
+     * Takes a cell file.
+     *
+     * @param uri of the document
+     */
+    public void chooseCell(String uri) {
+        readCell(() -> library.cell(uri, null), null);
+    }
+
+    /** Takes the bundled cell and its photo, so that there is a result without a camera. */
+    public void tryExample() {
+        change(s -> s.change().readingCell(true).cellProblem(null).build());
+        files(() -> {
+            if (takeCell(library::example, null)) {
+                takePhoto(null, library::examplePhoto);
+            }
+        });
+    }
+
+    /**
+     * Takes a calibration file for the cell in use.
+     *
+     * @param uri of the document
+     */
+    public void chooseCalibration(String uri) {
+        CellDocument cell = document;
+        if (cell != null && cell.uri() != null) {
+            readCell(() -> library.cell(cell.uri(), uri), uri);
+        }
+    }
+
+    private void readCell(Supplier<CellDocument> reading, String calibrationUri) {
+        change(s -> s.change().readingCell(true).cellProblem(null).build());
+        files(() -> takeCell(reading, calibrationUri));
+    }
+
+    private boolean takeCell(Supplier<CellDocument> reading, String calibrationUri) {
+        CellDocument read;
+        try {
+            read = reading.get();
+        } catch (RuntimeException e) {
+            change(s -> s.change().readingCell(false).cellProblem(problem(Problem.Kind.CELL_REFUSED, e)).build());
+            return false;
+        }
+        synchronized (runLock) {
+            stopRun();
+            document = read;
+            live = true;
+            change(s -> s.change().cell(read).readingCell(false).cellProblem(null).calibrationUri(calibrationUri)
+                    .target(read.cell().targetStdMm(), false).source(ImageSource.LIVE).still(null, null)
+                    .photo(null, null, false).photoProblem(null).readingPhoto(false).fault(null)
+                    .noCheck(OptionalInt.empty()).build());
+        }
+        return true;
+    }
+
+    /**
+     * Goes on with the cell in use, or with none, after a file was refused.
+     */
+    public void dismissCellProblem() {
+        change(s -> s.change().cellProblem(null).build());
+    }
+
+    /**
+     * Holds other deviations against the figures; nothing is sampled again.
+     *
+     * @param stdMm largest allowed standard deviation of any axis, mm, positive
+     */
+    public void chooseTarget(double stdMm) {
+        change(s -> s.cell() == null ? s : judged(s.change().target(OptionalDouble.of(stdMm), true).build()));
+    }
+
+    /** Takes the cell file's target again. */
+    public void resetTarget() {
+        change(s -> s.cell() == null ? s
+                : judged(s.change().target(s.cell().cell().targetStdMm(), false).build()));
+    }
+
+    /** Holds the frame that the figures belong to, and samples it to the end. */
+    public void freeze() {
+        change(s -> s.canFreeze() ? held(s) : s);
+    }
+
+    private CheckScreenState held(CheckScreenState s) {
+        CheckRun current = run();
+        if (current == null) {
+            return s;
+        }
+        live = false;
+        current.endFrames();
+        return s.change().still(s.checkedPhoto(), s.orientation()).source(ImageSource.FROZEN)
+                .photo(null, current.cell().camera(), current.focalEstimated()).build();
+    }
+
+    /** Goes back to the camera's picture. */
+    public void resume() {
+        change(s -> {
+            if (s.source() == ImageSource.LIVE) {
+                return s.change().fault(null).build();
+            }
+            stopRun();
+            live = true;
+            return s.change().source(ImageSource.LIVE).still(null, null).photo(null, null, false).photoProblem(null)
+                    .readingPhoto(false).fault(null).noCheck(OptionalInt.empty()).build();
+        });
+    }
+
+    /**
+     * Checks a saved photo.
+     *
+     * @param uri of the document
+     */
+    public void openPhoto(String uri) {
+        beginPhoto();
+        files(() -> takePhoto(uri, () -> library.photo(uri)));
+    }
+
+    private void beginPhoto() {
+        synchronized (runLock) {
+            live = false;
+            stopRun();
+            change(s -> s.cell() == null ? s : s.change().source(ImageSource.PHOTO).still(null, null).readingPhoto(true)
+                    .photoProblem(null).noCheck(OptionalInt.empty()).build());
+        }
+    }
+
+    private void takePhoto(String uri, Supplier<Photo> reading) {
+        CellDocument cell = document;
+        if (cell == null) {
+            return;
+        }
+        beginPhoto();
+        PinholeCamera camera = cell.calibration();
+        boolean focal = false;
+        CameraSetup setup = openSetup;
+        if (camera == null && setup != null) {
+            camera = setup.camera();
+            focal = setup.source() == CameraModelSource.FIELD_OF_VIEW;
+        }
+        checkPhoto(cell, uri, reading, camera, focal, ImageSource.PHOTO, null);
+    }
+
+    private void checkPhoto(CellDocument cell, String uri, Supplier<Photo> reading, PinholeCamera camera, boolean focal,
+            ImageSource source, ImageOrientation orientation) {
+        change(s -> s.change().photo(uri, camera, focal).build());
+        Photo photo;
+        try {
+            photo = reading.get();
+        } catch (RuntimeException e) {
+            photoRefused(problem(Problem.Kind.PHOTO_REFUSED, e));
+            return;
+        }
+        change(s -> s.change().source(source).still(photo, orientation).readingPhoto(false).build());
+        if (camera == null) {
+            photoRefused(new Problem(Problem.Kind.PHOTO_WITHOUT_CAMERA, ""));
+            return;
+        }
+        boolean fits = camera.widthPx() == photo.luminance().widthPx()
+                && camera.heightPx() == photo.luminance().heightPx();
+        try {
+            begin(cell, camera, focal, photo);
+        } catch (RuntimeException e) {
+            photoRefused(problem(fits ? Problem.Kind.PHOTO_REFUSED : Problem.Kind.PHOTO_SIZE, e));
+        }
+    }
+
+    private void photoRefused(Problem problem) {
+        change(s -> s.change().readingPhoto(false).photoProblem(problem).build());
+    }
+
+    /** Keeps the result on the screen. */
+    public void save() {
+        change(s -> {
+            if (!s.canSave()) {
+                return s;
+            }
+            CheckResult result = s.result();
+            Photo photo = s.checkedPhoto();
+            files(() -> save(photo, result));
+            return s.change().saving(true).saveProblem(null).build();
+        });
+    }
+
+    private void save(Photo photo, CheckResult result) {
+        try {
+            SavedResult saved = archive.save(photo, result);
+            change(s -> s.change().saving(false).saved(saved, result).build());
+        } catch (StorageFullException e) {
+            notSaved(problem(Problem.Kind.STORAGE_FULL, e));
+        } catch (IOException | RuntimeException e) {
+            notSaved(problem(Problem.Kind.NOT_SAVED, e));
+        }
+    }
+
+    private void notSaved(Problem problem) {
+        change(s -> s.change().saving(false).saveProblem(problem).build());
+    }
+
+    // ---- what the device does
+
+    /**
+     * The display was turned, or its language changed.
+     *
+     * @param rotationDeg rotation of what is drawn from the device's natural orientation: 0, 90, 180 or 270
+     * @param words what labels in the picture say
+     */
+    public void display(int rotationDeg, LabelWords words) {
+        change(s -> redrawn(s.change().displayRotationDeg(rotationDeg).words(words).build()));
+    }
+
+    /**
+     * Whether the camera may be used was looked at.
+     *
+     * @param permission what came out
+     */
+    public void permission(CameraPermission permission) {
+        change(s -> s.change().permission(permission).fault(
+                permission == CameraPermission.GRANTED && s.fault() == CameraFault.NOT_PERMITTED ? null : s.fault())
+                .build());
+    }
+
+    /** The screen came back, or the user wants the camera to be tried again. */
+    public void retryCamera() {
+        change(s -> s.fault() == null ? s : s.change().fault(null).build());
+    }
+
+    /**
+     * The device got warmer or cooler.
+     *
+     * @param level how warm it is
+     */
+    public void heat(ThermalLevel level) {
+        LivePace allowed = ThermalPace.of(level);
+        pace.onNext(allowed);
+        change(s -> {
+            CheckScreenState next = s.change().heat(level).build();
+            if (!next.allowsCamera() && s.canFreeze()) {
+                return held(next);
+            }
+            if (allowed.sampling() && s.still() != null && s.phase() == LiveState.Phase.QUICK_LOOK) {
+                // its frames have ended, so that nothing but a new check can take up what heat kept from sampling
+                files(() -> sampleStill(s));
+            }
+            return next;
+        });
+    }
+
+    private void sampleStill(CheckScreenState s) {
+        if (s.photoCamera() != null && state().still() == s.still()) {
+            begin(s.cell(), s.photoCamera(), s.focalEstimated(), s.still());
+        }
+    }
+
+    // ---- checks
+
+    /**
+     * Begins another check in place of the one before.
+     *
+     * @return null where the user has gone on to another cell or picture meanwhile
+     */
+    private CheckRun begin(CellDocument cell, PinholeCamera camera, boolean focal, Photo photo) {
+        CheckRun begun = new CheckRun(runs.incrementAndGet(), cell, camera, focal, photo);
+        synchronized (runLock) {
+            if (document != cell || live != (photo == null)) {
+                return null;
+            }
+            stopRun();
+            run = begun;
+            OptionalInt number = OptionalInt.of(begun.number());
+            change(s -> s.change().noCheck(number).build());
+        }
+        begun.start(settings, pace, threads, state -> checked(begun, state), fault -> failed(begun, fault));
+        return begun;
+    }
+
+    private CheckRun run() {
+        synchronized (runLock) {
+            return run;
+        }
+    }
+
+    private void stopRun() {
+        synchronized (runLock) {
+            if (run != null) {
+                run.stop();
+                run = null;
+            }
+        }
+    }
+
+    private void checked(CheckRun from, LiveState state) {
+        Photo photo = from.photoOf(state.keyFrame());
+        change(s -> {
+            if (!belongs(s, from)) {
+                return s;
+            }
+            CheckScreenState.Builder next = s.change().live(state, photo);
+            if (s.source() == ImageSource.FROZEN && photo != null) {
+                // a frame that was under way when the picture was frozen
+                next.still(photo, s.orientation());
+            }
+            return judged(next.build());
+        });
+    }
+
+    private void failed(CheckRun from, Throwable fault) {
+        change(s -> belongs(s, from) ? s.change().checkProblem(problem(Problem.Kind.INTERNAL, fault)).build() : s);
+    }
+
+    private static boolean belongs(CheckScreenState state, CheckRun run) {
+        return state.run().isPresent() && state.run().getAsInt() == run.number();
+    }
+
+    /** The verdict by the target in force, on figures that are there. */
+    private CheckScreenState judged(CheckScreenState s) {
+        CheckRun current = run();
+        if (s.live() == null || current == null || !belongs(s, current)) {
+            return s;
+        }
+        CheckResult found = s.live().update() == null ? null : s.live().update().result();
+        CheckResult result = found == null ? null : found.withTarget(s.targetStdMm());
+        if (result != null && s.result() != null && sameJudgement(s.result(), result)) {
+            result = s.result();
+        }
+        return redrawn(s.change().result(result).objects(CheckFigures.rows(current.cell(), s.live(), result)).build());
+    }
+
+    private static boolean sameJudgement(CheckResult a, CheckResult b) {
+        return a.estimate() == b.estimate() && a.cell().targetStdMm().equals(b.cell().targetStdMm());
+    }
+
+    private CheckScreenState redrawn(CheckScreenState s) {
+        CheckRun current = run();
+        if (s.live() == null || current == null || !belongs(s, current)) {
+            return s;
+        }
+        return s.change().overlay(CheckFigures.overlay(current.cell(), s.live(), s.result(), s.orientation(), s.words()))
+                .build();
+    }
+
+    // ---- the camera
+
+    /** Frames come on the feed's thread and are looked at there. */
+    private final class Frames implements CameraFeed.Listener {
+        private final SimpleDateFormat stamp = new SimpleDateFormat("yyyyMMdd-HHmmss", Locale.ROOT);
+        private long lastNs = Long.MIN_VALUE;
+        private boolean broken;
+
+        @Override
+        public void onOpened(CameraSetup setup) {
+            openSetup = setup;
+            lastNs = Long.MIN_VALUE;
+            broken = false;
+            change(s -> redrawn(s.change().setup(setup).fault(null).build()));
+        }
+
+        @Override
+        public void onFrame(GreyImage luminance, long timestampNs) {
+            CellDocument cell = document;
+            CameraSetup setup = openSetup;
+            if (!live || cell == null || setup == null || broken || tooSoon(timestampNs)) {
+                return;
+            }
+            lastNs = timestampNs;
+            try {
+                boolean focal = setup.source() == CameraModelSource.FIELD_OF_VIEW;
+                CheckRun current = run();
+                if (current == null || !current.fits(cell, setup.camera(), focal)) {
+                    current = begin(cell, setup.camera(), focal, null);
+                }
+                if (current == null) {
+                    return;
+                }
+                current.frame(luminance, "frame-" + stamp.format(new Date()) + ".png");
+            } catch (RuntimeException e) {
+                // the next frame would fail alike
+                broken = true;
+                change(s -> s.change().checkProblem(problem(Problem.Kind.INTERNAL, e)).build());
+            }
+        }
+
+        private boolean tooSoon(long timestampNs) {
+            return lastNs != Long.MIN_VALUE
+                    && timestampNs - lastNs < pace.getValue().minFrameIntervalMs() * NS_PER_MS;
+        }
+
+        @Override
+        public void onFault(CameraFault fault) {
+            change(s -> {
+                CheckScreenState next = s.change().fault(fault).build();
+                return s.canFreeze() ? held(next) : next;
+            });
+        }
+    }
+
+    // ---- another process
+
+    private void restore() {
+        SessionMemory m = remembered;
+        change(s -> s.change().readingCell(true).build());
+        files(() -> {
+            Supplier<CellDocument> reading = m.cellUri() == null ? library::example
+                    : () -> library.cell(m.cellUri(), m.calibrationUri());
+            if (!takeCell(reading, m.calibrationUri())) {
+                return;
+            }
+            if (m.targetChosen()) {
+                change(s -> s.change().target(m.targetStdMm(), true).build());
+            }
+            if (m.source() == ImageSource.PHOTO) {
+                beginPhoto();
+                Supplier<Photo> photo = m.photoUri() == null ? library::examplePhoto : () -> library.photo(m.photoUri());
+                checkPhoto(document, m.photoUri(), photo, m.photoCamera(), m.focalEstimated(), ImageSource.PHOTO, null);
+            } else if (m.source() == ImageSource.FROZEN) {
+                FrozenFrameFile.Frame frame = frozenFrame.read();
+                if (frame != null && m.photoCamera() != null) {
+                    beginPhoto();
+                    checkPhoto(document, null, frame::photo, m.photoCamera(), m.focalEstimated(), ImageSource.FROZEN,
+                            frame.orientation());
+                }
+            }
+        });
+    }
+
+    private void keepFrozen(CheckScreenState s) {
+        try {
+            frozenFrame.write(new FrozenFrameFile.Frame(s.still(), s.orientation()));
+        } catch (IOException e) {
+            // then the frame does not come back after the system has ended the app; the result on the screen stays
+            frozenFrame.clear();
+        }
+    }
+
+    // ---- plumbing
+
+    private void change(UnaryOperator<CheckScreenState> change) {
+        changes.onNext(change);
+    }
+
+    private void files(Runnable task) {
+        if (!closed) {
+            work.add(threads.files().scheduleDirect(task));
+        }
+    }
+
+    private static Problem problem(Problem.Kind kind, Throwable cause) {
+        String message = cause.getMessage();
+        boolean plain = cause instanceof InputRefusedException || cause instanceof IOException;
+        return new Problem(kind, plain && message != null ? message : cause.toString());
+    }
+}

@@ -1,0 +1,162 @@
+package org.cellgauge.android.state;
+
+import android.os.Bundle;
+import java.util.OptionalDouble;
+import org.cellgauge.geometry.PinholeCamera;
+
+/**
+ * What of a session outlives its process: what was chosen, not what was computed. The same choices and the same seed give
+ * the same figures again. Immutable.
+ */
+public final class SessionMemory {
+    private static final String SEED = "seed";
+    private static final String HAS_CELL = "has-cell";
+    private static final String CELL = "cell";
+    private static final String CALIBRATION = "calibration";
+    private static final String TARGET_CHOSEN = "target-chosen";
+    private static final String TARGET = "target-mm";
+    private static final String SOURCE = "source";
+    private static final String PHOTO = "photo";
+    private static final String CAMERA = "camera";
+    private static final String CAMERA_WIDTH = "camera-width";
+    private static final String CAMERA_HEIGHT = "camera-height";
+    private static final String FOCAL = "focal-estimated";
+
+    private final long seed;
+    private final boolean hasCell;
+    private final String cellUri;
+    private final String calibrationUri;
+    private final boolean targetChosen;
+    private final OptionalDouble targetStdMm;
+    private final ImageSource source;
+    private final String photoUri;
+    private final PinholeCamera photoCamera;
+    private final boolean focalEstimated;
+
+    private SessionMemory(long seed, boolean hasCell, String cellUri, String calibrationUri, boolean targetChosen,
+            OptionalDouble targetStdMm, ImageSource source, String photoUri, PinholeCamera photoCamera,
+            boolean focalEstimated) {
+        this.seed = seed;
+        this.hasCell = hasCell;
+        this.cellUri = cellUri;
+        this.calibrationUri = calibrationUri;
+        this.targetChosen = targetChosen;
+        this.targetStdMm = targetStdMm;
+        this.source = source;
+        this.photoUri = photoUri;
+        this.photoCamera = photoCamera;
+        this.focalEstimated = focalEstimated;
+    }
+
+    /**
+     * The memory of a session with a cell.
+     *
+     * @param seed of the chains
+     * @param cellUri of the cell file; null for the bundled example
+     * @param calibrationUri of a calibration file chosen with it, or null
+     * @param targetChosen whether the target is the user's and not the cell file's
+     * @param targetStdMm that target, mm
+     * @param source what was shown
+     * @param photoUri of the photo that was shown; null for the bundled one or none
+     * @param photoCamera the camera of the photo or frozen frame, or null
+     * @param focalEstimated whether its focal length is estimated along
+     */
+    SessionMemory(long seed, String cellUri, String calibrationUri, boolean targetChosen, OptionalDouble targetStdMm,
+            ImageSource source, String photoUri, PinholeCamera photoCamera, boolean focalEstimated) {
+        this(seed, true, cellUri, calibrationUri, targetChosen, targetStdMm, source, photoUri, photoCamera,
+                focalEstimated);
+    }
+
+    /**
+     * The memory of a session in which nothing was chosen.
+     *
+     * @param seed of the chains
+     * @return a memory without a cell
+     */
+    public static SessionMemory nothing(long seed) {
+        return new SessionMemory(seed, false, null, null, false, OptionalDouble.empty(), ImageSource.LIVE, null, null,
+                false);
+    }
+
+    /**
+     * Reads a memory.
+     *
+     * @param bundle what {@link #write(Bundle)} wrote, perhaps in another process
+     * @return the memory
+     */
+    public static SessionMemory read(Bundle bundle) {
+        OptionalDouble target = bundle.containsKey(TARGET) ? OptionalDouble.of(bundle.getDouble(TARGET))
+                : OptionalDouble.empty();
+        double[] intrinsics = bundle.getDoubleArray(CAMERA);
+        PinholeCamera camera = intrinsics == null ? null
+                : PinholeCamera.of(bundle.getInt(CAMERA_WIDTH), bundle.getInt(CAMERA_HEIGHT), intrinsics);
+        return new SessionMemory(bundle.getLong(SEED), bundle.getBoolean(HAS_CELL), bundle.getString(CELL),
+                bundle.getString(CALIBRATION), bundle.getBoolean(TARGET_CHOSEN), target,
+                ImageSource.valueOf(bundle.getString(SOURCE, ImageSource.LIVE.name())), bundle.getString(PHOTO), camera,
+                bundle.getBoolean(FOCAL));
+    }
+
+    /**
+     * Writes the memory.
+     *
+     * @param bundle gets it
+     */
+    public void write(Bundle bundle) {
+        bundle.putLong(SEED, seed);
+        bundle.putBoolean(HAS_CELL, hasCell);
+        bundle.putString(CELL, cellUri);
+        bundle.putString(CALIBRATION, calibrationUri);
+        bundle.putBoolean(TARGET_CHOSEN, targetChosen);
+        if (targetStdMm.isPresent()) {
+            bundle.putDouble(TARGET, targetStdMm.getAsDouble());
+        }
+        bundle.putString(SOURCE, source.name());
+        bundle.putString(PHOTO, photoUri);
+        if (photoCamera != null) {
+            bundle.putDoubleArray(CAMERA, photoCamera.intrinsics());
+            bundle.putInt(CAMERA_WIDTH, photoCamera.widthPx());
+            bundle.putInt(CAMERA_HEIGHT, photoCamera.heightPx());
+        }
+        bundle.putBoolean(FOCAL, focalEstimated);
+    }
+
+    long seed() {
+        return seed;
+    }
+
+    boolean hasCell() {
+        return hasCell;
+    }
+
+    String cellUri() {
+        return cellUri;
+    }
+
+    String calibrationUri() {
+        return calibrationUri;
+    }
+
+    boolean targetChosen() {
+        return targetChosen;
+    }
+
+    OptionalDouble targetStdMm() {
+        return targetStdMm;
+    }
+
+    ImageSource source() {
+        return source;
+    }
+
+    String photoUri() {
+        return photoUri;
+    }
+
+    PinholeCamera photoCamera() {
+        return photoCamera;
+    }
+
+    boolean focalEstimated() {
+        return focalEstimated;
+    }
+}

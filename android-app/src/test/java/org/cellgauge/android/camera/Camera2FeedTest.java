@@ -1,0 +1,627 @@
+package org.cellgauge.android.camera;
+
+import static android.hardware.camera2.CameraMetadata.CONTROL_AF_STATE_ACTIVE_SCAN;
+import static android.hardware.camera2.CameraMetadata.CONTROL_AF_STATE_FOCUSED_LOCKED;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+
+import android.Manifest;
+import android.app.Application;
+import android.graphics.ImageFormat;
+import android.graphics.Rect;
+import android.graphics.SurfaceTexture;
+import android.hardware.camera2.CameraAccessException;
+import android.hardware.camera2.CameraCharacteristics;
+import android.hardware.camera2.CameraDevice;
+import android.hardware.camera2.CameraManager;
+import android.hardware.camera2.CameraMetadata;
+import android.hardware.camera2.CaptureRequest;
+import android.util.Size;
+import android.util.SizeF;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.vision.GreyImage;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+import org.robolectric.RobolectricTestRunner;
+import org.robolectric.RuntimeEnvironment;
+import org.robolectric.Shadows;
+import org.robolectric.annotation.Config;
+import org.robolectric.shadow.api.Shadow;
+import org.robolectric.shadows.ShadowCameraCharacteristics;
+import org.robolectric.shadows.ShadowSystemClock;
+import org.robolectric.shadows.StreamConfigurationMapBuilder;
+
+/** The feed over cameras that do what the test tells them. */
+@RunWith(RobolectricTestRunner.class)
+@Config(shadows = {FakeCameras.Manager.class, FakeCameras.Reader.class,
+    FakeCameras.RequestBuilder.class})
+public class Camera2FeedTest {
+    private static final long WAIT_S = 20;
+
+    private final Application app = RuntimeEnvironment.getApplication();
+    private final Heard heard = new Heard();
+    private Camera2Feed feed;
+    private FakeCameras cameras;
+
+    /** Everything that a listener heard, in words. */
+    private static final class Heard implements CameraFeed.Listener {
+        final BlockingQueue<String> events = new LinkedBlockingQueue<>();
+        volatile CameraSetup setup;
+        volatile CountDownLatch hold;
+        volatile boolean overlapped;
+        private volatile boolean busy;
+
+        @Override
+        public void onOpened(CameraSetup value) {
+            setup = value;
+            events.add("opened");
+        }
+
+        @Override
+        public void onFrame(GreyImage luminance, long timestampNs) {
+            overlapped |= busy;
+            busy = true;
+            boolean even = true;
+            for (int y = 0; y < luminance.heightPx(); y++) {
+                for (int x = 0; x < luminance.widthPx(); x++) {
+                    even &= luminance.get(x, y) == luminance.get(0, 0);
+                }
+            }
+            events.add("frame " + luminance.get(0, 0) + " at " + timestampNs + (even ? "" : ", with padding in it"));
+            CountDownLatch latch = hold;
+            if (latch != null) {
+                try {
+                    latch.await(WAIT_S, TimeUnit.SECONDS);
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+            busy = false;
+        }
+
+        @Override
+        public void onFault(CameraFault fault) {
+            events.add("fault " + fault);
+        }
+
+        String next() throws InterruptedException {
+            return events.poll(WAIT_S, TimeUnit.SECONDS);
+        }
+    }
+
+    @Before
+    public void newCameras() {
+        cameras = new FakeCameras();
+        FakeCameras.current = cameras;
+        feed = new Camera2Feed(app);
+    }
+
+    @After
+    public void nothingStaysOpen() throws InterruptedException {
+        if (heard.hold != null) {
+            heard.hold.countDown();
+        }
+        feed.close();
+        eventually(cameras::allClosed);
+        assertFalse("calls of the listener overlap", heard.overlapped);
+    }
+
+    private static void eventually(BooleanSupplier condition) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(WAIT_S);
+        while (!condition.getAsBoolean()) {
+            assertTrue("waited too long", System.nanoTime() < end);
+            Thread.sleep(2);
+        }
+    }
+
+    /** Time enough for what must not happen to happen. */
+    private static void meanwhile() throws InterruptedException {
+        Thread.sleep(60);
+    }
+
+    private void permit() {
+        Shadows.shadowOf(app).grantPermissions(Manifest.permission.CAMERA);
+    }
+
+    private void addCamera(boolean withFocus) {
+        CameraCharacteristics c = ShadowCameraCharacteristics.newCameraCharacteristics();
+        ShadowCameraCharacteristics shadow = Shadow.extract(c);
+        shadow.set(CameraCharacteristics.LENS_FACING, CameraMetadata.LENS_FACING_BACK);
+        shadow.set(CameraCharacteristics.SENSOR_ORIENTATION, 90);
+        shadow.set(CameraCharacteristics.SCALER_STREAM_CONFIGURATION_MAP, StreamConfigurationMapBuilder.newBuilder()
+                .addOutputSize(ImageFormat.YUV_420_888, new Size(64, 48))
+                .addOutputSize(ImageFormat.YUV_420_888, new Size(32, 24))
+                .addOutputSize(new Size(64, 48)).build());
+        shadow.set(CameraCharacteristics.SENSOR_INFO_ACTIVE_ARRAY_SIZE, new Rect(0, 0, 4000, 3000));
+        shadow.set(CameraCharacteristics.SENSOR_INFO_PIXEL_ARRAY_SIZE, new Size(4000, 3000));
+        shadow.set(CameraCharacteristics.SENSOR_INFO_PHYSICAL_SIZE, new SizeF(5.6f, 4.2f));
+        shadow.set(CameraCharacteristics.LENS_INFO_AVAILABLE_FOCAL_LENGTHS, new float[] {4.2f});
+        shadow.set(CameraCharacteristics.LENS_INFO_MINIMUM_FOCUS_DISTANCE, withFocus ? 10f : 0f);
+        shadow.set(CameraCharacteristics.CONTROL_AF_AVAILABLE_MODES, withFocus ? new int[] {0, 1} : new int[] {0});
+        ((FakeCameras.Manager) Shadow.extract(app.getSystemService(CameraManager.class))).addCamera("0", c);
+    }
+
+    private void ready(boolean withFocus) {
+        permit();
+        addCamera(withFocus);
+    }
+
+    private FakeCameras.Device openAndStream(boolean withFocus) throws InterruptedException {
+        ready(withFocus);
+        feed.open(null, null, heard);
+        assertEquals("opened", heard.next());
+        FakeCameras.Device device = cameras.lastDevice();
+        eventually(() -> device.session != null && device.session.streams());
+        return device;
+    }
+
+    // ---- what is as it should be
+
+    @Test
+    public void framesComeWithTheirCameraAndTheirTime() throws InterruptedException {
+        openAndStream(false);
+        assertEquals(64, heard.setup.camera().widthPx());
+        assertEquals(48, heard.setup.camera().heightPx());
+        assertEquals(48, heard.setup.camera().get(PinholeCamera.FX), 1e-4);
+        assertEquals(CameraModelSource.FIELD_OF_VIEW, heard.setup.source());
+        assertEquals(90, heard.setup.sensorOrientationDeg());
+        assertFalse(heard.setup.frontFacing());
+        FakeCameras.Frame first = cameras.lastReader().deliver(17, 1000, false);
+        assertEquals("frame 17 at 1000", heard.next());
+        FakeCameras.Frame second = cameras.lastReader().deliver(200, 2000, false);
+        assertEquals("frame 200 at 2000", heard.next());
+        assertTrue(first.closed && second.closed);
+    }
+
+    @Test
+    public void aCalibrationDecidesTheSizeOfTheFrames() throws InterruptedException {
+        ready(false);
+        feed.open(PinholeCamera.ideal(32, 24, 30, 30, 16, 12), null, heard);
+        assertEquals("opened", heard.next());
+        assertEquals(32, cameras.lastReader().width);
+        assertEquals(CameraModelSource.CALIBRATION_FILE, heard.setup.source());
+    }
+
+    @Test
+    public void thePreviewIsAnOutputOfItsOwn() throws InterruptedException {
+        ready(false);
+        SurfaceTexture preview = new SurfaceTexture(0);
+        feed.open(null, preview, heard);
+        assertEquals("opened", heard.next());
+        assertEquals(2, cameras.lastDevice().session.outputs);
+    }
+
+    @Test
+    public void aPreviewThatIsGoneIsAFault() throws InterruptedException {
+        ready(false);
+        SurfaceTexture preview = new SurfaceTexture(0);
+        cameras.sessionFault = new IllegalArgumentException("Surface was abandoned");
+        feed.open(null, preview, heard);
+        assertEquals("fault FAILED", heard.next());
+    }
+
+    @Test
+    public void whileAFrameIsLookedAtOnlyTheNewestOfTheOthersWaits() throws InterruptedException {
+        openAndStream(false);
+        heard.hold = new CountDownLatch(1);
+        FakeCameras.Frame looked = cameras.lastReader().deliver(1, 1, false);
+        assertEquals("frame 1 at 1", heard.next());
+        assertTrue("the camera has its memory back while the listener works", looked.closed);
+        for (int i = 2; i <= 9; i++) {
+            cameras.lastReader().deliver(i, i, false);
+        }
+        heard.hold.countDown();
+        assertEquals("frame 9 at 9", heard.next());
+        eventually(() -> cameras.lastReader().frames.stream().allMatch(f -> f.closed));
+        meanwhile();
+        assertNull(heard.events.poll());
+    }
+
+    @Test
+    public void timeNeverRunsBackwards() throws InterruptedException {
+        openAndStream(false);
+        cameras.lastReader().deliver(1, 500, false);
+        assertEquals("frame 1 at 500", heard.next());
+        cameras.lastReader().deliver(2, 400, false);
+        assertEquals("frame 2 at 500", heard.next());
+    }
+
+    @Test
+    public void everyFrameIsAskedForWithWhatMeasuringNeeds() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        assertEquals(CameraMetadata.CONTROL_AF_MODE_AUTO,
+                device.session.settings.get(CaptureRequest.CONTROL_AF_MODE));
+        assertEquals(new Rect(0, 0, 4000, 3000), device.session.settings.get(CaptureRequest.SCALER_CROP_REGION));
+    }
+
+    // ---- focus
+
+    @Test
+    public void framesWaitUntilTheLensStandsStill() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        assertEquals(Arrays.asList(CameraMetadata.CONTROL_AF_TRIGGER_CANCEL, CameraMetadata.CONTROL_AF_TRIGGER_START),
+                device.session.triggers);
+        device.session.reportFocus(CONTROL_AF_STATE_ACTIVE_SCAN, null);
+        FakeCameras.Frame blurred = cameras.lastReader().deliver(1, 1, false);
+        eventually(() -> blurred.closed);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, null);
+        meanwhile();
+        cameras.lastReader().deliver(2, 2, false);
+        assertEquals("frame 2 at 2", heard.next());
+        assertFalse(heard.setup.notes().contains(CameraNote.FOCUS_NOT_LOCKED));
+    }
+
+    @Test
+    public void framesFromBeforeTheLensStoodStillAreLeftOut() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, 1000L);
+        meanwhile();
+        FakeCameras.Frame before = cameras.lastReader().deliver(1, 999, false);
+        eventually(() -> before.closed);
+        cameras.lastReader().deliver(2, 1000, false);
+        assertEquals("frame 2 at 1000", heard.next());
+    }
+
+    @Test
+    public void focusingAgainHoldsFramesBackOnceMore() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, null);
+        meanwhile();
+        cameras.lastReader().deliver(1, 1, false);
+        assertEquals("frame 1 at 1", heard.next());
+        feed.refocus();
+        eventually(() -> device.session.triggers.size() == 4);
+        meanwhile();
+        FakeCameras.Frame blurred = cameras.lastReader().deliver(2, 2, false);
+        eventually(() -> blurred.closed);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, null);
+        meanwhile();
+        cameras.lastReader().deliver(3, 3, false);
+        assertEquals("frame 3 at 3", heard.next());
+    }
+
+    @Test
+    public void aLensThatNeverReportsIsMeasuredWithAndSaidNotToBeHeld() throws InterruptedException {
+        cameras.muteFocus = true;
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        FakeCameras.Frame early = cameras.lastReader().deliver(1, 1, false);
+        eventually(() -> early.closed);
+        ShadowSystemClock.advanceBy(Duration.ofSeconds(6));
+        assertEquals("opened", heard.next());
+        assertTrue(heard.setup.notes().contains(CameraNote.FOCUS_NOT_LOCKED));
+        cameras.lastReader().deliver(2, 2, false);
+        assertEquals("frame 2 at 2", heard.next());
+    }
+
+    @Test
+    public void aScanThatTheCameraDropsIsNotWaitedFor() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        device.session.failScan();
+        assertEquals("opened", heard.next());
+        assertTrue(heard.setup.notes().contains(CameraNote.FOCUS_NOT_LOCKED));
+    }
+
+    // ---- faults
+
+    @Test
+    public void withoutThePermissionNothingIsOpened() throws InterruptedException {
+        addCamera(false);
+        feed.open(null, null, heard);
+        assertEquals("fault NOT_PERMITTED", heard.next());
+        assertTrue(cameras.devices.isEmpty());
+    }
+
+    @Test
+    public void aDeviceWithoutACameraSaysSo() throws InterruptedException {
+        permit();
+        feed.open(null, null, heard);
+        assertEquals("fault NO_CAMERA", heard.next());
+    }
+
+    @Test
+    public void aCalibrationOfAnotherShapeIsRefused() throws InterruptedException {
+        ready(false);
+        feed.open(PinholeCamera.ideal(1920, 1080, 1500, 1500, 960, 540), null, heard);
+        assertEquals("fault NO_SUITABLE_SIZE", heard.next());
+        assertTrue(cameras.devices.isEmpty());
+    }
+
+    @Test
+    public void aCameraThatStatesNothingNeedsACalibration() throws InterruptedException {
+        permit();
+        CameraCharacteristics c = ShadowCameraCharacteristics.newCameraCharacteristics();
+        ((ShadowCameraCharacteristics) Shadow.extract(c)).set(CameraCharacteristics.SCALER_STREAM_CONFIGURATION_MAP,
+                StreamConfigurationMapBuilder.newBuilder()
+                        .addOutputSize(ImageFormat.YUV_420_888, new Size(64, 48)).build());
+        ((FakeCameras.Manager) Shadow.extract(app.getSystemService(CameraManager.class))).addCamera("0", c);
+        feed.open(null, null, heard);
+        assertEquals("fault NO_CAMERA_MODEL", heard.next());
+        feed.open(PinholeCamera.ideal(64, 48, 60, 60, 32, 24), null, heard);
+        assertEquals("opened", heard.next());
+    }
+
+    @Test
+    public void whatTheServiceThrowsBecomesAFault() throws InterruptedException {
+        ready(false);
+        assertFaultOnOpening(new CameraAccessException(CameraAccessException.CAMERA_IN_USE), "IN_USE");
+        assertFaultOnOpening(new CameraAccessException(CameraAccessException.MAX_CAMERAS_IN_USE), "IN_USE");
+        assertFaultOnOpening(new CameraAccessException(CameraAccessException.CAMERA_DISABLED), "DISABLED");
+        assertFaultOnOpening(new CameraAccessException(CameraAccessException.CAMERA_DISCONNECTED), "DISCONNECTED");
+        assertFaultOnOpening(new CameraAccessException(CameraAccessException.CAMERA_ERROR), "FAILED");
+        assertFaultOnOpening(new SecurityException("taken back"), "NOT_PERMITTED");
+        assertFaultOnOpening(new IllegalArgumentException("unknown id"), "FAILED");
+        assertFaultOnOpening(new IllegalStateException("dying"), "FAILED");
+        cameras.openFault = null;
+        cameras.listFault = new CameraAccessException(CameraAccessException.CAMERA_DISABLED);
+        feed.open(null, null, heard);
+        assertEquals("fault DISABLED", heard.next());
+    }
+
+    private void assertFaultOnOpening(Exception e, String fault) throws InterruptedException {
+        cameras.openFault = e;
+        feed.open(null, null, heard);
+        assertEquals("fault " + fault, heard.next());
+    }
+
+    @Test
+    public void errorCodesBecomeFaultsAndTheCameraIsClosed() throws InterruptedException {
+        ready(false);
+        int[] codes = {CameraDevice.StateCallback.ERROR_CAMERA_IN_USE,
+            CameraDevice.StateCallback.ERROR_MAX_CAMERAS_IN_USE, CameraDevice.StateCallback.ERROR_CAMERA_DISABLED,
+            CameraDevice.StateCallback.ERROR_CAMERA_DEVICE, CameraDevice.StateCallback.ERROR_CAMERA_SERVICE, 99};
+        String[] faults = {"IN_USE", "IN_USE", "DISABLED", "FAILED", "FAILED", "FAILED"};
+        for (int i = 0; i < codes.length; i++) {
+            cameras.openError = codes[i];
+            feed.open(null, null, heard);
+            assertEquals("fault " + faults[i], heard.next());
+            assertTrue(cameras.lastDevice().closed);
+        }
+    }
+
+    @Test
+    public void aCameraThatIsTakenAwayIsClosedAndCanBeOpenedAgain() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(false);
+        device.disconnect();
+        assertEquals("fault DISCONNECTED", heard.next());
+        assertTrue(device.closed);
+        assertTrue(cameras.lastReader().closed);
+        feed.open(null, null, heard);
+        assertEquals("opened", heard.next());
+    }
+
+    @Test
+    public void aCameraThatFailsWhileItRunsIsHeardOfOnce() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(false);
+        device.fail(CameraDevice.StateCallback.ERROR_CAMERA_DEVICE);
+        device.disconnect();
+        assertEquals("fault FAILED", heard.next());
+        meanwhile();
+        assertNull(heard.events.poll());
+    }
+
+    @Test
+    public void sizesThatTheCameraRefusesGiveWayToTheNext() throws InterruptedException {
+        ready(false);
+        cameras.refuse = 1;
+        feed.open(null, null, heard);
+        assertEquals("opened", heard.next());
+        assertEquals(32, heard.setup.camera().widthPx());
+        assertEquals(2, cameras.readers.size());
+        assertTrue(cameras.readers.get(0).closed);
+    }
+
+    @Test
+    public void aCameraThatRefusesEverySizeFails() throws InterruptedException {
+        ready(false);
+        cameras.refuse = 2;
+        feed.open(null, null, heard);
+        assertEquals("fault FAILED", heard.next());
+        cameras.refuse = 2;
+        feed.open(PinholeCamera.ideal(64, 48, 60, 60, 32, 24), null, heard);
+        assertEquals("fault NO_SUITABLE_SIZE", heard.next());
+    }
+
+    @Test
+    public void framesThatCannotBeAskedForAreAFault() throws InterruptedException {
+        ready(false);
+        cameras.streamFault = new IllegalStateException("session was closed");
+        feed.open(null, null, heard);
+        assertEquals("opened", heard.next());
+        assertEquals("fault FAILED", heard.next());
+    }
+
+    @Test
+    public void aCameraThatNeverAnswersIsGivenUpAndClosedWhenItDoes() throws InterruptedException {
+        ready(false);
+        cameras.openLate = true;
+        feed.open(null, null, heard);
+        eventually(() -> cameras.devices.size() == 1);
+        ShadowSystemClock.advanceBy(Duration.ofSeconds(9));
+        assertEquals("fault FAILED", heard.next());
+        cameras.lastDevice().open();
+        eventually(() -> cameras.lastDevice().closed);
+        meanwhile();
+        assertNull(heard.events.poll());
+    }
+
+    @Test
+    public void aCameraThatDeliversNothingIsGivenUp() throws InterruptedException {
+        openAndStream(false);
+        ShadowSystemClock.advanceBy(Duration.ofSeconds(9));
+        assertEquals("fault FAILED", heard.next());
+    }
+
+    @Test
+    public void aCameraThatPausesAfterItsFirstFrameIsNotGivenUp() throws InterruptedException {
+        openAndStream(false);
+        cameras.lastReader().deliver(1, 1, false);
+        assertEquals("frame 1 at 1", heard.next());
+        ShadowSystemClock.advanceBy(Duration.ofSeconds(60));
+        meanwhile();
+        assertNull(heard.events.poll());
+    }
+
+    @Test
+    public void aBrokenFrameIsLeftOutAndManyAreAFault() throws InterruptedException {
+        openAndStream(false);
+        FakeCameras.Frame broken = cameras.lastReader().deliver(1, 1, true);
+        eventually(() -> broken.closed);
+        cameras.lastReader().deliver(2, 2, false);
+        assertEquals("frame 2 at 2", heard.next());
+        List<FakeCameras.Frame> all = new ArrayList<>();
+        for (int i = 0; i < 31; i++) {
+            FakeCameras.Frame next = cameras.lastReader().deliver(1, 1, true);
+            all.add(next);
+            eventually(() -> next.closed);
+        }
+        assertEquals("fault FAILED", heard.next());
+    }
+
+    // ---- races
+
+    @Test
+    public void closingWhileTheCameraOpensClosesItWhenItIsOpen() throws InterruptedException {
+        ready(false);
+        cameras.openLate = true;
+        feed.open(null, null, heard);
+        eventually(() -> cameras.devices.size() == 1);
+        feed.close();
+        meanwhile();
+        assertFalse(cameras.lastDevice().closed);
+        cameras.lastDevice().open();
+        eventually(() -> cameras.lastDevice().closed);
+        meanwhile();
+        assertNull(heard.events.poll());
+    }
+
+    @Test
+    public void openingWhileTheEarlierOneStillOpensWaitsForIt() throws InterruptedException {
+        ready(false);
+        cameras.openLate = true;
+        feed.open(null, null, heard);
+        eventually(() -> cameras.devices.size() == 1);
+        Heard second = new Heard();
+        feed.open(null, null, second);
+        meanwhile();
+        assertEquals(1, cameras.devices.size());
+        cameras.openLate = false;
+        cameras.devices.get(0).open();
+        assertEquals("opened", second.next());
+        assertEquals(2, cameras.devices.size());
+        assertTrue(cameras.devices.get(0).closed);
+        assertNull(heard.events.poll());
+    }
+
+    @Test
+    public void openingAnOpenCameraClosesItFirst() throws InterruptedException {
+        FakeCameras.Device first = openAndStream(false);
+        Heard second = new Heard();
+        feed.open(null, null, second);
+        assertEquals("opened", second.next());
+        assertTrue(first.closed);
+        assertEquals(2, cameras.devices.size());
+    }
+
+    @Test
+    public void aListenerThatIsStillBusyIsWaitedForBeforeTheNextOpening() throws InterruptedException {
+        openAndStream(false);
+        heard.hold = new CountDownLatch(1);
+        cameras.lastReader().deliver(1, 1, false);
+        assertEquals("frame 1 at 1", heard.next());
+        feed.open(null, null, heard);
+        meanwhile();
+        assertEquals(1, cameras.devices.size());
+        heard.hold.countDown();
+        assertEquals("opened", heard.next());
+    }
+
+    @Test
+    public void afterClosingNothingIsHeard() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(false);
+        FakeCameras.Reader reader = cameras.lastReader();
+        feed.close();
+        feed.close();
+        reader.deliver(1, 1, false);
+        device.disconnect();
+        eventually(() -> device.closed && reader.closed);
+        meanwhile();
+        assertNull(heard.events.poll());
+        feed.refocus();
+    }
+
+    @Test
+    public void openAndCloseInARowLeaveNothingOpen() throws InterruptedException {
+        ready(true);
+        for (int i = 0; i < 20; i++) {
+            feed.open(null, null, heard);
+            if (i % 3 == 0) {
+                feed.refocus();
+            }
+            feed.close();
+        }
+        Heard last = new Heard();
+        feed.open(null, null, last);
+        assertEquals("opened", last.next());
+        eventually(() -> cameras.devices.stream().filter(d -> !d.closed).count() == 1);
+    }
+
+    @Test
+    public void closingWhatWasNeverOpenedDoesNothing() {
+        feed.close();
+        feed.refocus();
+    }
+
+    @Test
+    public void aThrowingListenerStillLeavesTheFrameClosed() throws InterruptedException {
+        ready(false);
+        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
+        BlockingQueue<Throwable> thrown = new LinkedBlockingQueue<>();
+        Thread.setDefaultUncaughtExceptionHandler((t, e) -> thrown.add(e));
+        try {
+            feed.open(null, null, new CameraFeed.Listener() {
+                @Override
+                public void onOpened(CameraSetup setup) {
+                    heard.onOpened(setup);
+                }
+
+                @Override
+                public void onFrame(GreyImage luminance, long timestampNs) {
+                    throw new IllegalArgumentException("a mistake in the listener");
+                }
+
+                @Override
+                public void onFault(CameraFault fault) {
+                    heard.onFault(fault);
+                }
+            });
+            assertEquals("opened", heard.next());
+            FakeCameras.Frame frame = cameras.lastReader().deliver(1, 1, false);
+            eventually(() -> frame.closed);
+            assertEquals("a mistake in the listener", thrown.poll(WAIT_S, TimeUnit.SECONDS).getMessage());
+        } finally {
+            Thread.setDefaultUncaughtExceptionHandler(before);
+        }
+        // such a mistake ends the app; what is left of it here is closed by hand
+        feed = new Camera2Feed(app);
+        cameras.devices.forEach(CameraDevice::close);
+        cameras.readers.forEach(r -> r.closed = true);
+    }
+}

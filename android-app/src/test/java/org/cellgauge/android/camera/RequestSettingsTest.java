@@ -1,0 +1,138 @@
+package org.cellgauge.android.camera;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
+
+import android.graphics.Rect;
+import android.hardware.camera2.CameraMetadata;
+import android.hardware.camera2.CaptureRequest;
+import android.os.Build;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.Map;
+import org.cellgauge.geometry.PixelArea;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+import org.robolectric.RobolectricTestRunner;
+import org.robolectric.util.ReflectionHelpers;
+
+/** What a camera is told, by what it offers. */
+@RunWith(RobolectricTestRunner.class)
+public class RequestSettingsTest {
+
+    /** A camera of a good tablet. */
+    private static CameraTraits.Builder able() {
+        return new CameraTraits.Builder("0").minFocusDistanceDpt(10)
+                .focusModes(CameraMetadata.CONTROL_AF_MODE_OFF, CameraMetadata.CONTROL_AF_MODE_AUTO,
+                        CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_PICTURE)
+                .opticalStabilisationModes(0, 1).videoStabilisationModes(0, 1).edgeModes(0, 1, 2)
+                .noiseReductionModes(0, 1, 2).distortionCorrectionModes(0, 1, 2).focalLengthsMm(4.2f)
+                .rotateAndCropModes(CameraMetadata.SCALER_ROTATE_AND_CROP_NONE,
+                        CameraMetadata.SCALER_ROTATE_AND_CROP_AUTO)
+                .activeArray(new PixelArea(8, 6, 3984, 2988)).preCorrectionActiveArray(new PixelArea(0, 0, 4000, 3000));
+    }
+
+    private static Map<CaptureRequest.Key<?>, Object> settings(CameraTraits.Builder camera) {
+        Map<CaptureRequest.Key<?>, Object> settings = new HashMap<>();
+        RequestSettings.of(camera.build()).applyTo(new RequestSettings.Target() {
+            @Override
+            public <T> void set(CaptureRequest.Key<T> key, T value) {
+                settings.put(key, value);
+            }
+        });
+        return settings;
+    }
+
+    @Test
+    public void allThatMovesTheImageIsSwitchedOff() {
+        Map<CaptureRequest.Key<?>, Object> settings = settings(able());
+        assertEquals(CameraMetadata.CONTROL_AF_MODE_AUTO, settings.get(CaptureRequest.CONTROL_AF_MODE));
+        assertEquals(CameraMetadata.LENS_OPTICAL_STABILIZATION_MODE_OFF,
+                settings.get(CaptureRequest.LENS_OPTICAL_STABILIZATION_MODE));
+        assertEquals(CameraMetadata.CONTROL_VIDEO_STABILIZATION_MODE_OFF,
+                settings.get(CaptureRequest.CONTROL_VIDEO_STABILIZATION_MODE));
+        assertEquals(CameraMetadata.DISTORTION_CORRECTION_MODE_OFF,
+                settings.get(CaptureRequest.DISTORTION_CORRECTION_MODE));
+        assertEquals(CameraMetadata.EDGE_MODE_OFF, settings.get(CaptureRequest.EDGE_MODE));
+        assertEquals(CameraMetadata.NOISE_REDUCTION_MODE_FAST, settings.get(CaptureRequest.NOISE_REDUCTION_MODE));
+        assertEquals(CameraMetadata.SCALER_ROTATE_AND_CROP_NONE, settings.get(CaptureRequest.SCALER_ROTATE_AND_CROP));
+        assertFalse(settings.containsKey(CaptureRequest.LENS_FOCAL_LENGTH));
+        assertEquals(Collections.emptySet(), RequestSettings.of(able().build()).notes());
+        assertEquals(RequestSettings.Focus.HELD, RequestSettings.of(able().build()).focus());
+    }
+
+    @Test
+    public void olderAndroidsAreNotAskedForWhatTheyDoNotKnow() {
+        int now = Build.VERSION.SDK_INT;
+        try {
+            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", 27);
+            Map<CaptureRequest.Key<?>, Object> settings = settings(able());
+            assertFalse(settings.containsKey(CaptureRequest.DISTORTION_CORRECTION_MODE));
+            assertFalse(settings.containsKey(CaptureRequest.SCALER_ROTATE_AND_CROP));
+            assertEquals(CameraMetadata.EDGE_MODE_OFF, settings.get(CaptureRequest.EDGE_MODE));
+        } finally {
+            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", now);
+        }
+    }
+
+    @Test
+    public void theWholeSensorIsShown() {
+        assertEquals(new Rect(0, 0, 4000, 3000), settings(able()).get(CaptureRequest.SCALER_CROP_REGION));
+        // where the lens is corrected whatever is asked, areas are those after it
+        assertEquals(new Rect(0, 0, 3984, 2988),
+                settings(able().distortionCorrectionModes(1)).get(CaptureRequest.SCALER_CROP_REGION));
+        assertFalse(settings(able().activeArray(null).preCorrectionActiveArray(null))
+                .containsKey(CaptureRequest.SCALER_CROP_REGION));
+    }
+
+    @Test
+    public void aLensThatZoomsIsHeldAtItsShortest() {
+        assertEquals(4.2f, settings(able().focalLengthsMm(8.4f, 4.2f)).get(CaptureRequest.LENS_FOCAL_LENGTH));
+        assertFalse(settings(able().focalLengthsMm(0, Float.NaN)).containsKey(CaptureRequest.LENS_FOCAL_LENGTH));
+    }
+
+    @Test
+    public void whatIsNotOfferedIsNotAskedFor() {
+        Map<CaptureRequest.Key<?>, Object> settings = settings(new CameraTraits.Builder("0"));
+        assertEquals(Collections.singletonMap(CaptureRequest.CONTROL_MODE, CameraMetadata.CONTROL_MODE_AUTO), settings);
+    }
+
+    @Test
+    public void stabilisationThatCannotBeOffIsSaid() {
+        assertEquals(EnumSet.of(CameraNote.STABILISATION_ON),
+                RequestSettings.of(able().opticalStabilisationModes(1).build()).notes());
+        assertEquals(EnumSet.of(CameraNote.STABILISATION_ON),
+                RequestSettings.of(able().videoStabilisationModes(1, 2).build()).notes());
+        assertNull(settings(able().opticalStabilisationModes(1)).get(CaptureRequest.LENS_OPTICAL_STABILIZATION_MODE));
+    }
+
+    @Test
+    public void aLensThatDoesNotMoveNeedsNoLock() {
+        CameraTraits.Builder fixed = able().minFocusDistanceDpt(0);
+        assertEquals(RequestSettings.Focus.FIXED, RequestSettings.of(fixed.build()).focus());
+        assertEquals(CameraMetadata.CONTROL_AF_MODE_OFF, settings(fixed).get(CaptureRequest.CONTROL_AF_MODE));
+        CameraTraits.Builder off = able().minFocusDistanceDpt(-1).focusModes(CameraMetadata.CONTROL_AF_MODE_OFF);
+        assertEquals(RequestSettings.Focus.FIXED, RequestSettings.of(off.build()).focus());
+        assertEquals(Collections.emptySet(), RequestSettings.of(off.build()).notes());
+    }
+
+    @Test
+    public void aContinuousFocusIsHeldByItsTrigger() {
+        CameraTraits.Builder camera = able().focusModes(CameraMetadata.CONTROL_AF_MODE_OFF,
+                CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_VIDEO);
+        assertEquals(RequestSettings.Focus.HELD, RequestSettings.of(camera.build()).focus());
+        assertEquals(CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_VIDEO,
+                settings(camera).get(CaptureRequest.CONTROL_AF_MODE));
+    }
+
+    @Test
+    public void aFocusThatNobodyHoldsIsSaid() {
+        RequestSettings edof = RequestSettings.of(able().focusModes(CameraMetadata.CONTROL_AF_MODE_EDOF).build());
+        assertEquals(RequestSettings.Focus.FREE, edof.focus());
+        assertEquals(EnumSet.of(CameraNote.FOCUS_NOT_LOCKED), edof.notes());
+        assertEquals(EnumSet.of(CameraNote.FOCUS_NOT_LOCKED),
+                RequestSettings.of(new CameraTraits.Builder("0").build()).notes());
+    }
+}

@@ -1,0 +1,196 @@
+package org.cellgauge.android.screen;
+
+import android.content.Context;
+import android.graphics.SurfaceTexture;
+import io.reactivex.rxjava3.core.Flowable;
+import io.reactivex.rxjava3.processors.BehaviorProcessor;
+import io.reactivex.rxjava3.schedulers.Schedulers;
+import java.io.File;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import org.cellgauge.android.AppParts;
+import org.cellgauge.android.CellGaugeApp;
+import org.cellgauge.android.camera.CameraFault;
+import org.cellgauge.android.camera.CameraFeed;
+import org.cellgauge.android.camera.CameraModelSource;
+import org.cellgauge.android.camera.CameraNote;
+import org.cellgauge.android.camera.CameraSetup;
+import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.files.CellDocument;
+import org.cellgauge.android.files.CellLibrary;
+import org.cellgauge.android.files.Photo;
+import org.cellgauge.android.files.ResultArchive;
+import org.cellgauge.android.files.SavedResult;
+import org.cellgauge.android.state.SessionThreads;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.vision.GreyImage;
+
+/** The app with a camera, files and an archive that a test leads. */
+public class TestApp extends CellGaugeApp implements AppParts {
+    final FakeFeed feed = new FakeFeed();
+    final FakeLibrary library = new FakeLibrary();
+    final FakeArchive archive = new FakeArchive();
+    final BehaviorProcessor<ThermalLevel> levels = BehaviorProcessor.createDefault(ThermalLevel.NORMAL);
+    CheckSettings settings = CheckSettings.builder().build();
+    /** Where a session makes its states and reads its files; the check itself always has threads of its own. */
+    Supplier<SessionThreads> threads = () -> new SessionThreads(Schedulers.trampoline(), Schedulers.trampoline(), null,
+            null);
+
+    @Override
+    protected AppParts makeParts() {
+        return this;
+    }
+
+    @Override
+    public CameraFeed cameraFeed(Context context) {
+        return feed;
+    }
+
+    @Override
+    public Flowable<ThermalLevel> thermalLevels() {
+        return levels;
+    }
+
+    @Override
+    public CellLibrary cellLibrary() {
+        return library;
+    }
+
+    @Override
+    public ResultArchive resultArchive() {
+        return archive;
+    }
+
+    @Override
+    public File cacheFolder() {
+        return getCacheDir();
+    }
+
+    @Override
+    public CheckSettings settings() {
+        return settings;
+    }
+
+    @Override
+    public SessionThreads sessionThreads() {
+        return threads.get();
+    }
+
+    /** A camera whose frames are a test's. */
+    static final class FakeFeed implements CameraFeed {
+        private Listener listener;
+        PinholeCamera openedWith;
+        int openings;
+        int closings;
+        int refocusings;
+        private long timeNs;
+
+        @Override
+        public void open(PinholeCamera calibration, SurfaceTexture preview, Listener to) {
+            openedWith = calibration;
+            listener = to;
+            openings++;
+        }
+
+        @Override
+        public void refocus() {
+            refocusings++;
+        }
+
+        @Override
+        public void close() {
+            listener = null;
+            closings++;
+        }
+
+        boolean isOpen() {
+            return listener != null;
+        }
+
+        /** The camera opens upright on a device whose sensor lies as stated. */
+        void opened(PinholeCamera camera, int sensorOrientationDeg, boolean front, CameraNote... notes) {
+            opened(camera, CameraModelSource.CALIBRATION_FILE, sensorOrientationDeg, front, notes);
+        }
+
+        void opened(PinholeCamera camera, CameraModelSource source, int sensorOrientationDeg, boolean front,
+                CameraNote... notes) {
+            EnumSet<CameraNote> set = EnumSet.noneOf(CameraNote.class);
+            set.addAll(Arrays.asList(notes));
+            listener.onOpened(new CameraSetup(camera, source, sensorOrientationDeg, front, set));
+        }
+
+        /** One frame, in an array that is spoilt afterwards as a camera's is used again. */
+        void frame(GreyImage image) {
+            byte[] own = image.luminance().clone();
+            timeNs += 100_000_000;
+            listener.onFrame(GreyImage.packed(own, image.widthPx(), image.heightPx()), timeNs);
+            Arrays.fill(own, (byte) 0);
+        }
+
+        void fault(CameraFault fault) {
+            Listener told = listener;
+            listener = null;
+            told.onFault(fault);
+        }
+    }
+
+    /** Documents that a test puts in. */
+    static final class FakeLibrary implements CellLibrary {
+        final Map<String, Supplier<CellDocument>> cells = new HashMap<>();
+        final Map<String, Supplier<Photo>> photos = new HashMap<>();
+        final List<String> calibrations = new ArrayList<>();
+
+        @Override
+        public CellDocument example() {
+            return new CellDocument("example.yaml", null, Fixture.LIFTED.cell(), Fixture.LIFTED.cell().camera());
+        }
+
+        @Override
+        public Photo examplePhoto() {
+            return Fixture.LIFTED.photo();
+        }
+
+        @Override
+        public CellDocument cell(String uri, String calibrationUri) {
+            calibrations.add(calibrationUri);
+            return cells.get(uri).get();
+        }
+
+        @Override
+        public Photo photo(String uri) {
+            return photos.get(uri).get();
+        }
+    }
+
+    /** Remembers what was kept. */
+    static final class FakeArchive implements ResultArchive {
+        final List<Photo> photos = new ArrayList<>();
+        final List<CheckResult> results = new ArrayList<>();
+        IOException fault;
+
+        @Override
+        public SavedResult save(Photo photo, CheckResult result) throws IOException {
+            if (fault != null) {
+                throw fault;
+            }
+            photos.add(photo);
+            results.add(result);
+            String name = "lifted-4-" + photos.size();
+            return new SavedResult(name, Arrays.asList("content://results/" + name + ".png",
+                    "content://results/" + name + ".result.json"));
+        }
+
+        @Override
+        public List<SavedResult> saved() {
+            return new ArrayList<>();
+        }
+    }
+}

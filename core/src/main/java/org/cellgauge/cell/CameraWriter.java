@@ -1,0 +1,58 @@
+package org.cellgauge.cell;
+
+import org.cellgauge.geometry.PinholeCamera;
+
+/**
+ * Writes cameras as BoofCV's calibration files (YAML), the form that {@link CameraReader} reads.
+ *
+ * <p>Every number comes back as it was: it is written with all its digits, with a point whatever the machine's
+ * language.
+ */
+public final class CameraWriter {
+    private CameraWriter() {
+    }
+
+    /**
+     * The text of a camera file.
+     *
+     * @param camera intrinsics and image size
+     * @return YAML, ended by a line feed; the model {@code pinhole} where the lens does not distort
+     */
+    public static String text(PinholeCamera camera) {
+        return text(camera, "");
+    }
+
+    /**
+     * The keys of a camera file, to stand in another file below a key of it.
+     *
+     * @param indent what every line begins with
+     */
+    static String text(PinholeCamera camera, String indent) {
+        StringBuilder out = new StringBuilder();
+        out.append(indent).append("model: ").append(camera.hasDistortion() ? "pinhole_radial_tangential" : "pinhole")
+                .append('\n');
+        out.append(indent).append("pinhole: {fx: ").append(number(camera.get(PinholeCamera.FX)))
+                .append(", fy: ").append(number(camera.get(PinholeCamera.FY)))
+                .append(", cx: ").append(number(camera.get(PinholeCamera.CX)))
+                .append(", cy: ").append(number(camera.get(PinholeCamera.CY)))
+                .append(", skew: ").append(number(camera.get(PinholeCamera.SKEW)))
+                .append(", width: ").append(camera.widthPx()).append(", height: ").append(camera.heightPx())
+                .append("}\n");
+        if (camera.hasDistortion()) {
+            out.append(indent).append("radial_tangential: {radial: [").append(number(camera.get(PinholeCamera.K1)))
+                    .append(", ").append(number(camera.get(PinholeCamera.K2)))
+                    .append(", ").append(number(camera.get(PinholeCamera.K3)))
+                    .append("], t1: ").append(number(camera.get(PinholeCamera.P1)))
+                    .append(", t2: ").append(number(camera.get(PinholeCamera.P2))).append("}\n");
+        }
+        return out.toString();
+    }
+
+    /** A number with all its digits, without a fraction of 0. */
+    static String number(double value) {
+        if (value == 0) {
+            return "0";
+        }
+        return CameraReader.plain(value);
+    }
+}

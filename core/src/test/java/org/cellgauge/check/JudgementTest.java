@@ -1,0 +1,118 @@
+package org.cellgauge.check;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.MarkerObservation;
+import org.junit.jupiter.api.Test;
+
+/** Another target judges the figures there are as a check with that target from the start would have. */
+class JudgementTest {
+    private static final ThesisScene SCENE = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.05).grip(20, 0, 0, 100)
+            .target(3);
+    private static final Detections PHOTO = SCENE.detections(0.05, RandomStreams.of(1), 1, 0.003);
+    private static final CheckSettings SETTINGS = CheckSettings.builder().iterations(1500).build();
+
+    private static CheckResult run(Cell cell, Detections detections) {
+        return CellCheck.run(cell, detections, SETTINGS);
+    }
+
+    @Test
+    void anotherTargetGivesTheVerdictAndReasonOfACheckWithIt() {
+        CheckResult once = run(SCENE.cell(), PHOTO);
+        for (OptionalDouble target : new OptionalDouble[] {OptionalDouble.of(0.1), OptionalDouble.of(2),
+            OptionalDouble.of(50), OptionalDouble.empty()}) {
+            CheckResult judged = once.withTarget(target);
+            CheckResult fromTheStart = run(SCENE.cell().withTarget(target), PHOTO);
+            assertEquals(fromTheStart.verdict(), judged.verdict());
+            assertEquals(fromTheStart.reason(), judged.reason());
+            assertEquals(target, judged.cell().targetStdMm());
+            assertSame(once.draws(), judged.draws(), "nothing is sampled again");
+            assertArrayEquals(fromTheStart.draws().get(0).series(0), judged.draws().get(0).series(0));
+            for (int id : SCENE.objects().keySet()) {
+                assertEquals(fromTheStart.verdict(id), judged.verdict(id));
+                assertEquals(fromTheStart.finding(id).english(), judged.finding(id).english());
+            }
+        }
+        assertEquals(Verdict.FAIL, once.withTarget(OptionalDouble.of(0.1)).verdict());
+        assertEquals(Verdict.PASS, once.withTarget(OptionalDouble.of(50)).verdict());
+        assertEquals(Verdict.NO_TARGET, once.withTarget(OptionalDouble.empty()).verdict());
+    }
+
+    @Test
+    void sameTargetIsTheSameResult() {
+        CheckResult once = run(SCENE.cell(), PHOTO);
+        assertSame(once, once.withTarget(OptionalDouble.of(3)));
+        assertThrows(IllegalArgumentException.class, () -> once.withTarget(OptionalDouble.of(0)));
+    }
+
+    @Test
+    void wholePassesWhereEveryObjectDoesAndReasonsNameTheirOwnObject() {
+        CheckResult once = run(SCENE.cell(), PHOTO);
+        List<Double> worst = new ArrayList<>();
+        once.estimate().objects().forEach(o -> worst.add(o.worstStdMm()));
+        for (ObjectEstimate object : once.estimate().objects()) {
+            double own = object.worstStdMm();
+            assertEquals(Verdict.PASS, once.withTarget(OptionalDouble.of(own)).verdict(object.id()));
+            assertEquals(Verdict.FAIL, once.withTarget(OptionalDouble.of(own * (1 - 1e-9))).verdict(object.id()));
+            Reason reason = once.finding(object.id());
+            assertEquals(object.id(), reason.objectId().getAsInt());
+            assertEquals(own, reason.stdMm().getAsDouble());
+            Reason untargeted = once.estimate().largestDeviation(object.id());
+            assertEquals(own, untargeted.stdMm().getAsDouble());
+            assertFalse(untargeted.targetMm().isPresent());
+        }
+        double largest = worst.stream().mapToDouble(Double::doubleValue).max().getAsDouble();
+        assertEquals(Verdict.PASS, once.withTarget(OptionalDouble.of(largest)).verdict());
+        assertEquals(Verdict.FAIL, once.withTarget(OptionalDouble.of(largest * (1 - 1e-9))).verdict());
+    }
+
+    @Test
+    void objectThatIsNotSeenMissesItsTargetAndTheOthersDoNot() {
+        List<MarkerObservation> without = new ArrayList<>(PHOTO.markers());
+        without.removeIf(m -> m.id() == 20);
+        CheckResult result = run(SCENE.cell(), new Detections("photo", 1280, 720, without)).withTarget(
+                OptionalDouble.of(50));
+        assertEquals(Verdict.FAIL, result.verdict());
+        assertEquals(Verdict.FAIL, result.verdict(20));
+        assertEquals(Reason.Kind.OBJECT_NOT_SEEN, result.finding(20).kind());
+        assertEquals(List.of(20), result.finding(20).missingObjects());
+        assertEquals(Verdict.PASS, result.verdict(5));
+        assertNull(result.estimate().largestDeviation(20));
+        assertFalse(result.estimate().isAmbiguous(20));
+    }
+
+    @Test
+    void chainsThatDidNotConvergeJudgeNothing() {
+        CheckResult result = CellCheck.run(SCENE.cell(), PHOTO, CheckSettings.builder().iterations(260).build());
+        assertEquals(Verdict.NOT_CONVERGED, result.verdict());
+        assertEquals(Verdict.NOT_CONVERGED, result.withTarget(OptionalDouble.of(50)).verdict());
+        assertEquals(Verdict.NOT_CONVERGED, result.verdict(5));
+        assertEquals(Reason.Kind.NOT_CONVERGED, result.finding(5).kind());
+    }
+
+    @Test
+    void ambiguousObjectIsSoFromTheQuickLookOn() {
+        CheckResult result = run(ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(1).target(3).cell(),
+                SCENE.exactDetections());
+        assertEquals(Verdict.AMBIGUOUS, result.verdict());
+        int ambiguous = 0;
+        for (ObjectEstimate object : result.estimate().objects()) {
+            assertEquals(result.estimate().isAmbiguous(object.id()),
+                    result.verdict(object.id()) == Verdict.AMBIGUOUS);
+            ambiguous += result.quickLook().isAmbiguous(object.id()) ? 1 : 0;
+        }
+        assertTrue(ambiguous > 0);
+    }
+}
