@@ -77,6 +77,7 @@ public final class CellCheck {
     private Diagnostics diagnostics;
     private int diagnosedDraws;
     private SamplerKind samplerUsed;
+    private ReferenceCheck referenceCheck;
 
     private CellCheck(Cell cell, Detections detections, CheckSettings settings) {
         this.cell = cell;
@@ -220,9 +221,8 @@ public final class CellCheck {
             warnings.add("not seen in the photo: object " + join(ids(missing)));
         }
         warnOfSmallMarkers();
-        if (settings.model() == LikelihoodModel.RIGID_MARKER) {
-            warnings.addAll(MisplacedReferences.warnings(camera));
-        }
+        referenceCheck = ReferenceCheck.of(camera, objects);
+        warnings.addAll(referenceCheck.warnings());
     }
 
     private ReferenceView references() {
@@ -455,9 +455,10 @@ public final class CellCheck {
             }
         }
         Verdict verdict = verdict(estimate, diagnostics);
-        return new CheckResult(cell, detections, settings, verdict, reason(verdict, estimate, diagnostics), estimate,
-                quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
-                quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, camera);
+        String reason = referenceCheck.addTo(reason(verdict, estimate, diagnostics), estimate, verdict);
+        return new CheckResult(cell, detections, settings, verdict, reason, estimate, quickLook, ids(camera.view),
+                pixelStdPx, diagnostics, last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(),
+                posePriorText, samplerUsed, camera, referenceCheck);
     }
 
     private Verdict verdict(CellEstimate estimate, Diagnostics diagnostics) {
@@ -479,7 +480,7 @@ public final class CellCheck {
             return Verdict.FAIL;
         }
         for (ObjectEstimate object : estimate.objects()) {
-            if (!(object.worstStdMm() <= cell.targetStdMm().getAsDouble())) {
+            if (!referenceCheck.meets(object, cell.targetStdMm().getAsDouble())) {
                 return Verdict.FAIL;
             }
         }

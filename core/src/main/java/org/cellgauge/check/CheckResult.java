@@ -31,12 +31,13 @@ public final class CheckResult {
     private final String posePrior;
     private final SamplerKind samplerUsed;
     private final CameraTarget camera;
+    private final ReferenceCheck referenceCheck;
 
     CheckResult(Cell cell, Detections detections, CheckSettings settings, Verdict verdict, String reason,
             CellEstimate estimate, CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx,
             Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
-            CameraTarget camera) {
+            CameraTarget camera, ReferenceCheck referenceCheck) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
@@ -55,6 +56,7 @@ public final class CheckResult {
         this.posePrior = posePrior;
         this.samplerUsed = samplerUsed;
         this.camera = camera;
+        this.referenceCheck = referenceCheck;
     }
 
     /**
@@ -127,6 +129,15 @@ public final class CheckResult {
      */
     public List<Integer> referencesUsed() {
         return referencesUsed;
+    }
+
+    /**
+     * Whether the references fit together.
+     *
+     * @return figures per reference, those that are misplaced, and what hangs on them
+     */
+    public ReferenceCheck referenceCheck() {
+        return referenceCheck;
     }
 
     /**

@@ -110,6 +110,21 @@ public final class ResultJson {
             object(object);
         }
         json.endObject();
+        json.name("references").beginObject();
+        for (Reference reference : cell.references()) {
+            json.name(String.valueOf(reference.id()));
+            fit(result.referenceCheck().fit(reference.id()));
+        }
+        json.endObject();
+        json.name("misplaced_references").beginArray();
+        for (MisplacedReference reference : result.referenceCheck().misplaced()) {
+            misplaced(reference);
+        }
+        json.endArray();
+        if (result.referenceCheck().without() != null) {
+            json.name("without_misplaced");
+            without(result.referenceCheck().without());
+        }
         json.name("laplace");
         laplace();
         json.name("diagnostics");
@@ -305,7 +320,7 @@ public final class ResultJson {
         json.beginObject();
         json.name("within_target");
         if (trusted && cell.targetStdMm().isPresent()) {
-            json.value(object.worstStdMm() <= cell.targetStdMm().getAsDouble());
+            json.value(result.referenceCheck().meets(object, cell.targetStdMm().getAsDouble()));
         } else {
             json.nullValue();
         }
@@ -372,6 +387,103 @@ public final class ResultJson {
         number(ellipse.angleRad());
         json.endObject();
     }
+
+    // ---- references
+
+    /** How a reference fits the others; only that it was not used where it was not seen or left out. */
+    private void fit(ReferenceFit fit) throws IOException {
+        json.beginObject();
+        json.name("used").value(fit != null);
+        if (fit != null) {
+            json.name("misplaced").value(fit.misplaced());
+            json.name("chi_square");
+            number(fit.chiSquare());
+            json.name("degrees_of_freedom").value(fit.degreesOfFreedom());
+            json.name("p_value");
+            number(fit.pValue());
+            json.name("normalised_residual");
+            number(fit.normalisedResidual());
+            if (fit.tested()) {
+                json.name("order");
+                strings(TANGENT_ORDER);
+                json.name("statistic");
+                numbers(fit.statistic());
+                json.name("limit");
+                numbers(fit.limit());
+                json.name("offset");
+                numbers(fit.offset());
+                json.name("offset_std");
+                numbers(fit.offsetStd());
+                json.name("detectable");
+                numbers(fit.detectable());
+            }
+        }
+        json.endObject();
+    }
+
+    private void misplaced(MisplacedReference reference) throws IOException {
+        json.beginObject();
+        json.name("id").value(reference.id());
+        json.name("order");
+        strings(TANGENT_ORDER);
+        json.name("offset");
+        numbers(reference.offset());
+        json.name("statistic");
+        number(reference.statistic());
+        json.name("limit");
+        number(reference.limit());
+        json.name("or_instead").beginArray();
+        for (int id : reference.orInstead()) {
+            json.value(id);
+        }
+        json.endArray();
+        json.endObject();
+    }
+
+    /** Camera and objects without the misplaced references, by Laplace's approximation. */
+    private void without(WithoutMisplaced without) throws IOException {
+        json.beginObject();
+        json.name("left_out").beginArray();
+        for (int id : without.leftOut()) {
+            json.value(id);
+        }
+        json.endArray();
+        json.name("camera").beginObject();
+        poseMembers(without.camera());
+        json.name("move_mm");
+        numbers(without.cameraMoveMm());
+        json.endObject();
+        json.name("objects").beginObject();
+        for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+            json.name(String.valueOf(object.id())).beginObject();
+            json.name("pose").beginObject();
+            poseMembers(object.pose());
+            json.endObject();
+            json.name("move_mm");
+            numbers(object.moveMm());
+            json.name("error_mm");
+            numbers(object.errorMm());
+            if (object.grip() != null) {
+                json.name("grip").beginObject();
+                json.name("mean");
+                numbers(object.grip().meanMm());
+                json.name("std");
+                numbers(object.grip().stdMm());
+                json.name("covariance");
+                matrix(object.grip().covarianceMm2());
+                json.name("move_mm");
+                numbers(object.gripMoveMm());
+                json.name("error_mm");
+                numbers(object.gripErrorMm());
+                json.endObject();
+            }
+            json.endObject();
+        }
+        json.endObject();
+        json.endObject();
+    }
+
+    // ---- Laplace
 
     /** The quick look: deviations by Laplace's approximation, and what the chains say in multiples of them. */
     private void laplace() throws IOException {

@@ -13,6 +13,7 @@ import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.IntrinsicsEstimate;
 import org.cellgauge.check.ModeEstimate;
 import org.cellgauge.check.ObjectEstimate;
+import org.cellgauge.check.ReferenceCheck;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
@@ -58,7 +59,7 @@ final class CellDrawing {
     private final Cell cell;
     private final Detections detections;
     private final CellEstimate estimate;
-    private final List<Integer> referencesUsed;
+    private final ReferenceCheck references;
     private final Stage stage;
     private final double width;
     private final double height;
@@ -78,14 +79,14 @@ final class CellDrawing {
      * @param cell the cell
      * @param detections the markers of the photo
      * @param estimate poses, or null where there are none
-     * @param referencesUsed ids of the references the camera pose rests on, or null: all that were seen
+     * @param references what was found of the references, or null: nothing yet
      * @param stage how far the figures have come
      */
-    CellDrawing(Cell cell, Detections detections, CellEstimate estimate, List<Integer> referencesUsed, Stage stage) {
+    CellDrawing(Cell cell, Detections detections, CellEstimate estimate, ReferenceCheck references, Stage stage) {
         this.cell = cell;
         this.detections = detections;
         this.estimate = estimate;
-        this.referencesUsed = referencesUsed;
+        this.references = references;
         this.stage = stage;
         this.width = detections.widthPx();
         this.height = detections.heightPx();
@@ -263,7 +264,7 @@ final class CellDrawing {
             Status status = Status.NEUTRAL;
             if (isReference(m.id())) {
                 role = Role.REFERENCE_OUTLINE;
-                status = leftOut(m.id()) ? Status.FAIL : Status.NEUTRAL;
+                status = leftOut(m.id()) || misplaced(m.id()) ? Status.FAIL : Status.NEUTRAL;
             } else if (objectMarker(m.id()) != null) {
                 role = Role.OBJECT_OUTLINE;
                 status = status(m.id());
@@ -293,7 +294,11 @@ final class CellDrawing {
     }
 
     private boolean leftOut(int id) {
-        return referencesUsed != null && !referencesUsed.contains(id);
+        return references != null && references.fit(id) == null;
+    }
+
+    private boolean misplaced(int id) {
+        return references != null && references.fit(id) != null && references.fit(id).misplaced();
     }
 
     private ObjectMarker objectMarker(int id) {
@@ -320,7 +325,9 @@ final class CellDrawing {
         if (stage == Stage.PRELIMINARY || !cell.targetStdMm().isPresent()) {
             return Status.NEUTRAL;
         }
-        return object.worstStdMm() <= cell.targetStdMm().getAsDouble() ? Status.PASS : Status.FAIL;
+        double target = cell.targetStdMm().getAsDouble();
+        boolean met = references == null ? object.worstStdMm() <= target : references.meets(object, target);
+        return met ? Status.PASS : Status.FAIL;
     }
 
     private double magnification() {
@@ -646,7 +653,9 @@ final class CellDrawing {
             MarkerObservation m = detections.find(r.id());
             if (m != null) {
                 boolean out = leftOut(r.id());
-                name(boxOf(m), out ? Status.FAIL : Status.NEUTRAL, r.id() + (out ? " left out" : ""));
+                boolean off = misplaced(r.id());
+                name(boxOf(m), out || off ? Status.FAIL : Status.NEUTRAL,
+                        r.id() + (out ? " left out" : off ? " seems off" : ""));
             } else if (view != null) {
                 double[] centre = view.project(r.worldFromMarker().translationMm());
                 if (view.inImage(centre)) {

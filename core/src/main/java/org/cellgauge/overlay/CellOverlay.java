@@ -45,7 +45,7 @@ public final class CellOverlay {
         }
         CellDrawing.Stage stage = status == Status.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
                 : CellDrawing.Stage.FINAL;
-        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referencesUsed(), stage)
+        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referenceCheck(), stage)
                 .draw(status, headline, result.reason());
     }
 

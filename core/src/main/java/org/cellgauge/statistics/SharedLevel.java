@@ -18,8 +18,8 @@ import org.apache.commons.math3.special.Erf;
  * whose relative error is that of a mean of values between 0 and 1, however rare the alarm.
  */
 public final class SharedLevel {
-    /** The relative error of the level reached is then about 1 %. */
-    private static final int DRAWS = 2000;
+    /** The relative error of the level reached is then about 1.5 %. */
+    private static final int DRAWS = 1000;
     private static final int MOST_ROUNDS = 50;
     private static final double AGREEMENT = 1e-4;
     private static final double ROOT_2 = Math.sqrt(2);

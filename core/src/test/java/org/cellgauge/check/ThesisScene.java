@@ -121,6 +121,12 @@ public final class ThesisScene {
         return this;
     }
 
+    /** Puts a reference off its nominal place by (x, y, z), in the place of its random errors; NaN keeps an axis random. */
+    public ThesisScene shifted(int id, double x, double y, double z) {
+        shifts.put(id, new double[] {x, y, z});
+        return this;
+    }
+
     public Map<Integer, RigidTransform> objects() {
         return objects;
     }

@@ -47,8 +47,9 @@ final class ValidationText {
         StringBuilder text = new StringBuilder();
         CheckSettings check = settings.check();
         text.append(CheckText.wrap(String.format(Locale.ROOT, "%d simulated cells, %s, seed %d; %s. %d not converged, "
-                + "%d refused, %d ambiguous.", result.simulations(), model(check), check.seed(), truth(),
-                result.notConverged(), result.refused(), result.ambiguous()), ""));
+                + "%d refused, %d ambiguous; in %d a reference was called misplaced although none was.",
+                result.simulations(), model(check), check.seed(), truth(), result.notConverged(), result.refused(),
+                result.ambiguous(), result.falseAlarms()), ""));
         int stated = result.simulations() - result.notConverged() - result.refused();
         if (stated == 0) {
             return text.append("No check stated a figure: there is nothing to count.\n").toString();
@@ -192,6 +193,7 @@ final class ValidationText {
         root.addProperty("not_converged", result.notConverged());
         root.addProperty("refused", result.refused());
         root.addProperty("ambiguous", result.ambiguous());
+        root.addProperty("false_alarms", result.falseAlarms());
         root.add("effective_share_min", number(result.weightShareMin()));
         root.add("rank_p_value", number(result.rankPValue()));
         JsonArray regions = new JsonArray();
