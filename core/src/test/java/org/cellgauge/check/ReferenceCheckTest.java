@@ -104,12 +104,13 @@ class ReferenceCheckTest {
         double bound = model.bound();
         int[] found = named(references, stdMm, pixelStdPx, cellsPerAxis, 21);
         double share = (double) found[0] / found[1];
+        String measured = found[1] == 0 ? ""
+                : String.format(Locale.ROOT, "named %d of %d = %.1f %%, ", found[0], found[1], 100 * share);
         reporter.publishEntry(String.format(Locale.ROOT, "references %d, sigma %.0f mm, corners %.2f px", references,
-                stdMm, pixelStdPx), String.format(Locale.ROOT, "named %d of %d = %.1f %%, predicted %.1f %%, any rule at "
-                        + "most %.1f %%, knowing which %.1f %%; predicted in any direction of the plane %.1f %%, of space "
-                        + "%.1f %%", found[0], found[1], 100 * share, 100 * predicted, 100 * bound,
-                        100 * model.clairvoyant(), 100 * model.namedInAnyDirection(LEVEL, 2),
-                        100 * model.namedInAnyDirection(LEVEL, 3)));
+                stdMm, pixelStdPx), measured + String.format(Locale.ROOT, "predicted %.1f %%, any rule at most %.1f %%, "
+                        + "knowing which %.1f %%; predicted in any direction of the plane %.1f %%, of space %.1f %%",
+                        100 * predicted, 100 * bound, 100 * model.clairvoyant(),
+                        100 * model.namedInAnyDirection(LEVEL, 2), 100 * model.namedInAnyDirection(LEVEL, 3)));
         // three deviations of the count, one point each of simulation and of what is not linear
         double error = 3 * Math.sqrt(predicted * (1 - predicted) / found[1]);
         assertTrue(found[1] == 0 || Math.abs(share - predicted) < error + 0.02, share + ", predicted " + predicted);

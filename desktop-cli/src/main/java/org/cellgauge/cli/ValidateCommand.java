@@ -69,11 +69,13 @@ public final class ValidateCommand implements Callable<Integer> {
     private List<String> objects = new ArrayList<>();
 
     @Option(names = "--camera-pose", paramLabel = "X,Y,Z,PSI,THETA,PHI", converter = PoseArgument.Converter.class,
+            preprocessor = PoseArgument.MayBeNegative.class,
             description = "Nominal pose of the camera in the world, mm and degrees. Without it the camera looks "
                     + "straight at the plane z = 0, from where all markers fit.")
     private PoseArgument cameraPose;
 
     @Option(names = "--spread", paramLabel = "MM,DEG", defaultValue = "50,10",
+            preprocessor = PoseArgument.MayBeNegative.class,
             description = "Standard deviation of the true poses about the nominal ones, from simulation to simulation: "
                     + "the camera swings about the references, objects move before the camera (${DEFAULT-VALUE}). "
                     + "0,0: the truth is the same in all.")

@@ -29,6 +29,8 @@ final class ValidationText {
     static final double JUDGED = 0.95;
     private static final double[] LEVELS = {0.5, 0.8, 0.95};
     private static final double SUSPICIOUS = 0.01;
+    /** Where the band of an honest 95 % reaches below this share, passing says little. */
+    private static final double TELLING = 0.85;
 
     private final TruthPrior prior;
     private final ValidationSettings settings;
@@ -164,8 +166,14 @@ final class ValidationText {
     }
 
     private String verdict() {
-        return result.covers(JUDGED) ? "A stated 95 % is right 95 times in 100 here, within chance.\n"
-                : "A stated 95 % is not right 95 times in 100 here.\n";
+        if (!result.covers(JUDGED)) {
+            return "A stated 95 % is not right 95 times in 100 here.\n";
+        }
+        RegionCoverage region = result.regions().get(0);
+        double least = (double) region.band(JUDGED).lower() / region.trials();
+        return CheckText.wrap("A stated 95 % is right 95 times in 100 here, within chance." + (least < TELLING
+                ? " So few simulated cells would not tell it from " + Math.round(100 * least)
+                + " times in 100: give more --simulations." : ""), "");
     }
 
     // ---- JSON
