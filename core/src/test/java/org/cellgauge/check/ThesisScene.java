@@ -179,6 +179,28 @@ public final class ThesisScene {
         return new Detections("scene", camera.widthPx(), camera.heightPx(), markers);
     }
 
+    /** Corners with the errors of a single source of the variance, as the budget names it. */
+    public Detections detectionsOf(String source, double noisePx, double stdMm, double stdRad, RandomGenerator random) {
+        List<MarkerObservation> markers = new ArrayList<>();
+        references.forEach((id, nominal) -> {
+            RigidTransform pose = nominal;
+            if (source.equals("placement of reference " + id)) {
+                double[] w = {stdRad * random.nextGaussian(), stdRad * random.nextGaussian(),
+                    stdRad * random.nextGaussian()};
+                double[] t = nominal.translationMm();
+                for (int i = 0; i < 3; i++) {
+                    t[i] += stdMm * random.nextGaussian();
+                }
+                pose = RigidTransform.of(RigidTransform.ofRotationVector(w, new double[3]).compose(nominal).rotation(), t);
+            }
+            boolean noisy = source.equals("corner noise of references");
+            markers.add(observe(id, pose, noisePx, noisy ? random : null));
+        });
+        boolean noisy = source.equals("corner noise of object");
+        objects.forEach((id, pose) -> markers.add(observe(id, pose, noisePx, noisy ? random : null)));
+        return new Detections("scene", camera.widthPx(), camera.heightPx(), markers);
+    }
+
     private MarkerObservation observe(int id, RigidTransform worldFromMarker, double noisePx, RandomGenerator random) {
         double[] corners = MarkerGeometry.cornersMm(worldFromCamera.inverse().compose(worldFromMarker), SIZE_MM);
         double[] px = new double[8];
