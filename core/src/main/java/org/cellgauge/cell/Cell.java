@@ -56,6 +56,16 @@ public final class Cell {
     }
 
     /**
+     * The same cell seen by another camera.
+     *
+     * @param other intrinsics and image size
+     * @return a new cell
+     */
+    public Cell withCamera(PinholeCamera other) {
+        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm);
+    }
+
+    /**
      * The camera.
      *
      * @return intrinsics and image size

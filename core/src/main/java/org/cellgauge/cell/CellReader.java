@@ -45,12 +45,14 @@ public final class CellReader {
 
     private final CameraSource cameras;
     private final Path folder;
+    private final PinholeCamera given;
     private MarkerFamily family;
     private YamlValue generalSize;
 
-    private CellReader(CameraSource cameras, Path folder) {
+    private CellReader(CameraSource cameras, Path folder, PinholeCamera given) {
         this.cameras = cameras;
         this.folder = folder;
+        this.given = given;
     }
 
     /**
@@ -62,7 +64,7 @@ public final class CellReader {
      */
     public static Cell read(Path file) {
         String text = InputFiles.text(file, WHAT, MAX_BYTES);
-        return new CellReader(null, file).cell(YamlValue.parse(text, file.toString(), WHAT, MAX_BYTES));
+        return new CellReader(null, file, null).cell(YamlValue.parse(text, file.toString(), WHAT, MAX_BYTES));
     }
 
     /**
@@ -75,10 +77,42 @@ public final class CellReader {
      * @throws InputRefusedException if the cell or the camera is missing or faulty
      */
     public static Cell read(String text, String displayName, CameraSource cameras) {
-        return new CellReader(cameras, null).cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+        return new CellReader(cameras, null, null).cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
     }
 
-    private Cell cell(YamlValue top) {
+    /**
+     * Reads a cell file's text for a camera that is known otherwise: what the file says of the camera is not read, and
+     * it may say nothing.
+     *
+     * @param text YAML
+     * @param displayName the name that messages give it
+     * @param camera the camera of the cell
+     * @return the cell
+     * @throws InputRefusedException if the cell is faulty
+     */
+    public static Cell read(String text, String displayName, PinholeCamera camera) {
+        return new CellReader(null, null, camera).cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+    }
+
+    /**
+     * How a cell file states the camera, so that a caller can choose between that and a camera of its own.
+     *
+     * @param text YAML
+     * @param displayName the name that messages give it
+     * @return inline, by a file's name, or not at all
+     * @throws InputRefusedException if it is no cell file, or neither keys nor a name stand after {@code camera:}
+     */
+    public static StatedCamera statedCamera(String text, String displayName) {
+        YamlValue camera = cellFile(YamlValue.parse(text, displayName, WHAT, MAX_BYTES)).optional("camera");
+        if (camera == null) {
+            return new StatedCamera(StatedCamera.Kind.NONE, null);
+        }
+        return camera.isMapping() ? new StatedCamera(StatedCamera.Kind.INLINE, null)
+                : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CAMERA_EXAMPLE));
+    }
+
+    /** The mapping at the top of a cell file, its kind and version judged. */
+    private static YamlMapping cellFile(YamlValue top) {
         YamlMapping file = top.mapping("a cell file, which begins with cellgauge: 1");
         YamlValue version = file.optional("cellgauge");
         if (version == null) {
@@ -91,9 +125,14 @@ public final class CellReader {
             throw file.missing("cellgauge", "is missing; add the line cellgauge: " + VERSION);
         }
         version.whole(VERSION, VERSION, "cellgauge: " + VERSION + ", the format of this program");
+        return file;
+    }
+
+    private Cell cell(YamlValue top) {
+        YamlMapping file = cellFile(top);
         file.refuseUnknown(Arrays.asList("cellgauge", "camera", "markers", "placement", "pixel_std_px",
                 "references", "objects", "target"));
-        PinholeCamera camera = camera(file.required("camera", CAMERA_EXAMPLE));
+        PinholeCamera camera = given != null ? given : camera(file.required("camera", CAMERA_EXAMPLE));
         YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm");
         family = family(markers.required("family", "family: square-binary"));
         generalSize = markers.optional("size_mm");

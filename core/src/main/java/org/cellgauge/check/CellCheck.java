@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.Function;
+import java.util.function.IntSupplier;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
@@ -27,6 +27,7 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
+import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 
@@ -57,6 +58,8 @@ public final class CellCheck {
     private static final double PRIOR_STD_RAD = 0.7;
     /** Share of the pose prior in any direction above which the result is said to lean on it. */
     private static final double LEANING_SHARE = 0.01;
+    /** Quantile of chi-square within which the residuals at a mode must be for a given start to count as a good one. */
+    private static final double EXPLAINED = 0.999;
     private static final int FIRST_ROUND = 1000;
     private static final double SMALLEST_SIDE_PX = 25;
     private static final double ADVISED_SIDE_PX = 32;
@@ -66,6 +69,7 @@ public final class CellCheck {
     private final Cell cell;
     private final Detections detections;
     private final CheckSettings settings;
+    private final RigidTransform worldFromCameraStart;
     private final List<String> warnings = new ArrayList<>();
     private double pixelStdPx;
     private CameraTarget camera;
@@ -79,11 +83,27 @@ public final class CellCheck {
     private SamplerKind samplerUsed;
     private ReferenceCheck referenceCheck;
 
-    private CellCheck(Cell cell, Detections detections, CheckSettings settings) {
+    private CellCheck(Cell cell, Detections detections, CheckSettings settings, RigidTransform worldFromCameraStart) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
+        this.worldFromCameraStart = worldFromCameraStart;
         warnings.addAll(detections.warnings());
+    }
+
+    /** A copy of a check whose quick look is done, for chains to run on. */
+    private CellCheck(CellCheck prepared) {
+        cell = prepared.cell;
+        detections = prepared.detections;
+        settings = prepared.settings;
+        worldFromCameraStart = prepared.worldFromCameraStart;
+        warnings.addAll(prepared.warnings);
+        pixelStdPx = prepared.pixelStdPx;
+        camera = prepared.camera;
+        noise = prepared.noise;
+        objects = new ArrayList<>(prepared.objects);
+        missing = prepared.missing;
+        posePriorText = prepared.posePriorText;
     }
 
     /**
@@ -105,7 +125,32 @@ public final class CellCheck {
      * @return updates; each subscription runs the whole check anew
      */
     public static Flowable<CheckUpdate> stream(Cell cell, Detections detections, CheckSettings settings) {
-        return Flowable.defer(() -> new CellCheck(cell, detections, settings).updates()).onBackpressureLatest();
+        return Flowable.defer(() -> {
+            QuickLook quickLook = quickLook(cell, detections, settings, null);
+            return Flowable.just(quickLook.update()).concatWith(quickLook.chains(settings::threads));
+        }).onBackpressureLatest();
+    }
+
+    /**
+     * The first part of the check of one photo: modes and Laplace's approximation, without chains.
+     *
+     * @param cell the cell
+     * @param detections markers seen in its photo; ids foreign to the cell are ignored
+     * @param settings how to go about it
+     * @param worldFromCameraStart where the search for the mode starts, for instance at the mode of a similar photo, or
+     *     null for the initial estimate of the settings. It is used only where it leads to a mode that explains the
+     *     corners as well as their noise lets expect, and never where two references or fewer need a weak prior, which
+     *     is about the initial estimate
+     * @return the quick look, from which the chains can be run
+     * @throws InputRefusedException as {@link #run}
+     */
+    public static QuickLook quickLook(Cell cell, Detections detections, CheckSettings settings,
+            RigidTransform worldFromCameraStart) {
+        CellCheck check = new CellCheck(cell, detections, settings, worldFromCameraStart);
+        check.prepare();
+        CellEstimate estimate = check.quickLook();
+        return new QuickLook(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, estimate, 0, null), check.pixelStdPx,
+                threads -> new CellCheck(check).sampling(estimate, threads));
     }
 
     /**
@@ -121,14 +166,7 @@ public final class CellCheck {
         return stream(cell, detections, settings).blockingLast().result();
     }
 
-    private Flowable<CheckUpdate> updates() {
-        prepare();
-        CellEstimate quickLook = quickLook();
-        return Flowable.just(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, quickLook, 0, null))
-                .concatWith(Flowable.defer(() -> sampling(quickLook)));
-    }
-
-    private Flowable<CheckUpdate> sampling(CellEstimate quickLook) {
+    private Flowable<CheckUpdate> sampling(CellEstimate quickLook, IntSupplier threads) {
         tuneObjects();
         CellQuantities quantities = new CellQuantities(camera, objects);
         estimates = new Estimates(cell, quantities, quickLook);
@@ -147,7 +185,7 @@ public final class CellCheck {
         int warmup = settings.toBuilder().sampler(samplerUsed).build().warmup();
         RunLength length = new RunLength(warmup, settings.iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> preciseEnough(diagnosed(draws, quantities, judged)), settings.threads());
+                draws -> preciseEnough(diagnosed(draws, quantities, judged)), threads);
         return ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null) : quickLook;
             if (!snapshot.last()) {
@@ -218,11 +256,9 @@ public final class CellCheck {
             objects.add(objectTarget(marker, observation, atMode));
         }
         if (!missing.isEmpty()) {
-            warnings.add("not seen in the photo: object " + join(ids(missing)));
+            warnings.add("not seen in the photo: object " + Reason.join(ids(missing)));
         }
         warnOfSmallMarkers();
-        referenceCheck = ReferenceCheck.of(camera, objects);
-        warnings.addAll(referenceCheck.warnings());
     }
 
     private ReferenceView references() {
@@ -233,11 +269,11 @@ public final class CellCheck {
             }
         }
         if (unseen.size() == cell.references().size()) {
-            throw new InputRefusedException(detections.imageName() + ": none of the references " + join(unseen)
+            throw new InputRefusedException(detections.imageName() + ": none of the references " + Reason.join(unseen)
                     + " is in the photo; check the marker family of the cell file, the light and the focus");
         }
         if (!unseen.isEmpty()) {
-            warnings.add("not seen in the photo: reference " + join(unseen));
+            warnings.add("not seen in the photo: reference " + Reason.join(unseen));
         }
         return ReferenceView.of(cell.references(), detections);
     }
@@ -260,44 +296,14 @@ public final class CellCheck {
         }
     }
 
-    /**
-     * Corner noise from how well each marker alone is a square: 8 coordinates, 6 unknowns, so 2 degrees of freedom per
-     * marker, whatever the placement errors are.
-     */
     private double estimatePixelStdPx() {
-        double sumOfSquares = 0;
-        int markers = 0;
-        for (Reference r : cell.references()) {
-            double squares = squaresOf(r.id(), r.sizeMm());
-            sumOfSquares += Double.isNaN(squares) ? 0 : squares;
-            markers += Double.isNaN(squares) ? 0 : 1;
-        }
-        for (ObjectMarker o : cell.objects()) {
-            double squares = squaresOf(o.id(), o.sizeMm());
-            sumOfSquares += Double.isNaN(squares) ? 0 : squares;
-            markers += Double.isNaN(squares) ? 0 : 1;
-        }
-        double std = Math.sqrt(sumOfSquares / (2.0 * Math.max(1, markers)));
-        if (markers == 0 || !(std > 0)) {
+        CornerNoise noise = CornerNoise.of(cell, detections);
+        if (noise == null) {
             throw new InputRefusedException(detections.imageName() + ": the corner noise cannot be estimated from these "
                     + "corners; state pixel_std_px in the cell file");
         }
-        warnings.add(String.format(Locale.ROOT, "pixel_std_px is estimated as %.3f px from %d degrees of freedom, good to "
-                + "about %.0f %%", std, 2 * markers, 100 / Math.sqrt(4.0 * markers)));
-        return std;
-    }
-
-    private double squaresOf(int id, double sizeMm) {
-        MarkerObservation observation = detections.find(id);
-        if (observation == null) {
-            return Double.NaN;
-        }
-        List<PoseMode> modes = MarkerPoseFinder.modes(observation.cornersPx(), sizeMm, cell.camera(), 1);
-        double least = Double.NaN;
-        for (PoseMode mode : modes) {
-            least = Double.isNaN(least) ? mode.halfChiSquare() : Math.min(least, mode.halfChiSquare());
-        }
-        return 2 * least;
+        warnings.add(noise.warning());
+        return noise.stdPx();
     }
 
     private CameraTarget cameraTarget(ReferenceView all, IntrinsicsPrior intrinsics) {
@@ -321,6 +327,13 @@ public final class CellCheck {
     }
 
     private CameraTarget cameraTargetOf(ReferenceView view, IntrinsicsPrior intrinsics) {
+        boolean needsPosePrior = settings.posePriorAllowed() && view.size() <= 2;
+        if (worldFromCameraStart != null && !needsPosePrior) {
+            CameraTarget target = targetFromStart(view, intrinsics);
+            if (target != null) {
+                return target;
+            }
+        }
         RigidTransform initial = settings.initial().estimate(view, cell.camera());
         if (initial == null) {
             initial = InitialPose.PNP.estimate(view, cell.camera());
@@ -330,15 +343,13 @@ public final class CellCheck {
             warnings.add("the " + settings.initial().optionName() + " estimate found no camera pose; pnp was used instead");
         }
         PosePrior posePrior = null;
-        if (settings.posePriorAllowed() && view.size() <= 2) {
+        if (needsPosePrior) {
             posePrior = new PosePrior(CameraState.of(view.cameraFromSet(initial), cell.camera()), PRIOR_STD_MM,
                     PRIOR_STD_RAD);
             posePriorText = String.format(Locale.ROOT, "N(initial estimate, %.0f mm, %.1f rad)", PRIOR_STD_MM,
                     PRIOR_STD_RAD);
         }
-        PosePrior prior = posePrior;
-        Function<ReferenceView, CameraModeFinder> finders = references -> new CameraModeFinder(references, cell.camera(),
-                settings.model().noise(references, pixelStdPx, settings.kappa()), intrinsics, prior);
+        Function<ReferenceView, CameraModeFinder> finders = finders(intrinsics, posePrior);
         CameraModeFinder finder = finders.apply(view);
         List<PoseMode> modes = finder.modes(initial);
         if (modes.isEmpty() && settings.initial() != InitialPose.PNP) {
@@ -348,6 +359,22 @@ public final class CellCheck {
             throw noPose();
         }
         return new CameraTarget(view, settings, intrinsics, posePrior, notNegligible(modes), initial, finders);
+    }
+
+    private Function<ReferenceView, CameraModeFinder> finders(IntrinsicsPrior intrinsics, PosePrior posePrior) {
+        return references -> new CameraModeFinder(references, cell.camera(),
+                settings.model().noise(references, pixelStdPx, settings.kappa()), intrinsics, posePrior);
+    }
+
+    /** The target by the modes that the start leads to, or null where these leave more unexplained than noise would. */
+    private CameraTarget targetFromStart(ReferenceView view, IntrinsicsPrior intrinsics) {
+        Function<ReferenceView, CameraModeFinder> finders = finders(intrinsics, null);
+        List<PoseMode> modes = finders.apply(view).modes(worldFromCameraStart);
+        if (modes.isEmpty() || 2 * modes.get(0).halfChiSquare()
+                > CoverageRegion.chiSquareQuantile(EXPLAINED, 8 * view.size() - 6)) {
+            return null;
+        }
+        return new CameraTarget(view, settings, intrinsics, null, notNegligible(modes), worldFromCameraStart, finders);
     }
 
     private InputRefusedException noPose() {
@@ -447,6 +474,8 @@ public final class CellCheck {
             EnsembleSnapshot last) {
         diagnosed(draws, quantities, judged);
         CellEstimate estimate = estimates.of(last.summary(), draws);
+        referenceCheck = ReferenceCheck.of(camera, objects);
+        warnings.addAll(referenceCheck.warnings());
         if (camera.posePrior != null) {
             double share = LinearModel.priorShare(camera.modes.get(0), PRIOR_STD_MM, PRIOR_STD_RAD);
             if (!(share < LEANING_SHARE)) {
@@ -455,10 +484,9 @@ public final class CellCheck {
             }
         }
         Verdict verdict = verdict(estimate, diagnostics);
-        String reason = referenceCheck.addTo(reason(verdict, estimate, diagnostics), estimate, verdict);
-        return new CheckResult(cell, detections, settings, verdict, reason, estimate, quickLook, ids(camera.view),
-                pixelStdPx, diagnostics, last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(),
-                posePriorText, samplerUsed, camera, referenceCheck);
+        return new CheckResult(cell, detections, settings, verdict, finding(verdict, estimate, diagnostics), estimate,
+                quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
+                quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, camera, referenceCheck);
     }
 
     private Verdict verdict(CellEstimate estimate, Diagnostics diagnostics) {
@@ -491,100 +519,21 @@ public final class CellCheck {
         return modes.size() > 1 && modes.get(1).weight() > AMBIGUOUS_SHARE;
     }
 
-    private String reason(Verdict verdict, CellEstimate estimate, Diagnostics diagnostics) {
-        switch (verdict) {
-            case NOT_CONVERGED:
-                return String.format(Locale.ROOT, "The chains have not converged (worst: %s, R-hat %s, effective draws %s): no "
-                        + "accuracy can be read off them.", diagnostics.worstParameter(), number(diagnostics.rHatMax(), 3),
-                        number(Math.min(diagnostics.essBulkMin(), diagnostics.essTailMin()), 0));
-            case AMBIGUOUS:
-                return ambiguity(estimate);
-            case NO_TARGET:
-                return "No target is set. " + worst(estimate);
-            case FAIL:
-                if (!missing.isEmpty()) {
-                    return "Object " + join(ids(missing)) + " was not seen in the photo. " + worst(estimate);
-                }
-                return worst(estimate);
-            default:
-                return worst(estimate);
+    private Reason finding(Verdict verdict, CellEstimate estimate, Diagnostics diagnostics) {
+        if (verdict == Verdict.NOT_CONVERGED) {
+            return Reason.notConverged(diagnostics);
         }
-    }
-
-    private static String ambiguity(CellEstimate estimate) {
         if (ambiguous(estimate.cameraModes())) {
-            return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): add a "
-                    + "reference out of their plane.", 100 * estimate.cameraModes().get(1).weight());
+            return Reason.twoCameraPoses(estimate.cameraModes().get(1).weight());
         }
         for (ObjectEstimate object : estimate.objects()) {
             if (ambiguous(object.modes())) {
-                return String.format(Locale.ROOT, "Two poses explain the corners of object %d (the second holds %.0f %%): use "
-                        + "a larger marker, come closer or look at it from the side.", object.id(),
-                        100 * object.modes().get(1).weight());
+                return Reason.twoObjectPoses(object.id(), object.modes().get(1).weight());
             }
         }
-        return "Two poses explain the photo.";
-    }
-
-    /** The sentence about the largest deviation: where it is, how it stands to the target and what causes most of it. */
-    private String worst(CellEstimate estimate) {
-        String name = null;
-        int axis = 0;
-        double std = -1;
-        VarianceBudget budget = null;
-        for (ObjectEstimate object : estimate.objects()) {
-            for (int i = 0; i < 3; i++) {
-                if (object.pose().std()[i] > std) {
-                    name = "object " + object.id();
-                    axis = i;
-                    std = object.pose().std()[i];
-                    budget = object.budget();
-                }
-                if (object.grip() != null && object.grip().stdMm()[i] > std) {
-                    name = "the gripping point of object " + object.id();
-                    axis = i;
-                    std = object.grip().stdMm()[i];
-                    budget = object.gripBudget();
-                }
-            }
-        }
-        if (name == null) {
-            return "No object is in the photo.";
-        }
-        String source = "";
-        double share = -1;
-        for (Map.Entry<String, Double> e : budget.shares(axis).entrySet()) {
-            if (e.getValue() > share) {
-                share = e.getValue();
-                source = e.getKey();
-            }
-        }
-        String axisName = "xyz".substring(axis, axis + 1);
-        String target = cell.targetStdMm().isPresent()
-                ? String.format(Locale.ROOT, " against a target of %s mm", plain(cell.targetStdMm().getAsDouble())) : "";
-        return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %s%s; %.0f %% of this variance comes from %s.",
-                std, axisName, name, target, 100 * share, inWords(source));
-    }
-
-    private static String inWords(String source) {
-        switch (source) {
-            case "corner noise of object":
-                return "noise in the object's own corners";
-            case "corner noise of references":
-                return "noise in the references' corners";
-            case "intrinsics":
-                return "the unknown intrinsics";
-            default:
-                return "the " + source;
-        }
-    }
-
-    private static String plain(double value) {
-        return value == Math.rint(value) ? String.format(Locale.ROOT, "%.0f", value) : Double.toString(value);
-    }
-
-    private static String number(double value, int digits) {
-        return Double.isNaN(value) ? "undefined" : String.format(Locale.ROOT, "%." + digits + "f", value);
+        return Reason.largestDeviation(estimate.objects(),
+                verdict == Verdict.FAIL ? ids(missing) : Collections.emptyList(), cell.targetStdMm(),
+                referenceCheck.misplacement(verdict == Verdict.PASS));
     }
 
     private static List<Integer> ids(List<ObjectMarker> markers) {
@@ -597,13 +546,5 @@ public final class CellCheck {
         List<Integer> ids = new ArrayList<>();
         view.references().forEach(r -> ids.add(r.id()));
         return ids;
-    }
-
-    private static String join(List<Integer> ids) {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < ids.size(); i++) {
-            text.append(i == 0 ? "" : i == ids.size() - 1 ? " and " : ", ").append(ids.get(i));
-        }
-        return text.toString();
     }
 }

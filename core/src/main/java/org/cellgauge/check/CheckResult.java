@@ -17,7 +17,7 @@ public final class CheckResult {
     private final Detections detections;
     private final CheckSettings settings;
     private final Verdict verdict;
-    private final String reason;
+    private final Reason finding;
     private final CellEstimate estimate;
     private final CellEstimate quickLook;
     private final List<Integer> referencesUsed;
@@ -33,7 +33,7 @@ public final class CheckResult {
     private final CameraTarget camera;
     private final ReferenceCheck referenceCheck;
 
-    CheckResult(Cell cell, Detections detections, CheckSettings settings, Verdict verdict, String reason,
+    CheckResult(Cell cell, Detections detections, CheckSettings settings, Verdict verdict, Reason finding,
             CellEstimate estimate, CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx,
             Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
@@ -42,7 +42,7 @@ public final class CheckResult {
         this.detections = detections;
         this.settings = settings;
         this.verdict = verdict;
-        this.reason = reason;
+        this.finding = finding;
         this.estimate = estimate;
         this.quickLook = quickLook;
         this.referencesUsed = Collections.unmodifiableList(referencesUsed);
@@ -101,7 +101,16 @@ public final class CheckResult {
      * @return one sentence
      */
     public String reason() {
-        return reason;
+        return finding.english();
+    }
+
+    /**
+     * Why, in parts that another language can make a sentence of.
+     *
+     * @return the parts of {@link #reason()}
+     */
+    public Reason finding() {
+        return finding;
     }
 
     /**

@@ -281,11 +281,12 @@ final class LinearModel {
                 noise.covariance(state, m, placement, pixel);
                 double[][] byResidual = times(a, mode.gain(m), 8);
                 Reference reference = camera.view.references().get(m);
-                variances.put("placement of reference " + reference.id(), diagonal(byResidual, placement, 8));
+                variances.put(VarianceBudget.PLACEMENT_OF_REFERENCE + reference.id(),
+                        diagonal(byResidual, placement, 8));
                 add(cornerNoise, diagonal(byResidual, pixel, 8));
             }
-            variances.put("corner noise of references", cornerNoise);
-            variances.put("corner noise of object",
+            variances.put(VarianceBudget.CORNER_NOISE_OF_REFERENCES, cornerNoise);
+            variances.put(VarianceBudget.CORNER_NOISE_OF_OBJECT,
                     noisy ? diagonal(byObject(arm, false), objectMode.covariance(), 6) : new double[3]);
             if (columns > 6) {
                 double[] prior = new double[columns * columns];
@@ -293,7 +294,7 @@ final class LinearModel {
                     double std = camera.intrinsicsPrior.std(f - 6);
                     prior[f * columns + f] = 1 / (std * std);
                 }
-                variances.put("intrinsics", priorPart(a, prior));
+                variances.put(VarianceBudget.INTRINSICS, priorPart(a, prior));
             }
             if (camera.posePrior != null) {
                 double[] prior = new double[columns * columns];
@@ -301,7 +302,7 @@ final class LinearModel {
                     double std = i < 3 ? camera.posePrior.stdMm() : camera.posePrior.stdRad();
                     prior[i * columns + i] = 1 / (std * std);
                 }
-                variances.put("pose prior", priorPart(a, prior));
+                variances.put(VarianceBudget.POSE_PRIOR, priorPart(a, prior));
             }
             return new VarianceBudget(variances);
         }

@@ -98,6 +98,6 @@ public final class MisplacedReference {
         return "reference " + id() + " seems " + (turned ? "turned" : "off") + " by about " + by
                 + ", which its stated precision (" + stated + ") does not allow: "
                 + (turned ? "check how it is mounted" : "measure its position again")
-                + (orInstead.isEmpty() ? "" : "; it may be reference " + ReferenceCheck.joined(orInstead, " or ") + " instead");
+                + (orInstead.isEmpty() ? "" : "; it may be reference " + Reason.joined(orInstead, " or ") + " instead");
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalInt;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.PoseMode;
@@ -223,20 +224,11 @@ public final class ReferenceCheck {
             }
         }
         String text = sizes.isEmpty() ? "" : "To be noticed in 19 of 20 photos a reference would have to be off by up to "
-                + joined(sizes, " or ") + ".";
+                + Reason.joined(sizes, " or ") + ".";
         text += never.isEmpty() ? "" : (text.isEmpty() ? "" : " ") + "A reference that is off in "
-                + joined(never, " or ") + " would not be noticed.";
+                + Reason.joined(never, " or ") + " would not be noticed.";
         return text + (most > PlacementTest.LOOKED_FOR ? String.format(Locale.ROOT, " That is more than %.0f times what "
                 + "is stated: more references would show less.", PlacementTest.LOOKED_FOR) : "");
-    }
-
-    /** Words with commas between them, and a word before the last. */
-    static String joined(List<?> words, String beforeLast) {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < words.size(); i++) {
-            text.append(i == 0 ? "" : i == words.size() - 1 ? beforeLast : ", ").append(words.get(i));
-        }
-        return text.toString();
     }
 
     /** Warnings to the user. */
@@ -286,49 +278,38 @@ public final class ReferenceCheck {
     private String list() {
         List<Integer> ids = new ArrayList<>();
         misplaced.forEach(reference -> ids.add(reference.id()));
-        return joined(ids, " and ");
+        return Reason.joined(ids, " and ");
     }
 
     /**
-     * The reason of a verdict with what misplaced references add to it.
+     * What misplaced references add to a reason.
      *
-     * @param reason what the deviations alone say
-     * @param estimate what the chains say
-     * @param verdict the verdict; where no figure is to be trusted nothing is added
-     * @return the reason, and a sentence where a reference is misplaced
+     * @param targetMet whether the verdict is that the target is met
+     * @return the largest error that a stated position has if they are misplaced; null where none is
      */
-    String addTo(String reason, CellEstimate estimate, Verdict verdict) {
-        if (misplaced.isEmpty() || verdict == Verdict.NOT_CONVERGED || verdict == Verdict.AMBIGUOUS) {
-            return reason;
+    Reason.Misplacement misplacement(boolean targetMet) {
+        if (misplaced.isEmpty()) {
+            return null;
         }
-        String who = "reference " + list() + (misplaced.size() == 1 ? " seems" : " seem") + " misplaced";
-        String them = misplaced.size() == 1 ? "it" : "them";
+        List<Integer> ids = new ArrayList<>();
+        misplaced.forEach(reference -> ids.add(reference.id()));
+        Reason.Misplacement worst = new Reason.Misplacement(ids, targetMet, OptionalInt.empty(), false, 0,
+                without == null ? Double.POSITIVE_INFINITY : 0);
         if (without == null) {
-            return reason + " But " + who + ", and without " + them + " there is no camera pose.";
+            return worst;
         }
-        String worst = "";
-        int axis = 0;
-        double error = -1;
         for (WithoutMisplaced.ObjectWithout object : without.objects()) {
             for (int i = 0; i < 3; i++) {
-                if (object.errorMm()[i] > error) {
-                    error = object.errorMm()[i];
-                    axis = i;
-                    worst = "object " + object.id();
+                if (object.errorMm()[i] > worst.errorMm()) {
+                    worst = new Reason.Misplacement(ids, targetMet, OptionalInt.of(object.id()), false, i,
+                            object.errorMm()[i]);
                 }
-                if (object.grip() != null && object.gripErrorMm()[i] > error) {
-                    error = object.gripErrorMm()[i];
-                    axis = i;
-                    worst = "the gripping point of object " + object.id();
+                if (object.grip() != null && object.gripErrorMm()[i] > worst.errorMm()) {
+                    worst = new Reason.Misplacement(ids, targetMet, OptionalInt.of(object.id()), true, i,
+                            object.gripErrorMm()[i]);
                 }
             }
         }
-        if (error < 0) {
-            return reason + " But " + who + ".";
-        }
-        String size = String.format(Locale.ROOT, "%.2f mm in %s of %s", error, "xyz".charAt(axis), worst);
-        return reason + (verdict == Verdict.PASS
-                ? " The target is met although " + who + ": if so, the largest error is " + size + "."
-                : " But " + who + ": if so, the largest error is " + size + ".");
+        return worst;
     }
 }

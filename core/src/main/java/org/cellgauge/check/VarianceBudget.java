@@ -3,6 +3,7 @@ package org.cellgauge.check;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.OptionalInt;
 
 /**
  * Where the variance of a point in the world comes from, by source, to first order; immutable.
@@ -11,6 +12,17 @@ import java.util.Map;
  * {@code intrinsics}, {@code pose prior}. They are independent, so their covariances add up (GUM, JCGM 100, 5.1.2).
  */
 public final class VarianceBudget {
+    /** Name of the source that is a reference's placement, before its id. */
+    static final String PLACEMENT_OF_REFERENCE = "placement of reference ";
+    /** Name of a source. */
+    static final String CORNER_NOISE_OF_REFERENCES = "corner noise of references";
+    /** Name of a source. */
+    static final String CORNER_NOISE_OF_OBJECT = "corner noise of object";
+    /** Name of a source. */
+    static final String INTRINSICS = "intrinsics";
+    /** Name of a source. */
+    static final String POSE_PRIOR = "pose prior";
+
     private final Map<String, double[]> variancesMm2;
 
     /**
@@ -59,5 +71,35 @@ public final class VarianceBudget {
             shares.put(e.getKey(), sum / total);
         }
         return Collections.unmodifiableMap(shares);
+    }
+
+    /**
+     * What the name of a source stands for.
+     *
+     * @throws IllegalArgumentException if no source has that name
+     */
+    static Reason.Source kindOf(String name) {
+        switch (name) {
+            case CORNER_NOISE_OF_REFERENCES:
+                return Reason.Source.CORNER_NOISE_OF_REFERENCES;
+            case CORNER_NOISE_OF_OBJECT:
+                return Reason.Source.CORNER_NOISE_OF_OBJECT;
+            case INTRINSICS:
+                return Reason.Source.INTRINSICS;
+            case POSE_PRIOR:
+                return Reason.Source.POSE_PRIOR;
+            default:
+                if (name.startsWith(PLACEMENT_OF_REFERENCE)) {
+                    return Reason.Source.PLACEMENT_OF_REFERENCE;
+                }
+                throw new IllegalArgumentException("no source of variance is called " + name);
+        }
+    }
+
+    /** The reference whose placement a source is; empty for other sources. */
+    static OptionalInt referenceOf(String name) {
+        return name.startsWith(PLACEMENT_OF_REFERENCE)
+                ? OptionalInt.of(Integer.parseInt(name.substring(PLACEMENT_OF_REFERENCE.length())))
+                : OptionalInt.empty();
     }
 }

@@ -111,6 +111,96 @@ public final class PinholeCamera {
     }
 
     /**
+     * A camera of which only the field of view is known: square pixels, principal point in the middle of the image, no
+     * distortion.
+     *
+     * @param widthPx image width
+     * @param heightPx image height
+     * @param horizontalFieldOfViewRad angle between the left and the right edge of the image, between 0 and pi
+     * @return the camera
+     * @throws IllegalArgumentException if the angle is out of range, or as {@link #of(int, int, double[])}
+     */
+    public static PinholeCamera fromFieldOfView(int widthPx, int heightPx, double horizontalFieldOfViewRad) {
+        double f = focalPx(widthPx, horizontalFieldOfViewRad);
+        return ideal(widthPx, heightPx, f, f, widthPx / 2.0, heightPx / 2.0);
+    }
+
+    private static double focalPx(int widthPx, double horizontalFieldOfViewRad) {
+        if (!(horizontalFieldOfViewRad > 0 && horizontalFieldOfViewRad < Math.PI)) {
+            throw new IllegalArgumentException("a field of view lies between 0 and pi, not at "
+                    + horizontalFieldOfViewRad);
+        }
+        return widthPx / 2.0 / Math.tan(horizontalFieldOfViewRad / 2);
+    }
+
+    /**
+     * The same camera when its image is delivered in another size: the same area of the sensor, scaled. Since pixel
+     * centres are at +0.5, positions scale by the ratio of the sizes and nothing is added; distortion stays, because it
+     * is one of directions and not of pixels.
+     *
+     * @param newWidthPx width of the scaled image
+     * @param newHeightPx height of the scaled image
+     * @return a new camera
+     * @throws IllegalArgumentException if a size is not positive
+     */
+    public PinholeCamera resized(int newWidthPx, int newHeightPx) {
+        double x = (double) newWidthPx / widthPx;
+        double y = (double) newHeightPx / heightPx;
+        double[] values = intrinsics.clone();
+        values[FX] *= x;
+        values[CX] *= x;
+        values[SKEW] *= x;
+        values[FY] *= y;
+        values[CY] *= y;
+        return of(newWidthPx, newHeightPx, values);
+    }
+
+    /**
+     * The same camera when only a part of its image is delivered.
+     *
+     * @param leftPx left edge of the part in this camera's image; it may lie outside
+     * @param topPx upper edge of the part
+     * @param newWidthPx width of the part
+     * @param newHeightPx height of the part
+     * @return a new camera whose image is that part
+     * @throws IllegalArgumentException if a size is not positive
+     */
+    public PinholeCamera cropped(int leftPx, int topPx, int newWidthPx, int newHeightPx) {
+        double[] values = intrinsics.clone();
+        values[CX] -= leftPx;
+        values[CY] -= topPx;
+        return of(newWidthPx, newHeightPx, values);
+    }
+
+    /**
+     * Angle between the left and the right edge of an image of this width and focal length with the principal point in
+     * the middle, distortion aside.
+     *
+     * @return rad
+     */
+    public double horizontalFieldOfViewRad() {
+        return 2 * Math.atan(widthPx / 2.0 / intrinsics[FX]);
+    }
+
+    /**
+     * How uncertain the focal length is where the field of view is: half the difference between the focal lengths at
+     * one deviation more and one less. A data sheet's angle, perhaps of another image format, is good to some 10
+     * degrees.
+     *
+     * @param fieldOfViewStdRad standard deviation of {@link #horizontalFieldOfViewRad()}, rad, positive and small
+     *     enough that the angle stays between 0 and pi
+     * @return standard deviation of fx, px
+     * @throws IllegalArgumentException if the deviation is out of range
+     */
+    public double focalStdPx(double fieldOfViewStdRad) {
+        if (!(fieldOfViewStdRad > 0)) {
+            throw new IllegalArgumentException("a deviation must be positive, not " + fieldOfViewStdRad);
+        }
+        double angle = horizontalFieldOfViewRad();
+        return (focalPx(widthPx, angle - fieldOfViewStdRad) - focalPx(widthPx, angle + fieldOfViewStdRad)) / 2;
+    }
+
+    /**
      * Image width.
      *
      * @return px

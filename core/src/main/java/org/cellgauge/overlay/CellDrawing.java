@@ -23,7 +23,8 @@ import org.cellgauge.vision.MarkerObservation;
 
 /**
  * Draws one overlay: lines first, then the texts where the lines leave room. Lengths named {@code …U} are in units of
- * {@link Overlay#unitPx(int, int)}.
+ * {@link Overlay#unitPx(int, int)}. All positions are those of the upright image: markers and ellipses are turned on
+ * entry, points of the world where they are projected.
  */
 final class CellDrawing {
     /** How far the figures have come. */
@@ -61,6 +62,10 @@ final class CellDrawing {
     private final CellEstimate estimate;
     private final ReferenceCheck references;
     private final Stage stage;
+    private final ImageOrientation orientation;
+    private final boolean panels;
+    private final int photoWidth;
+    private final int photoHeight;
     private final double width;
     private final double height;
     private final double unit;
@@ -77,14 +82,21 @@ final class CellDrawing {
      * A drawing.
      *
      * @param cell the cell
-     * @param detections the markers of the photo
+     * @param photo the markers of the photo
      * @param estimate poses, or null where there are none
      * @param references what was found of the references, or null: nothing yet
      * @param stage how far the figures have come
+     * @param orientation how the photo is turned and mirrored where the overlay is shown
+     * @param panels whether banner and legend are drawn
      */
-    CellDrawing(Cell cell, Detections detections, CellEstimate estimate, ReferenceCheck references, Stage stage) {
+    CellDrawing(Cell cell, Detections photo, CellEstimate estimate, ReferenceCheck references, Stage stage,
+            ImageOrientation orientation, boolean panels) {
         this.cell = cell;
-        this.detections = detections;
+        this.orientation = orientation;
+        this.panels = panels;
+        this.photoWidth = photo.widthPx();
+        this.photoHeight = photo.heightPx();
+        this.detections = upright(photo, orientation);
         this.estimate = estimate;
         this.references = references;
         this.stage = stage;
@@ -94,9 +106,27 @@ final class CellDrawing {
         this.placer = new LabelPlacer(width, height, unit);
     }
 
+    private static Detections upright(Detections photo, ImageOrientation orientation) {
+        if (orientation.isIdentity()) {
+            return photo;
+        }
+        int w = photo.widthPx();
+        int h = photo.heightPx();
+        List<MarkerObservation> markers = new ArrayList<>();
+        for (MarkerObservation m : photo.markers()) {
+            markers.add(new MarkerObservation(m.id(), orientation.map(m.cornersPx(), w, h)));
+        }
+        return new Detections(photo.imageName(), orientation.uprightWidthPx(w, h), orientation.uprightHeightPx(w, h),
+                markers);
+    }
+
+    private Ellipse upright(Ellipse ellipse) {
+        return orientation.map(ellipse, photoWidth, photoHeight);
+    }
+
     Overlay draw(Status status, String headline, String reason) {
         if (estimate != null && finite(estimate.camera().mean())) {
-            view = new WorldView(camera(), estimate.camera().meanTransform());
+            view = new WorldView(camera(), estimate.camera().meanTransform(), orientation);
             grid();
             axes();
         }
@@ -109,7 +139,9 @@ final class CellDrawing {
             }
         }
         belowPanels = shapes.size();
-        panels(status, headline, reason);
+        if (panels) {
+            panels(status, headline, reason);
+        }
         labels();
         return new Overlay(detections.widthPx(), detections.heightPx(), status, magnification, gridMm, shapes);
     }
@@ -232,7 +264,7 @@ final class CellDrawing {
         List<ModeEstimate> modes = estimate.cameraModes();
         for (int k = 1; ambiguous(modes) && k < modes.size(); k++) {
             WorldView mean = view;
-            view = new WorldView(camera(), modes.get(k).pose().meanTransform());
+            view = new WorldView(camera(), modes.get(k).pose().meanTransform(), orientation);
             for (Reference r : cell.references()) {
                 outline(Role.REFERENCE_EXPECTED, Status.AMBIGUOUS, THIN_U, true, r.worldFromMarker(), r.sizeMm());
             }
@@ -363,14 +395,14 @@ final class CellDrawing {
                 worldLine(roles[axis], THIN_U + 0.4, pose.translationMm(), pose.apply(tip));
             }
         }
-        ellipse(Role.OBJECT_ELLIPSE, status, unsure, object.ellipse95Px());
+        ellipse(Role.OBJECT_ELLIPSE, status, unsure, upright(object.ellipse95Px()));
         if (object.grip() != null) {
             double[] grip = view.project(object.grip().meanMm());
             for (double[] part : view.line(object.pose().meanTransform().translationMm(), object.grip().meanMm())) {
                 shapes.add(new Polyline(Role.GRIP_LINE, status, 1.2 * unit, unsure, part));
                 placer.avoid(Box.around(Collections.singletonList(part)).grown(2 * unit));
             }
-            ellipse(Role.GRIP_ELLIPSE, status, unsure, object.gripEllipse95Px());
+            ellipse(Role.GRIP_ELLIPSE, status, unsure, upright(object.gripEllipse95Px()));
             if (view.inImage(grip)) {
                 MarkShape cross = new MarkShape(Role.GRIP_POINT, status, 1.6 * unit, Mark.PLUS, grip[0], grip[1],
                         6 * unit);

@@ -7,7 +7,14 @@ import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.vision.Detections;
 
-/** The overlay of a check at whatever stage: detected, at the quick look, running, finished. */
+/**
+ * The overlay of a check at whatever stage: detected, at the quick look, running, finished.
+ *
+ * <p>Each comes in two forms: over the photo as it is, with its panels, and for a display on which the image is turned
+ * or mirrored. The latter is laid out in the upright image: its shapes are turned and mirrored with the image, its
+ * texts stay upright and are never mirrored. Without panels, for programs that say in their own way what banner and
+ * legend say, labels may use the whole area.
+ */
 public final class CellOverlay {
     private CellOverlay() {
     }
@@ -19,6 +26,18 @@ public final class CellOverlay {
      * @return what to draw over its photo
      */
     public static Overlay of(CheckResult result) {
+        return of(result, ImageOrientation.IDENTITY, true);
+    }
+
+    /**
+     * The overlay of a finished check for a display.
+     *
+     * @param result the result
+     * @param orientation how the photo is turned and mirrored there
+     * @param panels whether there is a banner and a legend
+     * @return what to draw over the upright photo
+     */
+    public static Overlay of(CheckResult result, ImageOrientation orientation, boolean panels) {
         Status status;
         String headline;
         switch (result.verdict()) {
@@ -45,8 +64,8 @@ public final class CellOverlay {
         }
         CellDrawing.Stage stage = status == Status.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
                 : CellDrawing.Stage.FINAL;
-        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referenceCheck(), stage)
-                .draw(status, headline, result.reason());
+        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referenceCheck(), stage,
+                orientation, panels).draw(status, headline, result.reason());
     }
 
     /**
@@ -58,12 +77,27 @@ public final class CellOverlay {
      * @return what to draw over the photo
      */
     public static Overlay of(Cell cell, Detections detections, CheckUpdate update) {
+        return of(cell, detections, update, ImageOrientation.IDENTITY, true);
+    }
+
+    /**
+     * The overlay of a running check for a display.
+     *
+     * @param cell the cell
+     * @param detections the markers of the photo
+     * @param update the newest item of the check's stream
+     * @param orientation how the photo is turned and mirrored there
+     * @param panels whether there is a banner and a legend
+     * @return what to draw over the upright photo
+     */
+    public static Overlay of(Cell cell, Detections detections, CheckUpdate update, ImageOrientation orientation,
+            boolean panels) {
         if (update.result() != null) {
-            return of(update.result());
+            return of(update.result(), orientation, panels);
         }
         String headline = update.phase() == CheckUpdate.Phase.QUICK_LOOK ? "QUICK LOOK"
                 : String.format(Locale.ROOT, "SAMPLING \u2013 %d iterations per chain", update.iterationsPerChain());
-        return preliminary(cell, detections, update.estimate(), headline);
+        return preliminary(cell, detections, update.estimate(), headline, orientation, panels);
     }
 
     /**
@@ -75,12 +109,28 @@ public final class CellOverlay {
      * @return what to draw over the photo; its figures are marked as not converged yet
      */
     public static Overlay of(Cell cell, Detections detections, CellEstimate estimate) {
-        return preliminary(cell, detections, estimate, "QUICK LOOK");
+        return of(cell, detections, estimate, ImageOrientation.IDENTITY, true);
     }
 
-    private static Overlay preliminary(Cell cell, Detections detections, CellEstimate estimate, String headline) {
-        return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY).draw(Status.NEUTRAL,
-                headline, "Figures are preliminary: the chains have not converged yet.");
+    /**
+     * The overlay of an estimate that no chain has confirmed for a display.
+     *
+     * @param cell the cell
+     * @param detections the markers of the photo
+     * @param estimate poses and their uncertainties
+     * @param orientation how the photo is turned and mirrored there
+     * @param panels whether there is a banner and a legend
+     * @return what to draw over the upright photo; its figures are marked as not converged yet
+     */
+    public static Overlay of(Cell cell, Detections detections, CellEstimate estimate, ImageOrientation orientation,
+            boolean panels) {
+        return preliminary(cell, detections, estimate, "QUICK LOOK", orientation, panels);
+    }
+
+    private static Overlay preliminary(Cell cell, Detections detections, CellEstimate estimate, String headline,
+            ImageOrientation orientation, boolean panels) {
+        return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY, orientation, panels)
+                .draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
     }
 
     /**
@@ -95,7 +145,24 @@ public final class CellOverlay {
      */
     public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
             String reason) {
-        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY).draw(status, headline,
-                reason);
+        return ofDetections(cell, detections, status, headline, reason, ImageOrientation.IDENTITY, true);
+    }
+
+    /**
+     * The overlay of a photo that was not, or could not be, checked, for a display.
+     *
+     * @param cell the cell
+     * @param detections the markers of the photo
+     * @param status {@link Status#FAIL} where the photo was refused, {@link Status#NEUTRAL} where it only waits
+     * @param headline a few words
+     * @param reason a sentence
+     * @param orientation how the photo is turned and mirrored there
+     * @param panels whether there is a banner and a legend; without them headline and reason are not drawn
+     * @return what to draw over the upright photo
+     */
+    public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
+            String reason, ImageOrientation orientation, boolean panels) {
+        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY, orientation, panels)
+                .draw(status, headline, reason);
     }
 }

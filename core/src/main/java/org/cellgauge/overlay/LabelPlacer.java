@@ -9,6 +9,10 @@ final class LabelPlacer {
     private static final double HARD = 1e5;
     /** Price of covering what better stays visible. */
     private static final double SOFT = 200;
+    /** Steps of the fine grid in one of the coarse grid. */
+    private static final int COARSE = 8;
+    /** The two grids meet to within rounding. */
+    private static final double ROUNDING = 1 + 1e-6;
 
     private final Box area;
     private final double unitPx;
@@ -46,51 +50,88 @@ final class LabelPlacer {
      */
     Box place(double width, double height, Box target) {
         double gap = 3 * unitPx;
-        Box best = null;
+        double bestLeft = Double.NaN;
+        double bestTop = Double.NaN;
         double bestCost = Double.POSITIVE_INFINITY;
         double centreU = (target.left() + target.right() - width) / 2;
         double centreV = (target.top() + target.bottom() - height) / 2;
         double[][] sides = {{centreU, target.bottom() + gap}, {centreU, target.top() - gap - height},
             {target.right() + gap, centreV}, {target.left() - gap - width, centreV}};
         for (double[] s : sides) {
-            Box box = new Box(s[0], s[1], s[0] + width, s[1] + height);
-            double cost = area.contains(box) ? cost(box, target, bestCost) : Double.POSITIVE_INFINITY;
+            double cost = area.contains(new Box(s[0], s[1], s[0] + width, s[1] + height))
+                    ? cost(s[0], s[1], width, height, target, bestCost) : Double.POSITIVE_INFINITY;
             if (cost < bestCost) {
                 bestCost = cost;
-                best = box;
+                bestLeft = s[0];
+                bestTop = s[1];
             }
         }
+        // tens of thousands of places: nothing is made for each, and those that a coarse look rules out by their
+        // distance alone are passed over
         double step = 4 * unitPx;
+        double limit = Math.min(bestCost, leastOf(COARSE * step, width, height, target) * ROUNDING);
         for (double v = area.top(); v + height <= area.bottom() + 1e-9; v += step) {
+            if (gap(v, v + height, target.top(), target.bottom()) / unitPx > limit) {
+                continue;
+            }
             for (double u = area.left(); u + width <= area.right() + 1e-9; u += step) {
-                Box box = new Box(u, v, u + width, v + height);
-                double cost = cost(box, target, bestCost);
+                if (gap(u, u + width, target.left(), target.right()) / unitPx > limit) {
+                    continue;
+                }
+                double cost = cost(u, v, width, height, target, bestCost);
                 if (cost < bestCost) {
                     bestCost = cost;
-                    best = box;
+                    limit = Math.min(limit, cost);
+                    bestLeft = u;
+                    bestTop = v;
                 }
             }
         }
-        if (best == null) {
-            // larger than the image: the corner shows as much of it as there is room for
-            best = new Box(area.left(), area.top(), area.left() + width, area.top() + height);
-        }
+        // larger than the image: the corner shows as much of it as there is room for
+        double left = Double.isNaN(bestLeft) ? area.left() : bestLeft;
+        double top = Double.isNaN(bestLeft) ? area.top() : bestTop;
+        Box best = new Box(left, top, left + width, top + height);
         keepOff(best.grown(unitPx));
         return best;
     }
 
-    private double cost(Box box, Box target, double limit) {
+    /** The least cost among places of a coarse grid. */
+    private double leastOf(double step, double width, double height, Box target) {
+        double least = Double.POSITIVE_INFINITY;
+        for (double v = area.top(); v + height <= area.bottom() + 1e-9; v += step) {
+            for (double u = area.left(); u + width <= area.right() + 1e-9; u += step) {
+                least = Math.min(least, cost(u, v, width, height, target, least));
+            }
+        }
+        return least;
+    }
+
+    private double cost(double left, double top, double width, double height, Box target, double limit) {
+        double right = left + width;
+        double bottom = top + height;
+        double distance = Math.hypot(gap(left, right, target.left(), target.right()),
+                gap(top, bottom, target.top(), target.bottom()));
         // off-centre costs a little, so that a label goes beside the middle of what it names
-        double cost = box.distance(target) / unitPx + 0.03 * Math.hypot(
-                (box.left() + box.right() - target.left() - target.right()) / 2,
-                (box.top() + box.bottom() - target.top() - target.bottom()) / 2) / unitPx;
-        double size = box.width() * box.height();
+        double cost = distance / unitPx + 0.03 * Math.hypot((left + right - target.left() - target.right()) / 2,
+                (top + bottom - target.top() - target.bottom()) / 2) / unitPx;
+        double size = (right - left) * (bottom - top);
         for (int i = 0; i < hard.size() && cost < limit; i++) {
-            cost += HARD * box.overlap(hard.get(i)) / size;
+            cost += HARD * overlap(hard.get(i), left, top, right, bottom) / size;
         }
         for (int i = 0; i < soft.size() && cost < limit; i++) {
-            cost += SOFT * box.overlap(soft.get(i)) / size;
+            cost += SOFT * overlap(soft.get(i), left, top, right, bottom) / size;
         }
         return cost;
+    }
+
+    /** The way between two stretches of an axis, 0 where they touch. */
+    private static double gap(double from, double to, double otherFrom, double otherTo) {
+        return Math.max(0, Math.max(otherFrom - to, from - otherTo));
+    }
+
+    private static double overlap(Box box, double left, double top, double right, double bottom) {
+        double w = Math.min(right, box.right()) - Math.max(left, box.left());
+        double h = Math.min(bottom, box.bottom()) - Math.max(top, box.top());
+        return w > 0 && h > 0 ? w * h : 0;
     }
 }

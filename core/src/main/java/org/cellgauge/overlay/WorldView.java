@@ -6,8 +6,8 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 
 /**
- * The world as a camera sees it: points and lines of the world in image px, without what is behind the camera, beyond
- * the reach of its lens model or outside the image.
+ * The world as a camera sees it: points and lines of the world in px of the upright image, without what is behind the
+ * camera, beyond the reach of its lens model or outside the image.
  */
 final class WorldView {
     /** Points nearer to the camera's plane than this count as not in front of it. */
@@ -21,9 +21,15 @@ final class WorldView {
     private final PinholeCamera camera;
     private final RigidTransform cameraFromWorld;
     private final double largestRadius;
+    private final ImageOrientation orientation;
+    private final double width;
+    private final double height;
 
-    WorldView(PinholeCamera camera, RigidTransform worldFromCamera) {
+    WorldView(PinholeCamera camera, RigidTransform worldFromCamera, ImageOrientation orientation) {
         this.camera = camera;
+        this.orientation = orientation;
+        this.width = orientation.uprightWidthPx(camera.widthPx(), camera.heightPx());
+        this.height = orientation.uprightHeightPx(camera.widthPx(), camera.heightPx());
         this.cameraFromWorld = worldFromCamera.inverse();
         this.largestRadius = foldRadius(camera);
     }
@@ -57,12 +63,13 @@ final class WorldView {
         if (!(p[2] > NEAR_MM) || !(Math.hypot(p[0], p[1]) / p[2] < largestRadius)) {
             return null;
         }
-        return camera.project(p[0], p[1], p[2]);
+        double[] uv = camera.project(p[0], p[1], p[2]);
+        return uv == null ? null : orientation.map(uv[0], uv[1], camera.widthPx(), camera.heightPx());
     }
 
     /** Whether a pixel position lies in the image. */
     boolean inImage(double[] px) {
-        return px != null && px[0] >= 0 && px[0] <= camera.widthPx() && px[1] >= 0 && px[1] <= camera.heightPx();
+        return px != null && px[0] >= 0 && px[0] <= width && px[1] >= 0 && px[1] <= height;
     }
 
     /** The visible parts of a straight line of the world. */
@@ -96,8 +103,7 @@ final class WorldView {
 
     private void finish(List<Double> run, List<double[]> visible) {
         if (run.size() >= 4) {
-            visible.addAll(clip(run.stream().mapToDouble(Double::doubleValue).toArray(), camera.widthPx(),
-                    camera.heightPx()));
+            visible.addAll(clip(run.stream().mapToDouble(Double::doubleValue).toArray(), width, height));
         }
         run.clear();
     }

@@ -12,6 +12,8 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntSupplier;
 import java.util.function.Predicate;
 
 /**
@@ -32,7 +34,7 @@ public final class ChainEnsemble {
     private final QuantityLayout layout;
     private final RunLength length;
     private final Predicate<List<Draws>> enough;
-    private final int threads;
+    private final IntSupplier threads;
     private final List<Draws> draws = new ArrayList<>();
     private final List<RunningSummary> summaries = new ArrayList<>();
     private final java.util.concurrent.atomic.AtomicBoolean started = new java.util.concurrent.atomic.AtomicBoolean();
@@ -48,11 +50,25 @@ public final class ChainEnsemble {
      */
     public ChainEnsemble(List<? extends ChainProcess> processes, QuantityLayout layout, RunLength length,
             Predicate<List<Draws>> enough, int threads) {
+        this(processes, layout, length, enough, () -> threads);
+    }
+
+    /**
+     * An ensemble whose number of threads may change while it runs.
+     *
+     * @param processes one per chain
+     * @param layout quantities of their draws
+     * @param length warm-up, rounds and cap
+     * @param enough asked at the end of each round with the draws of all chains whether they suffice
+     * @param threads asked before each part of a round, so that a device that gets warm can step down
+     */
+    public ChainEnsemble(List<? extends ChainProcess> processes, QuantityLayout layout, RunLength length,
+            Predicate<List<Draws>> enough, IntSupplier threads) {
         this.processes = Collections.unmodifiableList(new ArrayList<>(processes));
         this.layout = layout;
         this.length = length;
         this.enough = enough;
-        this.threads = Math.max(1, Math.min(threads, processes.size()));
+        this.threads = threads;
         for (int i = 0; i < processes.size(); i++) {
             draws.add(new Draws(layout));
             summaries.add(new RunningSummary(layout));
@@ -92,7 +108,7 @@ public final class ChainEnsemble {
             emitter.tryOnError(new IllegalStateException("an ensemble runs once"));
             return;
         }
-        ExecutorService executor = Executors.newFixedThreadPool(threads, task -> {
+        ExecutorService executor = Executors.newCachedThreadPool(task -> {
             Thread thread = new Thread(task, "cellgauge-chain");
             thread.setDaemon(true);
             return thread;
@@ -132,9 +148,14 @@ public final class ChainEnsemble {
     private void advance(ExecutorService executor, FlowableEmitter<EnsembleSnapshot> emitter, int from, int to)
             throws InterruptedException, ExecutionException {
         List<Future<?>> parts = new ArrayList<>();
-        for (int c = 0; c < processes.size(); c++) {
-            int chain = c;
-            parts.add(executor.submit(() -> advance(chain, emitter, from, to)));
+        AtomicInteger next = new AtomicInteger();
+        int workers = Math.max(1, Math.min(threads.getAsInt(), processes.size()));
+        for (int w = 0; w < workers; w++) {
+            parts.add(executor.submit(() -> {
+                for (int chain = next.getAndIncrement(); chain < processes.size(); chain = next.getAndIncrement()) {
+                    advance(chain, emitter, from, to);
+                }
+            }));
         }
         ExecutionException failure = null;
         for (Future<?> part : parts) {

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -180,6 +182,53 @@ class CellReaderTest {
             throw new IOException("no file is to be read");
         });
         assertEquals(-0.002, cell.camera().get(PinholeCamera.P2));
+    }
+
+    @Test
+    void aCallerMayKnowTheCamera() {
+        PinholeCamera own = PinholeCamera.ideal(640, 480, 500, 500, 320, 240);
+        String without = CELL.replaceFirst("camera: .*\n", "");
+        String inline = CELL.replaceFirst("camera: .*\n", "camera: {model: of another kind}\n");
+        for (String text : new String[] {CELL, without, inline}) {
+            Cell cell = CellReader.read(text, "cell.yaml", own);
+            assertSame(own, cell.camera());
+            assertEquals(2, cell.references().size());
+            assertEquals(2, cell.objects().size());
+        }
+        // nobody else may leave it out
+        InputRefusedException refused = assertThrows(InputRefusedException.class, () -> read(without));
+        assertTrue(refused.getMessage().contains("camera: is missing"), refused.getMessage());
+        // and what else is wrong is still wrong
+        assertThrows(InputRefusedException.class, () -> CellReader.read(without + "colour: red\n", "cell.yaml", own));
+    }
+
+    @Test
+    void howTheCameraIsStatedCanBeAsked() {
+        StatedCamera named = CellReader.statedCamera(CELL, "cell.yaml");
+        assertEquals(StatedCamera.Kind.FILE, named.kind());
+        assertEquals("camera.yaml", named.fileName());
+        StatedCamera none = CellReader.statedCamera(CELL.replaceFirst("camera: .*\n", ""), "cell.yaml");
+        assertEquals(StatedCamera.Kind.NONE, none.kind());
+        assertNull(none.fileName());
+        String inline = "camera:\n  " + CAMERA.trim().replace("\n", "\n  ") + "\n";
+        assertEquals(StatedCamera.Kind.INLINE,
+                CellReader.statedCamera(CELL.replaceFirst("camera: .*\n", inline), "cell.yaml").kind());
+        assertThrows(InputRefusedException.class, () -> CellReader.statedCamera(CAMERA, "cell.yaml"));
+        assertThrows(InputRefusedException.class,
+                () -> CellReader.statedCamera(CELL.replaceFirst("camera: .*\n", "camera: [1]\n"), "cell.yaml"));
+    }
+
+    @Test
+    void anotherCameraLeavesTheRestOfTheCellAsItIs() {
+        Cell cell = read(CELL);
+        PinholeCamera other = cell.camera().resized(640, 360);
+        Cell resized = cell.withCamera(other);
+        assertSame(other, resized.camera());
+        assertEquals(cell.references(), resized.references());
+        assertEquals(cell.objects(), resized.objects());
+        assertEquals(cell.targetStdMm(), resized.targetStdMm());
+        assertEquals(cell.pixelStdPx(), resized.pixelStdPx());
+        assertEquals(cell.family(), resized.family());
     }
 
     @Test

@@ -81,7 +81,7 @@ class AmbiguousPoseTest {
     void theOverallPoseOfAnAmbiguousObjectIsTheMixtureOfItsModes() {
         ThesisScene scene = ThesisScene.inPlane(4).noObjects().placement(1, 0.003).pixelStd(0.3)
                 .object(5, RigidTransform.ofEuler(418, 106, 0, 0.15, 0.1, 0.4)).target(1000);
-        CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.3, RandomStreams.of(42), 1, 0.003),
+        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
                 CheckSettings.builder().build());
         assertEquals(Verdict.AMBIGUOUS, result.verdict());
         ObjectEstimate object = result.estimate().object(5);

@@ -33,7 +33,7 @@ class WorldViewTest {
     @Test
     void pointsBeyondTheFoldAreNotSeenThoughTheModelPutsThemIntoTheImage() {
         PinholeCamera camera = barrel(-0.3);
-        WorldView view = new WorldView(camera, RigidTransform.IDENTITY);
+        WorldView view = new WorldView(camera, RigidTransform.IDENTITY, ImageOrientation.IDENTITY);
         double[] folded = camera.project(1.5 * 100, 0, 100);
         assertTrue(folded[0] > 0 && folded[0] < WIDTH, "the model alone would draw it at " + folded[0]);
         assertNull(view.project(new double[] {150, 0, 100}));
@@ -42,7 +42,7 @@ class WorldViewTest {
 
     @Test
     void pointsBehindTheCameraAreNotSeen() {
-        WorldView view = new WorldView(barrel(0), RigidTransform.IDENTITY);
+        WorldView view = new WorldView(barrel(0), RigidTransform.IDENTITY, ImageOrientation.IDENTITY);
         assertNull(view.project(new double[] {1, 1, -100}));
         assertNull(view.project(new double[] {1, 1, 0}));
         assertArrayEquals(new double[] {320 + 300 * 0.1, 240 - 300 * 0.2},
@@ -51,7 +51,7 @@ class WorldViewTest {
 
     @Test
     void aLineThroughTheCameraPlaneIsDrawnInFrontOfItOnly() {
-        WorldView view = new WorldView(barrel(0), RigidTransform.IDENTITY);
+        WorldView view = new WorldView(barrel(0), RigidTransform.IDENTITY, ImageOrientation.IDENTITY);
         // below the optical axis in front, so below the middle of the image; behind it, the formula would put it above
         List<double[]> parts = view.line(new double[] {-5, 50, 1000}, new double[] {5, 50, -1000});
         assertEquals(1, parts.size());
@@ -63,7 +63,7 @@ class WorldViewTest {
     @Test
     void aBentLineFollowsTheLens() {
         PinholeCamera camera = barrel(-0.2);
-        WorldView view = new WorldView(camera, RigidTransform.IDENTITY);
+        WorldView view = new WorldView(camera, RigidTransform.IDENTITY, ImageOrientation.IDENTITY);
         List<double[]> parts = view.line(new double[] {-60, 60, 100}, new double[] {60, 60, 100});
         assertEquals(1, parts.size());
         double[] out = new double[2];

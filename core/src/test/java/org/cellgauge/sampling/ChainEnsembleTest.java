@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.CyclicBarrier;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.apache.commons.math3.random.RandomGenerator;
@@ -94,6 +95,49 @@ class ChainEnsembleTest {
             }
         }
         assertFalse(first[0][7] == first[1][7]);
+    }
+
+    /** One thread until the first snapshot; then all four chains wait for each other in the middle of a part. */
+    @Test
+    void theNumberOfThreadsMayChangeWhileChainsRun() {
+        AtomicInteger threads = new AtomicInteger(1);
+        AtomicInteger inside = new AtomicInteger();
+        AtomicInteger most = new AtomicInteger();
+        CyclicBarrier all = new CyclicBarrier(4);
+        AtomicInteger together = new AtomicInteger();
+        List<ChainProcess> processes = new ArrayList<>();
+        for (int c = 0; c < 4; c++) {
+            processes.add(new Walk(c) {
+                @Override
+                public void step() {
+                    if (threads.get() == 1) {
+                        most.accumulateAndGet(inside.incrementAndGet(), Math::max);
+                        Thread.yield();
+                        inside.decrementAndGet();
+                    } else if (steps.get() == 700) {
+                        try {
+                            all.await(30, TimeUnit.SECONDS);
+                            together.incrementAndGet();
+                        } catch (Exception e) {
+                            throw new IllegalStateException("alone", e);
+                        }
+                    }
+                    super.step();
+                }
+            });
+        }
+        ChainEnsemble changing = new ChainEnsemble(processes, layout(), new RunLength(100, 1000, 1100), draws -> true,
+                threads::get);
+        changing.stream().doOnNext(snapshot -> {
+            assertEquals(1, most.get());
+            threads.set(4);
+        }).blockingLast();
+        assertEquals(4, together.get());
+        ChainEnsemble constant = ensemble(walks(4), new RunLength(100, 1000, 1100), 2);
+        constant.stream().blockingLast();
+        for (int c = 0; c < 4; c++) {
+            assertArrayEquals(constant.draws().get(c).series(0), changing.draws().get(c).series(0), 0);
+        }
     }
 
     @Test

@@ -12,7 +12,7 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 
 /** A picture of markers drawn into given quadrilaterals, by averaging 8x8 points per pixel; for undistorted cameras. */
-final class DrawnMarkers {
+public final class DrawnMarkers {
     private static final int SUB = 8;
     private static final double QUIET = 0.2;
 
@@ -20,7 +20,7 @@ final class DrawnMarkers {
     private final int heightPx;
     private final double[] grey;
 
-    DrawnMarkers(int widthPx, int heightPx, double background) {
+    public DrawnMarkers(int widthPx, int heightPx, double background) {
         this.widthPx = widthPx;
         this.heightPx = heightPx;
         this.grey = new double[widthPx * heightPx];
@@ -28,7 +28,7 @@ final class DrawnMarkers {
     }
 
     /** Corners of a marker of a pose, undistorted camera. */
-    static double[] corners(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
+    public static double[] corners(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
         double[] points = MarkerGeometry.cornersMm(cameraFromMarker, sizeMm);
         double[] corners = new double[8];
         for (int i = 0; i < 4; i++) {
@@ -39,12 +39,12 @@ final class DrawnMarkers {
         return corners;
     }
 
-    DrawnMarkers draw(MarkerFamily family, int id, double[] corners) {
+    public DrawnMarkers draw(MarkerFamily family, int id, double[] corners) {
         return draw(family, id, corners, 20, 220);
     }
 
     /** Draws a marker with its quiet zone; corners: top-left, top-right, bottom-right, bottom-left of the marker. */
-    DrawnMarkers draw(MarkerFamily family, int id, double[] corners, double black, double white) {
+    public DrawnMarkers draw(MarkerFamily family, int id, double[] corners, double black, double white) {
         MarkerPattern pattern = new MarkerPattern(family);
         boolean[] cells = pattern.white(id);
         int n = pattern.cells();
@@ -86,7 +86,7 @@ final class DrawnMarkers {
         return out;
     }
 
-    GreyImage image() {
+    public GreyImage image() {
         return GreyImage.packed(bytes(1, 1), widthPx, heightPx);
     }
 

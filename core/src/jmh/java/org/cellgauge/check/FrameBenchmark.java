@@ -1,0 +1,198 @@
+package org.cellgauge.check;
+
+import boofcv.concurrency.BoofConcurrency;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.MarkerFamily;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.overlay.CellOverlay;
+import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.overlay.Overlay;
+import org.cellgauge.pose.CameraModeFinder;
+import org.cellgauge.pose.InitialPose;
+import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.MarkerPoseFinder;
+import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.pose.RigidMarkerNoise;
+import org.cellgauge.statistics.Ellipse;
+import org.cellgauge.vision.BoofMarkerDetector;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.DrawnMarkers;
+import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.MarkerObservation;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * What one frame of a live check costs before any chain: four references and three objects in 1280 x 720 px, one
+ * thread.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Fork(1)
+@Warmup(iterations = 4, time = 2)
+@Measurement(iterations = 5, time = 2)
+public class FrameBenchmark {
+    private static final PinholeCamera CAMERA = ThesisScene.CAMERA;
+    private static final double PIXEL_STD = 0.1;
+    private static final ImageOrientation PORTRAIT = ImageOrientation.of(1, false);
+
+    private final CheckSettings settings = CheckSettings.builder().threads(1).build();
+    private Cell cell;
+    private GreyImage image;
+    private BoofMarkerDetector detector;
+    private Detections detections;
+    private ReferenceView view;
+    private Function<ReferenceView, CameraModeFinder> finders;
+    private RigidTransform initial;
+    private RigidTransform lastFrame;
+    private CameraTarget camera;
+    private List<ObjectTarget> objects;
+    private QuickLook quickLook;
+
+    /** Draws the frame and does each step once, for the next one to start from. */
+    @Setup
+    public void prepare() {
+        BoofConcurrency.setMaxThreads(1);
+        ThesisScene scene = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(PIXEL_STD).target(3)
+                .grip(20, 0, 0, 100);
+        cell = scene.cell();
+        DrawnMarkers picture = new DrawnMarkers(CAMERA.widthPx(), CAMERA.heightPx(), 130);
+        List<Integer> ids = new ArrayList<>();
+        for (MarkerObservation marker : scene.exactDetections().markers()) {
+            picture.draw(MarkerFamily.SQUARE_BINARY, marker.id(), marker.cornersPx());
+            ids.add(marker.id());
+        }
+        image = picture.image();
+        detector = new BoofMarkerDetector(CAMERA, MarkerFamily.SQUARE_BINARY, ids);
+        detections = detection();
+        if (detections.markers().size() != ids.size()) {
+            throw new IllegalStateException("only " + detections.markers().size() + " markers were found");
+        }
+        view = ReferenceView.of(cell.references(), detections);
+        finders = references -> new CameraModeFinder(references, CAMERA, new RigidMarkerNoise(references, PIXEL_STD),
+                IntrinsicsPrior.KNOWN, null);
+        initial = initialPose();
+        lastFrame = RigidTransform.ofEuler(423, 104, 1072, 3.085, 0.098, 0.023);
+        camera = new CameraTarget(view, settings, IntrinsicsPrior.KNOWN, null, modeFromInitialPose(), initial, finders);
+        objects = new ArrayList<>();
+        for (List<PoseMode> modes : objectModes()) {
+            objects.add(new ObjectTarget(cell.objects().get(objects.size()),
+                    detections.find(cell.objects().get(objects.size()).id()).cornersPx(), PIXEL_STD, modes, null));
+        }
+        quickLook = quickLookFromLastFrame();
+    }
+
+    /** All markers of the frame. */
+    @Benchmark
+    public Detections detection() {
+        return detector.detect(image, "frame");
+    }
+
+    /** Perspective-n-point over all references, and of each alone. */
+    @Benchmark
+    public RigidTransform initialPose() {
+        return InitialPose.PNP.estimate(view, CAMERA);
+    }
+
+    /** Mode of the camera pose, placement errors integrated out, from the initial estimate. */
+    @Benchmark
+    public List<PoseMode> modeFromInitialPose() {
+        return finders.apply(view).modes(initial);
+    }
+
+    /** The same from where the camera was some millimetres ago. */
+    @Benchmark
+    public List<PoseMode> modeFromLastFrame() {
+        return finders.apply(view).modes(lastFrame);
+    }
+
+    /** Both modes of each of three objects. */
+    @Benchmark
+    public List<List<PoseMode>> objectModes() {
+        List<List<PoseMode>> all = new ArrayList<>();
+        cell.objects().forEach(o -> all.add(
+                MarkerPoseFinder.modes(detections.find(o.id()).cornersPx(), o.sizeMm(), CAMERA, PIXEL_STD)));
+        return all;
+    }
+
+    /** Laplace covariances of camera and objects, with the budget of each. */
+    @Benchmark
+    public List<Object> laplace() {
+        LinearModel linear = new LinearModel(camera);
+        List<Object> out = new ArrayList<>();
+        out.add(linear.cameraPose());
+        for (ObjectTarget object : objects) {
+            LinearModel.ObjectLink link = linear.new ObjectLink(object, 0);
+            out.add(link.poseEstimate());
+            out.add(link.budget(null, new RigidMarkerNoise(view, PIXEL_STD)));
+            if (object.marker.hasGrip()) {
+                out.add(link.grip());
+                out.add(link.budget(object.marker.gripMm(), new RigidMarkerNoise(view, PIXEL_STD)));
+            }
+        }
+        return out;
+    }
+
+    /** The ellipses of three objects and a gripping point. */
+    @Benchmark
+    public List<Ellipse> ellipses() {
+        CellEstimate estimate = quickLook.update().estimate();
+        List<Ellipse> out = new ArrayList<>();
+        for (ObjectEstimate object : estimate.objects()) {
+            out.add(ImageEllipses.of(CAMERA, estimate.camera(), object.pose().meanTransform().translationMm(),
+                    object.pose().positionCovarianceMm2()));
+            if (object.grip() != null) {
+                out.add(ImageEllipses.of(CAMERA, estimate.camera(), object.grip().meanMm(),
+                        object.grip().covarianceMm2()));
+            }
+        }
+        return out;
+    }
+
+    /** Everything from corners to figures, from the initial estimate. */
+    @Benchmark
+    public QuickLook quickLook() {
+        return CellCheck.quickLook(cell, detections, settings, null);
+    }
+
+    /** Everything from corners to figures, from the last mode. */
+    @Benchmark
+    public QuickLook quickLookFromLastFrame() {
+        return CellCheck.quickLook(cell, detections, settings, lastFrame);
+    }
+
+    /** The overlay with banner and legend. */
+    @Benchmark
+    public Overlay overlay() {
+        return CellOverlay.of(cell, detections, quickLook.update());
+    }
+
+    /** The overlay for a tablet held upright, without panels. */
+    @Benchmark
+    public Overlay overlayOfTurnedDisplay() {
+        return CellOverlay.of(cell, detections, quickLook.update(), PORTRAIT, false);
+    }
+
+    /** A frame of a moving camera: markers, figures from the last mode, overlay. */
+    @Benchmark
+    public Overlay wholeFrame() {
+        Detections seen = detection();
+        CheckUpdate update = CellCheck.quickLook(cell, seen, settings, lastFrame).update();
+        return CellOverlay.of(cell, seen, update, PORTRAIT, false);
+    }
+}

@@ -1,0 +1,40 @@
+package org.cellgauge.cell;
+
+/** What a cell file says of the camera; immutable. */
+public final class StatedCamera {
+    /** How a cell file states the camera. */
+    public enum Kind {
+        /** Its keys stand in the cell file. */
+        INLINE,
+        /** The cell file names a camera file. */
+        FILE,
+        /** Not at all. */
+        NONE
+    }
+
+    private final Kind kind;
+    private final String fileName;
+
+    StatedCamera(Kind kind, String fileName) {
+        this.kind = kind;
+        this.fileName = fileName;
+    }
+
+    /**
+     * How the camera is stated.
+     *
+     * @return the kind
+     */
+    public Kind kind() {
+        return kind;
+    }
+
+    /**
+     * The name after {@code camera:}.
+     *
+     * @return relative to the cell file; null unless a file is named
+     */
+    public String fileName() {
+        return fileName;
+    }
+}

@@ -1,0 +1,455 @@
+package org.cellgauge.check;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+
+/**
+ * Why a check ended as it did, in parts that any language can make a sentence of; immutable.
+ *
+ * <p>Which parts are given depends on the {@link Kind}; a part that does not belong to it is empty.
+ */
+public final class Reason {
+    /** What a reason is about. */
+    public enum Kind {
+        /**
+         * The largest standard deviation of any object or gripping point, and what causes most of it: all of
+         * {@link #objectId()}, {@link #axis()}, {@link #stdMm()}, {@link #source()} and {@link #share()};
+         * {@link #targetMm()} where there is a target.
+         */
+        LARGEST_DEVIATION,
+        /** The chains have not converged: {@link #worstParameter()}, {@link #rHat()}, {@link #effectiveDraws()}. */
+        NOT_CONVERGED,
+        /** Two camera poses explain the references: {@link #share()} is the second one's. */
+        TWO_CAMERA_POSES,
+        /** Two poses explain the corners of {@link #objectId()}: {@link #share()} is the second one's. */
+        TWO_OBJECT_POSES,
+        /**
+         * Objects of the cell are not in the photo: {@link #missingObjects()}. Besides, the parts of
+         * {@link #LARGEST_DEVIATION} where any object is in it.
+         */
+        OBJECT_NOT_SEEN,
+        /** No object is in the photo; {@link #targetMm()} where there is a target. */
+        NO_OBJECT
+    }
+
+    /** What causes a variance. */
+    public enum Source {
+        /** How precisely the reference {@link Reason#sourceReferenceId()} was placed. */
+        PLACEMENT_OF_REFERENCE,
+        /** Noise in the references' corners. */
+        CORNER_NOISE_OF_REFERENCES,
+        /** Noise in the object's own corners. */
+        CORNER_NOISE_OF_OBJECT,
+        /** Unknown intrinsics. */
+        INTRINSICS,
+        /** The weak prior of the camera pose. */
+        POSE_PRIOR
+    }
+
+    /**
+     * What a misplaced reference adds: figures keep it, and if it is misplaced a stated position has a larger error than its
+     * deviation; immutable.
+     */
+    public static final class Misplacement {
+        private final List<Integer> references;
+        private final boolean targetMet;
+        private final OptionalInt objectId;
+        private final boolean grip;
+        private final int axis;
+        private final double errorMm;
+
+        Misplacement(List<Integer> references, boolean targetMet, OptionalInt objectId, boolean grip, int axis,
+                double errorMm) {
+            this.references = Collections.unmodifiableList(new ArrayList<>(references));
+            this.targetMet = targetMet;
+            this.objectId = objectId;
+            this.grip = grip;
+            this.axis = axis;
+            this.errorMm = errorMm;
+        }
+
+        /**
+         * The references that seem misplaced.
+         *
+         * @return marker ids, the worst first, not empty
+         */
+        public List<Integer> references() {
+            return references;
+        }
+
+        /**
+         * Whether the target is met even so.
+         *
+         * @return false as well where there is no target
+         */
+        public boolean targetMet() {
+            return targetMet;
+        }
+
+        /**
+         * The object whose stated position is the worst if they are misplaced.
+         *
+         * @return its marker id, or empty where no object is in the photo or without them there is no camera pose
+         */
+        public OptionalInt objectId() {
+            return objectId;
+        }
+
+        /**
+         * Whether the object's gripping point is meant and not the object.
+         *
+         * @return true for the gripping point
+         */
+        public boolean grip() {
+            return grip;
+        }
+
+        /**
+         * The world axis of that error.
+         *
+         * @return 0, 1, 2 for x, y, z
+         */
+        public int axis() {
+            return axis;
+        }
+
+        /**
+         * The error: root mean square of what the stated position then is off by.
+         *
+         * @return mm; 0 where no object is in the photo, infinite where without the references there is no camera pose
+         */
+        public double errorMm() {
+            return errorMm;
+        }
+
+        private String english() {
+            String who = "reference " + Reason.join(references) + (references.size() == 1 ? " seems" : " seem")
+                    + " misplaced";
+            String start = targetMet ? " The target is met although " : " But ";
+            if (!objectId.isPresent()) {
+                return start + who + (errorMm == 0 ? "."
+                        : ", and without " + (references.size() == 1 ? "it" : "them") + " there is no camera pose.");
+            }
+            return start + String.format(Locale.ROOT, "%s: if so, the largest error is %.2f mm in %s of %sobject %d.", who,
+                    errorMm, "xyz".charAt(axis), grip ? "the gripping point of " : "", objectId.getAsInt());
+        }
+    }
+
+    private final Parts p;
+
+    /** The parts, while they are put together. */
+    private static final class Parts {
+        private final Kind kind;
+        private List<Integer> missingObjects = Collections.emptyList();
+        private OptionalDouble targetMm = OptionalDouble.empty();
+        private OptionalInt objectId = OptionalInt.empty();
+        private boolean grip;
+        private OptionalInt axis = OptionalInt.empty();
+        private OptionalDouble stdMm = OptionalDouble.empty();
+        private Source source;
+        private OptionalInt sourceReferenceId = OptionalInt.empty();
+        private OptionalDouble share = OptionalDouble.empty();
+        private String worstParameter;
+        private double rHat = Double.NaN;
+        private double effectiveDraws = Double.NaN;
+        private Misplacement misplacement;
+
+        Parts(Kind kind) {
+            this.kind = kind;
+        }
+    }
+
+    private Reason(Parts parts) {
+        this.p = parts;
+    }
+
+    static Reason notConverged(Diagnostics diagnostics) {
+        Parts parts = new Parts(Kind.NOT_CONVERGED);
+        parts.worstParameter = diagnostics.worstParameter();
+        parts.rHat = diagnostics.rHatMax();
+        parts.effectiveDraws = Math.min(diagnostics.essBulkMin(), diagnostics.essTailMin());
+        return new Reason(parts);
+    }
+
+    static Reason twoCameraPoses(double secondShare) {
+        Parts parts = new Parts(Kind.TWO_CAMERA_POSES);
+        parts.share = OptionalDouble.of(secondShare);
+        return new Reason(parts);
+    }
+
+    static Reason twoObjectPoses(int objectId, double secondShare) {
+        Parts parts = new Parts(Kind.TWO_OBJECT_POSES);
+        parts.objectId = OptionalInt.of(objectId);
+        parts.share = OptionalDouble.of(secondShare);
+        return new Reason(parts);
+    }
+
+    /**
+     * The reason that looks for the largest deviation.
+     *
+     * @param objects the objects seen
+     * @param missingObjects ids of objects that count as a failure because they are not seen; empty where none does
+     * @param targetMm the target, or empty
+     * @param misplacement what misplaced references add, or null
+     */
+    static Reason largestDeviation(List<ObjectEstimate> objects, List<Integer> missingObjects, OptionalDouble targetMm,
+            Misplacement misplacement) {
+        Kind kind = !missingObjects.isEmpty() ? Kind.OBJECT_NOT_SEEN
+                : objects.isEmpty() ? Kind.NO_OBJECT : Kind.LARGEST_DEVIATION;
+        Parts parts = new Parts(kind);
+        parts.missingObjects = Collections.unmodifiableList(new ArrayList<>(missingObjects));
+        parts.targetMm = targetMm;
+        parts.misplacement = misplacement;
+        double std = -1;
+        VarianceBudget budget = null;
+        int axis = 0;
+        for (ObjectEstimate object : objects) {
+            for (int i = 0; i < 3; i++) {
+                if (object.pose().std()[i] > std) {
+                    parts.objectId = OptionalInt.of(object.id());
+                    parts.grip = false;
+                    axis = i;
+                    std = object.pose().std()[i];
+                    budget = object.budget();
+                }
+                if (object.grip() != null && object.grip().stdMm()[i] > std) {
+                    parts.objectId = OptionalInt.of(object.id());
+                    parts.grip = true;
+                    axis = i;
+                    std = object.grip().stdMm()[i];
+                    budget = object.gripBudget();
+                }
+            }
+        }
+        if (budget != null) {
+            parts.axis = OptionalInt.of(axis);
+            parts.stdMm = OptionalDouble.of(std);
+            String source = null;
+            double share = -1;
+            for (Map.Entry<String, Double> e : budget.shares(axis).entrySet()) {
+                if (e.getValue() > share) {
+                    share = e.getValue();
+                    source = e.getKey();
+                }
+            }
+            parts.share = OptionalDouble.of(share);
+            parts.source = VarianceBudget.kindOf(source);
+            parts.sourceReferenceId = VarianceBudget.referenceOf(source);
+        }
+        return new Reason(parts);
+    }
+
+    /**
+     * What it is about.
+     *
+     * @return the kind
+     */
+    public Kind kind() {
+        return p.kind;
+    }
+
+    /**
+     * Objects of the cell that are not in the photo.
+     *
+     * @return marker ids, unmodifiable; empty unless that is the reason
+     */
+    public List<Integer> missingObjects() {
+        return p.missingObjects;
+    }
+
+    /**
+     * The object concerned.
+     *
+     * @return its marker id, or empty
+     */
+    public OptionalInt objectId() {
+        return p.objectId;
+    }
+
+    /**
+     * Whether the object's gripping point is meant and not the object.
+     *
+     * @return true for the gripping point
+     */
+    public boolean grip() {
+        return p.grip;
+    }
+
+    /**
+     * The world axis of the largest deviation.
+     *
+     * @return 0, 1, 2 for x, y, z, or empty
+     */
+    public OptionalInt axis() {
+        return p.axis;
+    }
+
+    /**
+     * The largest standard deviation.
+     *
+     * @return mm, or empty
+     */
+    public OptionalDouble stdMm() {
+        return p.stdMm;
+    }
+
+    /**
+     * The target it is held against.
+     *
+     * @return mm, or empty where none is set
+     */
+    public OptionalDouble targetMm() {
+        return p.targetMm;
+    }
+
+    /**
+     * What causes most of the largest deviation's variance.
+     *
+     * @return the source, or null where there is no deviation
+     */
+    public Source source() {
+        return p.source;
+    }
+
+    /**
+     * Which reference's placement the {@link #source()} is.
+     *
+     * @return its marker id, or empty where the source is another one
+     */
+    public OptionalInt sourceReferenceId() {
+        return p.sourceReferenceId;
+    }
+
+    /**
+     * Share of the variance that comes from the {@link #source()}, or of the posterior that the second pose holds.
+     *
+     * @return between 0 and 1, or empty
+     */
+    public OptionalDouble share() {
+        return p.share;
+    }
+
+    /**
+     * What misplaced references add to a reason about deviations.
+     *
+     * @return null where no reference seems misplaced, or no figure is to be trusted anyway
+     */
+    public Misplacement misplacement() {
+        return p.misplacement;
+    }
+
+    /**
+     * The quantity whose chains agree least.
+     *
+     * @return its name among the diagnostics, or null
+     */
+    public String worstParameter() {
+        return p.worstParameter;
+    }
+
+    /**
+     * Largest R-hat.
+     *
+     * @return NaN where it is undefined or not the reason
+     */
+    public double rHat() {
+        return p.rHat;
+    }
+
+    /**
+     * Smallest effective number of draws, of bulk and tails.
+     *
+     * @return NaN where it is undefined or not the reason
+     */
+    public double effectiveDraws() {
+        return p.effectiveDraws;
+    }
+
+    /**
+     * The reason in English.
+     *
+     * @return a sentence or two
+     */
+    public String english() {
+        switch (p.kind) {
+            case NOT_CONVERGED:
+                return String.format(Locale.ROOT, "The chains have not converged (worst: %s, R-hat %s, effective draws "
+                        + "%s): no accuracy can be read off them.", p.worstParameter, number(p.rHat, 3),
+                        number(p.effectiveDraws, 0));
+            case TWO_CAMERA_POSES:
+                return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): "
+                        + "add a reference out of their plane.", 100 * p.share.getAsDouble());
+            case TWO_OBJECT_POSES:
+                return String.format(Locale.ROOT, "Two poses explain the corners of object %d (the second holds %.0f "
+                        + "%%): use a larger marker, come closer or look at it from the side.", p.objectId.getAsInt(),
+                        100 * p.share.getAsDouble());
+            case OBJECT_NOT_SEEN:
+                return "Object " + join(p.missingObjects) + " was not seen in the photo. " + deviation() + besides();
+            default:
+                return (p.targetMm.isPresent() ? "" : "No target is set. ") + deviation() + besides();
+        }
+    }
+
+    private String besides() {
+        return p.misplacement == null ? "" : p.misplacement.english();
+    }
+
+    private String deviation() {
+        if (!p.stdMm.isPresent()) {
+            return "No object is in the photo.";
+        }
+        String target = p.targetMm.isPresent()
+                ? String.format(Locale.ROOT, " against a target of %s mm", plain(p.targetMm.getAsDouble())) : "";
+        return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance "
+                + "comes from %s.", p.stdMm.getAsDouble(), "xyz".charAt(p.axis.getAsInt()),
+                p.grip ? "the gripping point of " : "", p.objectId.getAsInt(), target, 100 * p.share.getAsDouble(),
+                sourceInWords());
+    }
+
+    private String sourceInWords() {
+        switch (p.source) {
+            case CORNER_NOISE_OF_OBJECT:
+                return "noise in the object's own corners";
+            case CORNER_NOISE_OF_REFERENCES:
+                return "noise in the references' corners";
+            case INTRINSICS:
+                return "the unknown intrinsics";
+            case POSE_PRIOR:
+                return "the pose prior";
+            default:
+                return "the placement of reference " + p.sourceReferenceId.getAsInt();
+        }
+    }
+
+    private static String plain(double value) {
+        return value == Math.rint(value) ? String.format(Locale.ROOT, "%.0f", value) : Double.toString(value);
+    }
+
+    private static String number(double value, int digits) {
+        return Double.isNaN(value) ? "undefined" : String.format(Locale.ROOT, "%." + digits + "f", value);
+    }
+
+    /** Ids as in "5, 20 and 30". */
+    static String join(List<Integer> ids) {
+        return joined(ids, " and ");
+    }
+
+    /** Words with commas between them, and a word before the last. */
+    static String joined(List<?> words, String beforeLast) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < words.size(); i++) {
+            text.append(i == 0 ? "" : i == words.size() - 1 ? beforeLast : ", ").append(words.get(i));
+        }
+        return text.toString();
+    }
+
+    @Override
+    public String toString() {
+        return english();
+    }
+}

@@ -1,0 +1,396 @@
+package org.cellgauge.live;
+
+import io.reactivex.rxjava3.core.Flowable;
+import io.reactivex.rxjava3.core.FlowableEmitter;
+import io.reactivex.rxjava3.core.Scheduler;
+import io.reactivex.rxjava3.disposables.CompositeDisposable;
+import io.reactivex.rxjava3.disposables.Disposable;
+import io.reactivex.rxjava3.disposables.SerialDisposable;
+import io.reactivex.rxjava3.subscribers.DisposableSubscriber;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.check.CellCheck;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.check.CheckUpdate;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.vision.Detections;
+
+/**
+ * One subscription of a live check. Everything that happens is handed to one worker, so that nothing below {@code on…}
+ * needs a lock; chains run elsewhere.
+ */
+final class LiveSession {
+    /** Share of the tolerance within which a second frame must be for chains to start; to leave takes all of it. */
+    private static final double SETTLE_SHARE = 0.5;
+    /** So many frames without a reference, and the key frame is given up. */
+    private static final int LOST_FRAMES = 3;
+    /** So many frames without a marker of the key frame, and the check restarts without it. */
+    private static final int GONE_FRAMES = 15;
+
+    private final FlowableEmitter<LiveState> emitter;
+    private final Cell cell;
+    private final CheckSettings settings;
+    private final Scheduler chainScheduler;
+    private final Scheduler.Worker worker;
+    private final StateGate gate;
+    private final CompositeDisposable resources = new CompositeDisposable();
+    private final SerialDisposable chains = new SerialDisposable();
+    private volatile LivePace pace = LivePace.FULL;
+
+    private Frame newest;
+    private final List<Integer> missingReferences = new ArrayList<>();
+    private final List<Integer> missingObjects = new ArrayList<>();
+    private double displacementPx = Double.NaN;
+    private String refusal;
+    private KeyFrame key;
+    private RigidTransform lastWorldFromCamera;
+    private int framesWithoutReference;
+    private Set<Integer> newcomers = new HashSet<>();
+    private final Map<Integer, Integer> framesWithout = new HashMap<>();
+    private boolean framesEnded;
+    private ChainRun running;
+    private LiveState last;
+
+    /** A frame with its number. */
+    private static final class Frame {
+        final Detections detections;
+        final long number;
+
+        Frame(Detections detections, long number) {
+            this.detections = detections;
+            this.number = number;
+        }
+    }
+
+    LiveSession(FlowableEmitter<LiveState> emitter, Cell cell, CheckSettings settings, Scheduler watch,
+            Scheduler chainScheduler) {
+        this.emitter = emitter;
+        this.cell = cell;
+        this.settings = settings;
+        this.chainScheduler = chainScheduler;
+        worker = watch.createWorker();
+        gate = new StateGate(worker, emitter::onNext);
+        gate.setIntervalMs(pace.updateIntervalMs());
+        resources.add(chains);
+        resources.add(worker);
+        emitter.setCancellable(resources::dispose);
+    }
+
+    void start(Flowable<Detections> frames, Flowable<LivePace> paces) {
+        listen(paces, value -> {
+            // at once for the threads of running chains and the frames to come
+            pace = value;
+            worker.schedule(guarded(this::onPace));
+        }, () -> { });
+        Latest<Frame> latest = new Latest<>(worker, frame -> guarded(() -> onFrame(frame)).run());
+        AtomicLong count = new AtomicLong();
+        AtomicLong lastMs = new AtomicLong(Long.MIN_VALUE);
+        listen(frames, detections -> {
+            long number = count.incrementAndGet();
+            long nowMs = worker.now(TimeUnit.MILLISECONDS);
+            long beforeMs = lastMs.get();
+            if (beforeMs == Long.MIN_VALUE || nowMs < beforeMs || nowMs - beforeMs >= pace.minFrameIntervalMs()) {
+                lastMs.set(nowMs);
+                latest.offer(new Frame(detections, number));
+            }
+        }, () -> worker.schedule(guarded(this::onFramesEnded)));
+    }
+
+    private <T> void listen(Flowable<T> source, Consumer<T> onNext, Runnable onComplete) {
+        DisposableSubscriber<T> subscriber = new DisposableSubscriber<T>() {
+            @Override
+            public void onNext(T value) {
+                onNext.accept(value);
+            }
+
+            @Override
+            public void onError(Throwable error) {
+                worker.schedule(() -> fail(error));
+            }
+
+            @Override
+            public void onComplete() {
+                onComplete.run();
+            }
+        };
+        resources.add(subscriber);
+        source.subscribe(subscriber);
+    }
+
+    private Runnable guarded(Runnable action) {
+        return () -> {
+            try {
+                action.run();
+            } catch (RuntimeException e) {
+                fail(e);
+            }
+        };
+    }
+
+    /** Ends the stream; what goes wrong after it was cancelled is nobody's concern. */
+    private void fail(Throwable error) {
+        emitter.tryOnError(error);
+    }
+
+    // ---- what happens
+
+    private void onPace() {
+        gate.setIntervalMs(pace.updateIntervalMs());
+        if (key == null || key.finished()) {
+            return;
+        }
+        if (!pace.sampling()) {
+            stopChains();
+            key.update = key.quickLook.update();
+            publish();
+        } else if (key.settled && running == null) {
+            startChains();
+        }
+    }
+
+    private void onFrame(Frame frame) {
+        newest = frame;
+        findMissing(frame.detections);
+        boolean referenceSeen = missingReferences.size() < cell.references().size();
+        displacementPx = key == null ? Double.NaN
+                : Stillness.displacementPx(cell, key.detections, frame.detections);
+        if (!sizeFits(frame.detections)) {
+            drop(String.format(Locale.ROOT, "%s: the image is %d x %d px, but the camera was calibrated for "
+                    + "%d x %d px; give the cell the camera of this image size", frame.detections.imageName(),
+                    frame.detections.widthPx(), frame.detections.heightPx(), cell.camera().widthPx(),
+                    cell.camera().heightPx()));
+        } else if (!referenceSeen) {
+            withoutReference();
+        } else {
+            framesWithoutReference = 0;
+            if (key == null || moved() || markersChanged(frame.detections)) {
+                takeAsKeyFrame(frame);
+            } else {
+                settle();
+            }
+        }
+        publish();
+    }
+
+    private void onFramesEnded() {
+        framesEnded = true;
+        if (key != null) {
+            settle();
+        }
+        completeIfDone();
+    }
+
+    private void onUpdate(ChainRun of, CheckUpdate update) {
+        if (of == running) {
+            key.update = update;
+            publish();
+        }
+    }
+
+    private void onChainsEnded(ChainRun of) {
+        if (of == running) {
+            running = null;
+            completeIfDone();
+        }
+    }
+
+    private void onChainsFailed(ChainRun of, Throwable error) {
+        if (of != running) {
+            return;
+        }
+        if (!(error instanceof InputRefusedException)) {
+            fail(error);
+            return;
+        }
+        running = null;
+        key.refusal = error.getMessage();
+        publish();
+        completeIfDone();
+    }
+
+    private void completeIfDone() {
+        if (framesEnded && running == null) {
+            gate.flush();
+            emitter.onComplete();
+        }
+    }
+
+    // ---- the key frame
+
+    private boolean sizeFits(Detections frame) {
+        return frame.widthPx() == cell.camera().widthPx() && frame.heightPx() == cell.camera().heightPx();
+    }
+
+    private void withoutReference() {
+        framesWithoutReference++;
+        if (key == null || moved() || framesWithoutReference >= LOST_FRAMES) {
+            drop(null);
+        }
+    }
+
+    /** Whether the newest frame is too far from the key frame; before chains have started half as far is too far. */
+    private boolean moved() {
+        if (Double.isNaN(displacementPx)) {
+            return missingReferences.size() < cell.references().size();
+        }
+        return displacementPx > (key.settled ? 1 : SETTLE_SHARE) * key.tolerancePx;
+    }
+
+    /** Whether a marker has come that the key frame lacks, twice in a row, or one has been gone for long. */
+    private boolean markersChanged(Detections frame) {
+        Set<Integer> now = new HashSet<>();
+        boolean changed = false;
+        for (int id : markersOfCell()) {
+            boolean seen = frame.find(id) != null;
+            boolean inKeyFrame = key.detections.find(id) != null;
+            if (seen && !inKeyFrame) {
+                now.add(id);
+                changed |= newcomers.contains(id);
+            }
+            int without = seen || !inKeyFrame ? 0 : framesWithout.getOrDefault(id, 0) + 1;
+            framesWithout.put(id, without);
+            changed |= without >= GONE_FRAMES;
+        }
+        newcomers = now;
+        return changed;
+    }
+
+    private List<Integer> markersOfCell() {
+        List<Integer> ids = new ArrayList<>();
+        cell.references().forEach(r -> ids.add(r.id()));
+        cell.objects().forEach(o -> ids.add(o.id()));
+        return ids;
+    }
+
+    private void drop(String why) {
+        stopChains();
+        key = null;
+        refusal = why;
+        displacementPx = Double.NaN;
+    }
+
+    private void takeAsKeyFrame(Frame frame) {
+        drop(null);
+        newcomers.clear();
+        framesWithout.clear();
+        try {
+            key = new KeyFrame(frame.detections, frame.number,
+                    CellCheck.quickLook(cell, frame.detections, settings, lastWorldFromCamera));
+            lastWorldFromCamera = key.update.estimate().camera().meanTransform();
+            displacementPx = 0;
+        } catch (InputRefusedException e) {
+            refusal = e.getMessage();
+        }
+    }
+
+    private void settle() {
+        key.settled = true;
+        if (pace.sampling() && running == null && !key.finished()) {
+            startChains();
+        }
+    }
+
+    // ---- chains
+
+    /**
+     * Hears what chains have to say; all of it is handed to the worker, where a run that was stopped is not listened
+     * to.
+     */
+    private final class ChainRun extends DisposableSubscriber<CheckUpdate> {
+        private final Latest<CheckUpdate> updates =
+                new Latest<>(worker, update -> guarded(() -> onUpdate(this, update)).run());
+
+        @Override
+        public void onNext(CheckUpdate update) {
+            updates.offer(update);
+        }
+
+        @Override
+        public void onError(Throwable error) {
+            worker.schedule(guarded(() -> onChainsFailed(this, error)));
+        }
+
+        @Override
+        public void onComplete() {
+            worker.schedule(guarded(() -> onChainsEnded(this)));
+        }
+    }
+
+    private void startChains() {
+        Detections frame = key.detections;
+        running = new ChainRun();
+        chains.set(running);
+        // from the initial estimate and not from where the quick look began: the figures are those of this frame alone
+        Flowable.defer(() -> CellCheck.quickLook(cell, frame, settings, null)
+                .chains(() -> Math.min(settings.threads(), pace.chainThreads())))
+                .subscribeOn(chainScheduler).subscribe(running);
+    }
+
+    private void stopChains() {
+        running = null;
+        chains.set(Disposable.disposed());
+    }
+
+    // ---- states
+
+    private void findMissing(Detections frame) {
+        missingReferences.clear();
+        missingObjects.clear();
+        for (Reference r : cell.references()) {
+            if (frame.find(r.id()) == null) {
+                missingReferences.add(r.id());
+            }
+        }
+        for (ObjectMarker o : cell.objects()) {
+            if (frame.find(o.id()) == null) {
+                missingObjects.add(o.id());
+            }
+        }
+    }
+
+    private void publish() {
+        LiveState state = state();
+        boolean urgent = last == null || state.phase() != last.phase()
+                || state.keyFrameNumber() != last.keyFrameNumber();
+        last = state;
+        gate.offer(state, urgent);
+    }
+
+    private LiveState state() {
+        String message = key == null ? refusal : key.refusal;
+        boolean figures = key != null && message == null;
+        LiveState.Phase phase;
+        if (message != null) {
+            phase = LiveState.Phase.REFUSED;
+        } else if (key == null) {
+            phase = LiveState.Phase.SEARCHING;
+        } else {
+            switch (key.update.phase()) {
+                case RESULT:
+                    phase = LiveState.Phase.RESULT;
+                    break;
+                case SAMPLING:
+                    phase = LiveState.Phase.SAMPLING;
+                    break;
+                default:
+                    phase = LiveState.Phase.QUICK_LOOK;
+                    break;
+            }
+        }
+        return new LiveState(phase, newest.detections, newest.number, figures ? key.detections : null,
+                figures ? key.number : 0, figures ? key.update : null, missingReferences, missingObjects,
+                figures ? displacementPx : Double.NaN, message);
+    }
+}

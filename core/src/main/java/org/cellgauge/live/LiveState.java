@@ -1,0 +1,157 @@
+package org.cellgauge.live;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.cellgauge.check.CheckUpdate;
+import org.cellgauge.vision.Detections;
+
+/**
+ * What a live check knows at one moment; immutable.
+ *
+ * <p>Figures belong to the key frame, not to the newest frame: draw the overlay of {@link #update()} with the markers
+ * of {@link #keyFrame()}. While the camera is held still, it lies on the newest frame as well.
+ */
+public final class LiveState {
+    /** How far the check has come. */
+    public enum Phase {
+        /** No reference is in view; there are no figures. */
+        SEARCHING,
+        /** Laplace's approximation of the key frame; its figures are preliminary. */
+        QUICK_LOOK,
+        /** Chains are running on the key frame; figures are preliminary. */
+        SAMPLING,
+        /** The check of the key frame has ended; {@code update().result()} has the verdict. */
+        RESULT,
+        /** The frame cannot be estimated; {@link LiveState#message()} says why; there are no figures. */
+        REFUSED
+    }
+
+    private final Phase phase;
+    private final Detections detections;
+    private final long frameNumber;
+    private final Detections keyFrame;
+    private final long keyFrameNumber;
+    private final CheckUpdate update;
+    private final List<Integer> missingReferences;
+    private final List<Integer> missingObjects;
+    private final double displacementPx;
+    private final String message;
+
+    LiveState(Phase phase, Detections detections, long frameNumber, Detections keyFrame, long keyFrameNumber,
+            CheckUpdate update, List<Integer> missingReferences, List<Integer> missingObjects, double displacementPx,
+            String message) {
+        this.phase = phase;
+        this.detections = detections;
+        this.frameNumber = frameNumber;
+        this.keyFrame = keyFrame;
+        this.keyFrameNumber = keyFrameNumber;
+        this.update = update;
+        this.missingReferences = Collections.unmodifiableList(new ArrayList<>(missingReferences));
+        this.missingObjects = Collections.unmodifiableList(new ArrayList<>(missingObjects));
+        this.displacementPx = displacementPx;
+        this.message = message;
+    }
+
+    /**
+     * How far the check has come.
+     *
+     * @return the phase
+     */
+    public Phase phase() {
+        return phase;
+    }
+
+    /**
+     * Markers of the newest frame.
+     *
+     * @return never null
+     */
+    public Detections detections() {
+        return detections;
+    }
+
+    /**
+     * Which frame is the newest: 1 for the first one, frames that were dropped counted.
+     *
+     * @return the number
+     */
+    public long frameNumber() {
+        return frameNumber;
+    }
+
+    /**
+     * Markers of the key frame, which the figures belong to.
+     *
+     * @return null while {@link Phase#SEARCHING} or {@link Phase#REFUSED}
+     */
+    public Detections keyFrame() {
+        return keyFrame;
+    }
+
+    /**
+     * Which frame is the key frame.
+     *
+     * @return its number, counted as {@link #frameNumber()}, or 0 where there is none
+     */
+    public long keyFrameNumber() {
+        return keyFrameNumber;
+    }
+
+    /**
+     * The newest figures of the key frame.
+     *
+     * @return null while {@link Phase#SEARCHING} or {@link Phase#REFUSED}
+     */
+    public CheckUpdate update() {
+        return update;
+    }
+
+    /**
+     * Markers of the cell that the newest frame does not show.
+     *
+     * @return references, then objects, in the order of the cell; unmodifiable
+     */
+    public List<Integer> missingIds() {
+        List<Integer> all = new ArrayList<>(missingReferences);
+        all.addAll(missingObjects);
+        return Collections.unmodifiableList(all);
+    }
+
+    /**
+     * References that the newest frame does not show.
+     *
+     * @return marker ids in the order of the cell; unmodifiable
+     */
+    public List<Integer> missingReferences() {
+        return missingReferences;
+    }
+
+    /**
+     * Objects that the newest frame does not show.
+     *
+     * @return marker ids in the order of the cell; unmodifiable
+     */
+    public List<Integer> missingObjects() {
+        return missingObjects;
+    }
+
+    /**
+     * How far the newest frame is from the key frame: root mean square distance of corresponding corners, of the marker
+     * of the cell that moved most.
+     *
+     * @return px; NaN where there is no key frame or the two have no marker of the cell in common
+     */
+    public double displacementPx() {
+        return displacementPx;
+    }
+
+    /**
+     * Why the frame was refused.
+     *
+     * @return a sentence with its remedy, or null where it was not
+     */
+    public String message() {
+        return message;
+    }
+}

@@ -1,0 +1,160 @@
+package org.cellgauge.check;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.MarkerObservation;
+import org.junit.jupiter.api.Test;
+
+/** Each part of a reason is what the estimate says, and the sentence says each part. */
+class ReasonTest {
+    private static final CheckSettings SETTINGS = CheckSettings.builder().threads(1).build();
+
+    private static ThesisScene fine() {
+        return ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.05);
+    }
+
+    private static CheckResult run(ThesisScene scene) {
+        return CellCheck.run(scene.cell(), scene.exactDetections(), SETTINGS);
+    }
+
+    private static Detections without(Detections seen, Integer... ids) {
+        List<MarkerObservation> markers = new ArrayList<>(seen.markers());
+        markers.removeIf(m -> List.of(ids).contains(m.id()));
+        return new Detections(seen.imageName(), seen.widthPx(), seen.heightPx(), markers);
+    }
+
+    @Test
+    void theLargestDeviationIsNamedWithItsPlaceItsTargetAndItsCause() {
+        CheckResult result = run(fine().target(3));
+        Reason reason = result.finding();
+        assertEquals(Reason.Kind.LARGEST_DEVIATION, reason.kind());
+        double largest = 0;
+        for (ObjectEstimate object : result.estimate().objects()) {
+            largest = Math.max(largest, object.worstStdMm());
+        }
+        assertEquals(largest, reason.stdMm().getAsDouble());
+        ObjectEstimate object = result.estimate().object(reason.objectId().getAsInt());
+        assertFalse(reason.grip());
+        assertEquals(object.pose().std()[reason.axis().getAsInt()], largest);
+        assertEquals(OptionalDouble.of(3), reason.targetMm());
+        double share = object.budget().shares(reason.axis().getAsInt()).values().stream().mapToDouble(v -> v).max()
+                .getAsDouble();
+        assertEquals(share, reason.share().getAsDouble());
+        assertEquals(String.format("Largest deviation: %.2f mm in %s of object %d against a target of 3 mm; %.0f %% of "
+                + "this variance comes from noise in the object's own corners.", largest,
+                "xyz".charAt(reason.axis().getAsInt()), object.id(), 100 * share), reason.english());
+        assertEquals(Reason.Source.CORNER_NOISE_OF_OBJECT, reason.source());
+        assertEquals(OptionalInt.empty(), reason.sourceReferenceId());
+        assertEquals(reason.english(), result.reason());
+    }
+
+    @Test
+    void aGrippingPointAndAReferenceAreNamedWhereTheyAreTheCause() {
+        // far from the references' precision: one of them is placed so badly that it decides
+        CheckResult result = run(ThesisScene.oneRaised(3).placement(0.5, 0.001).placementOf(22, 20, 0.05)
+                .pixelStd(0.003).grip(30, 0, 0, 400).target(0.25));
+        Reason reason = result.finding();
+        assertEquals(Reason.Kind.LARGEST_DEVIATION, reason.kind());
+        assertTrue(reason.grip());
+        assertEquals(OptionalInt.of(30), reason.objectId());
+        assertEquals(result.estimate().object(30).grip().stdMm()[reason.axis().getAsInt()],
+                reason.stdMm().getAsDouble());
+        assertEquals(Reason.Source.PLACEMENT_OF_REFERENCE, reason.source(), reason.english());
+        assertTrue(reason.english().contains(" of the gripping point of object 30 against a target of 0.25 mm; "));
+        assertTrue(reason.english().endsWith(
+                "comes from the placement of reference " + reason.sourceReferenceId().getAsInt() + "."));
+    }
+
+    @Test
+    void withoutATargetTheReasonSaysSo() {
+        Reason reason = run(fine()).finding();
+        assertEquals(Reason.Kind.LARGEST_DEVIATION, reason.kind());
+        assertEquals(OptionalDouble.empty(), reason.targetMm());
+        assertTrue(reason.english().startsWith("No target is set. Largest deviation: "), reason.english());
+        assertFalse(reason.english().contains("against"));
+    }
+
+    @Test
+    void anObjectThatIsNotSeenIsNamedBesideTheLargestDeviationOfTheOthers() {
+        ThesisScene scene = fine().target(3);
+        CheckResult result = CellCheck.run(scene.cell(), without(scene.exactDetections(), 5, 30), SETTINGS);
+        Reason reason = result.finding();
+        assertEquals(Reason.Kind.OBJECT_NOT_SEEN, reason.kind());
+        assertEquals(List.of(5, 30), reason.missingObjects());
+        assertEquals(OptionalInt.of(20), reason.objectId());
+        assertTrue(reason.english().startsWith("Object 5 and 30 was not seen in the photo. Largest deviation: "),
+                reason.english());
+        CheckResult none = CellCheck.run(scene.cell(), without(scene.exactDetections(), 5, 20, 30), SETTINGS);
+        assertEquals(Reason.Kind.OBJECT_NOT_SEEN, none.finding().kind());
+        assertFalse(none.finding().stdMm().isPresent());
+        assertNull(none.finding().source());
+        assertEquals("Object 5, 20 and 30 was not seen in the photo. No object is in the photo.", none.reason());
+    }
+
+    @Test
+    void aCellWithoutObjectsHasNoDeviation() {
+        CheckResult result = run(fine().noObjects());
+        assertEquals(Reason.Kind.NO_OBJECT, result.finding().kind());
+        assertEquals("No target is set. No object is in the photo.", result.reason());
+        assertEquals("No object is in the photo.", run(fine().noObjects().target(1)).reason());
+    }
+
+    @Test
+    void chainsThatHaveNotConvergedAreDescribedByTheWorst() {
+        ThesisScene scene = fine().target(3);
+        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
+                CheckSettings.thesis().iterations(2000).warmup(1000).threads(1).build());
+        Reason reason = result.finding();
+        assertEquals(Reason.Kind.NOT_CONVERGED, reason.kind());
+        assertEquals(result.diagnostics().worstParameter(), reason.worstParameter());
+        assertEquals(result.diagnostics().rHatMax(), reason.rHat());
+        assertTrue(result.reason().startsWith("The chains have not converged (worst: " + reason.worstParameter()),
+                result.reason());
+        assertFalse(reason.stdMm().isPresent(), "no figure");
+    }
+
+    @Test
+    void twoPosesOfAnObjectAreNamedWithTheSecondsShare() {
+        ThesisScene scene = ThesisScene.inPlane(4).noObjects().placement(1, 0.003)
+                .cameraAt(RigidTransform.ofEuler(300, 180, 2200, 3.12, 0.03, 0.02))
+                .object(5, RigidTransform.ofEuler(370, 295, 0, 0.05, 0.02, 0.9));
+        Detections seen = scene.detections(0.3, RandomStreams.of(4), 1, 0.003);
+        CheckResult result = CellCheck.run(scene.cell(), seen, SETTINGS);
+        assertEquals(Verdict.AMBIGUOUS, result.verdict());
+        Reason reason = result.finding();
+        assertEquals(Reason.Kind.TWO_OBJECT_POSES, reason.kind());
+        assertEquals(OptionalInt.of(5), reason.objectId());
+        double share = result.estimate().object(5).modes().get(1).weight();
+        assertEquals(share, reason.share().getAsDouble());
+        assertEquals(String.format("Two poses explain the corners of object 5 (the second holds %.0f %%): use a larger "
+                + "marker, come closer or look at it from the side.", 100 * share), result.reason());
+        assertEquals("Two camera poses explain the references (the second holds 12 %): add a reference out of their "
+                + "plane.", Reason.twoCameraPoses(0.12).english());
+    }
+
+    /** Whatever a budget names must be known to the reason. */
+    @Test
+    void everySourceOfABudgetIsKnown() {
+        ThesisScene scene = ThesisScene.inPlane(2);
+        CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.3, RandomStreams.of(1), 5, 0.01),
+                CheckSettings.builder().estimate(CheckSettings.Estimate.FOCAL).iterations(400).warmup(100).build());
+        List<Reason.Source> found = new ArrayList<>();
+        for (String name : result.estimate().objects().get(0).budget().shares().keySet()) {
+            found.add(VarianceBudget.kindOf(name));
+            assertEquals(name.startsWith("placement"), VarianceBudget.referenceOf(name).isPresent());
+        }
+        assertTrue(found.containsAll(List.of(Reason.Source.values())), found.toString());
+        assertThrows(IllegalArgumentException.class, () -> VarianceBudget.kindOf("weather"));
+    }
+}
