@@ -485,19 +485,21 @@ public final class ResultJson {
 
     // ---- Laplace
 
-    /** The quick look: deviations by Laplace's approximation, and what the chains say in multiples of them. */
+    /** The quick look: Laplace's approximation, how far the chains' means are from it and how large their deviations. */
     private void laplace() throws IOException {
         json.beginObject();
         json.name("camera").beginObject();
-        comparison(result.quickLook().camera().std(), result.estimate().camera().std(), "");
+        comparison(result.quickLook().camera().mean(), result.quickLook().camera().std(),
+                result.estimate().camera().mean(), result.estimate().camera().std(), "");
         json.endObject();
         json.name("objects").beginObject();
         for (ObjectEstimate sampled : result.estimate().objects()) {
             ObjectEstimate quick = result.quickLook().object(sampled.id());
             json.name(String.valueOf(sampled.id())).beginObject();
-            comparison(quick.pose().std(), sampled.pose().std(), "");
+            comparison(quick.pose().mean(), quick.pose().std(), sampled.pose().mean(), sampled.pose().std(), "");
             if (sampled.grip() != null) {
-                comparison(quick.grip().stdMm(), sampled.grip().stdMm(), "grip_");
+                comparison(quick.grip().meanMm(), quick.grip().stdMm(), sampled.grip().meanMm(),
+                        sampled.grip().stdMm(), "grip_");
             }
             json.endObject();
         }
@@ -505,13 +507,21 @@ public final class ResultJson {
         json.endObject();
     }
 
-    private void comparison(double[] laplace, double[] sampled, String prefix) throws IOException {
+    private void comparison(double[] mean, double[] laplace, double[] sampledMean, double[] sampled, String prefix)
+            throws IOException {
         double[] ratio = new double[laplace.length];
+        double[] shift = new double[laplace.length];
         for (int i = 0; i < ratio.length; i++) {
             ratio[i] = sampled[i] / laplace[i];
+            double moved = sampledMean[i] - mean[i];
+            shift[i] = (i < 3 ? moved : Angles.wrapToPi(moved)) / laplace[i];
         }
+        json.name(prefix + "mean");
+        numbers(mean);
         json.name(prefix + "std");
         numbers(laplace);
+        json.name(prefix + "mean_shift_by_std");
+        numbers(shift);
         json.name(prefix + "sampled_by_laplace");
         numbers(ratio);
     }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.TreeMap;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckSettings;
@@ -294,25 +293,58 @@ final class CheckText {
         return wrap("Accepted: " + String.join(", ", words), "        ").stripTrailing();
     }
 
-    /** What the chains say in multiples of Laplace's approximation. */
+    /** By how much the chains correct Laplace's approximation: positions of objects and gripping points, or the camera's. */
     static String laplaceLine(CheckResult result) {
-        Map<Double, String> ratios = new TreeMap<>();
+        Correction correction = new Correction();
         for (ObjectEstimate sampled : result.estimate().objects()) {
             ObjectEstimate quick = result.quickLook().object(sampled.id());
-            for (int i = 0; i < 3; i++) {
-                ratios.put(sampled.pose().std()[i] / quick.pose().std()[i],
-                        "xyz".charAt(i) + " of object " + sampled.id());
+            correction.add(quick.pose().mean(), quick.pose().std(), sampled.pose().mean(), sampled.pose().std(),
+                    "object " + sampled.id());
+            if (sampled.grip() != null) {
+                correction.add(quick.grip().meanMm(), quick.grip().stdMm(), sampled.grip().meanMm(),
+                        sampled.grip().stdMm(), "the gripping point of object " + sampled.id());
             }
         }
-        TreeMap<Double, String> sorted = new TreeMap<>(ratios);
-        if (sorted.isEmpty()) {
+        if (result.estimate().objects().isEmpty()) {
+            correction.add(result.quickLook().camera().mean(), result.quickLook().camera().std(),
+                    result.estimate().camera().mean(), result.estimate().camera().std(), "the camera");
+        }
+        return wrap(correction.words(), "        ").stripTrailing();
+    }
+
+    /** The extremes of what chains make of Laplace's approximation. */
+    private static final class Correction {
+        private double least = Double.POSITIVE_INFINITY;
+        private double most = Double.NEGATIVE_INFINITY;
+        private double farthest = Double.NEGATIVE_INFINITY;
+        private String whereLeast = "";
+        private String whereMost = "";
+        private String whereFarthest = "";
+
+        void add(double[] mean, double[] std, double[] sampledMean, double[] sampledStd, String name) {
             for (int i = 0; i < 3; i++) {
-                sorted.put(result.estimate().camera().std()[i] / result.quickLook().camera().std()[i],
-                        "xyz".charAt(i) + " of the camera");
+                String where = "xyz".charAt(i) + " of " + name;
+                double ratio = sampledStd[i] / std[i];
+                double shift = Math.abs(sampledMean[i] - mean[i]) / std[i];
+                if (ratio < least) {
+                    least = ratio;
+                    whereLeast = where;
+                }
+                if (ratio > most) {
+                    most = ratio;
+                    whereMost = where;
+                }
+                if (shift > farthest) {
+                    farthest = shift;
+                    whereFarthest = where;
+                }
             }
         }
-        return String.format(Locale.ROOT, "Std of the chains against Laplace's approximation: %.2f (%s) to %.2f (%s)",
-                sorted.firstKey(), sorted.firstEntry().getValue(), sorted.lastKey(), sorted.lastEntry().getValue());
+
+        String words() {
+            return String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (%s) to %.2f (%s) times as "
+                    + "large, means up to %.2f std apart (%s)", least, whereLeast, most, whereMost, farthest, whereFarthest);
+        }
     }
 
     /** A number with fixed decimals; a dash where there is none. */

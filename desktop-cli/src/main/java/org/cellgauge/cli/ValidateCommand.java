@@ -38,11 +38,11 @@ import picocli.CommandLine.Spec;
             "",
             "Angles are in degrees, as in the cell file, unless they end in 'rad'.",
             "Each check runs until it has converged and the Monte Carlo error of every standard deviation is below",
-            "10 %, unless --iterations is given: these errors average out over the simulations.",
+            "10 %%, unless --iterations is given: these errors average out over the simulations.",
             "The tables go to standard output, progress and messages to standard error.",
             "",
-            "Exit codes: 0 all 95 % regions hold the truth as often as they claim, within chance, 1 internal error,",
-            "2 usage, 3 input refused, 4 a 95 % region holds it too rarely or too often, 5 more than 5 % of the",
+            "Exit codes: 0 all 95 %% regions hold the truth as often as they claim, within chance, 1 internal error,",
+            "2 usage, 3 input refused, 4 a 95 %% region holds it too rarely or too often, 5 more than 5 %% of the",
             "simulations gave no figure."})
 public final class ValidateCommand implements Callable<Integer> {
     /** Share of simulations without a figure beyond which coverage of the others says little. */

@@ -20,6 +20,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -291,6 +292,43 @@ class CheckCommandTest {
         assertFalse(text.contains("NaN") || text.contains("Infinity"), text);
         assertTrue(json(out.resolve("corners.result.json")).getAsJsonObject("diagnostics").get("ess_bulk_min")
                 .isJsonNull());
+    }
+
+    // ---- the chains beside Laplace's approximation
+
+    @Test
+    void theReportSaysByHowMuchTheChainsCorrectLaplacesApproximation() throws IOException {
+        CommandCall call = check("--detections", corners, "--target", 5, "--out", out);
+        JsonObject result = json(out.resolve("corners.result.json"));
+        double least = Double.POSITIVE_INFINITY;
+        double most = 0;
+        double farthest = 0;
+        for (String id : List.of("5", "20")) {
+            JsonObject laplace = result.getAsJsonObject("laplace").getAsJsonObject("objects").getAsJsonObject(id);
+            JsonObject object = result.getAsJsonObject("objects").getAsJsonObject(id);
+            for (String prefix : id.equals("20") ? List.of("", "grip_") : List.of("")) {
+                JsonObject sampled = object.getAsJsonObject(prefix.isEmpty() ? "pose" : "grip");
+                for (int i = 0; i < 3; i++) {
+                    double std = numbers(laplace.get(prefix + "std"))[i];
+                    double ratio = numbers(sampled.get("std"))[i] / std;
+                    double shift = (numbers(sampled.get("mean"))[i] - numbers(laplace.get(prefix + "mean"))[i]) / std;
+                    assertEquals(ratio, numbers(laplace.get(prefix + "sampled_by_laplace"))[i], 1e-12);
+                    assertEquals(shift, numbers(laplace.get(prefix + "mean_shift_by_std"))[i], 1e-9);
+                    least = Math.min(least, ratio);
+                    most = Math.max(most, ratio);
+                    farthest = Math.max(farthest, Math.abs(shift));
+                }
+            }
+        }
+        // a nearly Gaussian posterior: what is left is Monte Carlo error, 2 % of each deviation
+        assertTrue(least > 0.9 && most < 1.1 && farthest < 0.2, least + ", " + most + ", " + farthest);
+        String line = call.out().replaceAll("\\s+", " ");
+        assertTrue(line.contains(String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (", least)),
+                line);
+        assertTrue(line.contains(String.format(Locale.ROOT, ") to %.2f (", most)), line);
+        assertTrue(line.contains(String.format(Locale.ROOT, ") times as large, means up to %.2f std apart (", farthest)),
+                line);
+        assertTrue(Files.readString(out.resolve("report.html")).contains("Chains against Laplace&#39;s approximation"));
     }
 
     // ---- references against each other
