@@ -135,14 +135,18 @@ class ReferenceCheckTest {
         double detectable = check(asStated.cell(), asStated.exactDetections()).fit(id).detectable()[axis];
         ThesisScene scene = asStated.shifted(id, axis, detectable);
         RandomGenerator random = RandomStreams.of(23, references);
-        int cells = 400;
-        int named = 0;
+        int cells = 500;
+        int noticed = 0;
+        int told = 0;
         for (int c = 0; c < cells; c++) {
-            named += names(check(scene.cell(), scene.detections(0.05, random, stdMm, STD_RAD)), id) ? 1 : 0;
+            ReferenceCheck check = check(scene.cell(), scene.detections(0.05, random, stdMm, STD_RAD));
+            noticed += check.misplaced().isEmpty() ? 0 : 1;
+            told += check.misplaced().stream().anyMatch(m -> m.id() == id || m.orInstead().contains(id)) ? 1 : 0;
         }
-        // its own test is beyond the limit with 95 %; tests beside it find some more, and a wrong name costs some
-        assertTrue(named >= BinomialBand.of(cells, 0.93, 0.998).lower(), named + " of " + cells);
-        assertTrue(named <= BinomialBand.of(cells, 0.98, 0.998).upper(), named + " of " + cells);
+        // its own test is beyond the limit with 95 %, at the true pose; tests beside it find some more
+        assertTrue(noticed >= BinomialBand.of(cells, 0.94, 0.998).lower(), noticed + " of " + cells);
+        assertTrue(noticed <= BinomialBand.of(cells, 0.97, 0.998).upper(), noticed + " of " + cells);
+        assertTrue(told >= 0.97 * noticed, "named itself, or as what it may be instead: " + told + " of " + noticed);
     }
 
     /** Its own test against derivatives taken numerically: limit, and what 95 % asks for beyond it. */

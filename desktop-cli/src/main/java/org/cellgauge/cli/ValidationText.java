@@ -49,9 +49,8 @@ final class ValidationText {
         StringBuilder text = new StringBuilder();
         CheckSettings check = settings.check();
         text.append(CheckText.wrap(String.format(Locale.ROOT, "%d simulated cells, %s, seed %d; %s. %d not converged, "
-                + "%d refused, %d ambiguous; in %d a reference was called misplaced although none was.",
-                result.simulations(), model(check), check.seed(), truth(), result.notConverged(), result.refused(),
-                result.ambiguous(), result.falseAlarms()), ""));
+                + "%d refused, %d ambiguous%s.", result.simulations(), model(check), check.seed(), truth(),
+                result.notConverged(), result.refused(), result.ambiguous(), falseAlarms(check)), ""));
         int stated = result.simulations() - result.notConverged() - result.refused();
         if (stated == 0) {
             return text.append("No check stated a figure: there is nothing to count.\n").toString();
@@ -75,6 +74,12 @@ final class ValidationText {
         ranks(text);
         text.append('\n').append(verdict());
         return text.toString();
+    }
+
+    /** Only where placement is tested at all. */
+    private String falseAlarms(CheckSettings check) {
+        return check.model() == LikelihoodModel.RIGID_MARKER
+                ? "; in " + result.falseAlarms() + " a reference was called misplaced although none was" : "";
     }
 
     private static String model(CheckSettings check) {
