@@ -81,6 +81,7 @@ public final class CellCheck {
     private Diagnostics diagnostics;
     private int diagnosedDraws;
     private SamplerKind samplerUsed;
+    private ReferenceCheck referenceCheck;
 
     private CellCheck(Cell cell, Detections detections, CheckSettings settings, RigidTransform worldFromCameraStart) {
         this.cell = cell;
@@ -258,9 +259,6 @@ public final class CellCheck {
             warnings.add("not seen in the photo: object " + Reason.join(ids(missing)));
         }
         warnOfSmallMarkers();
-        if (settings.model() == LikelihoodModel.RIGID_MARKER) {
-            warnings.addAll(MisplacedReferences.warnings(camera));
-        }
     }
 
     private ReferenceView references() {
@@ -298,44 +296,14 @@ public final class CellCheck {
         }
     }
 
-    /**
-     * Corner noise from how well each marker alone is a square: 8 coordinates, 6 unknowns, so 2 degrees of freedom per
-     * marker, whatever the placement errors are.
-     */
     private double estimatePixelStdPx() {
-        double sumOfSquares = 0;
-        int markers = 0;
-        for (Reference r : cell.references()) {
-            double squares = squaresOf(r.id(), r.sizeMm());
-            sumOfSquares += Double.isNaN(squares) ? 0 : squares;
-            markers += Double.isNaN(squares) ? 0 : 1;
-        }
-        for (ObjectMarker o : cell.objects()) {
-            double squares = squaresOf(o.id(), o.sizeMm());
-            sumOfSquares += Double.isNaN(squares) ? 0 : squares;
-            markers += Double.isNaN(squares) ? 0 : 1;
-        }
-        double std = Math.sqrt(sumOfSquares / (2.0 * Math.max(1, markers)));
-        if (markers == 0 || !(std > 0)) {
+        CornerNoise noise = CornerNoise.of(cell, detections);
+        if (noise == null) {
             throw new InputRefusedException(detections.imageName() + ": the corner noise cannot be estimated from these "
                     + "corners; state pixel_std_px in the cell file");
         }
-        warnings.add(String.format(Locale.ROOT, "pixel_std_px is estimated as %.3f px from %d degrees of freedom, good to "
-                + "about %.0f %%", std, 2 * markers, 100 / Math.sqrt(4.0 * markers)));
-        return std;
-    }
-
-    private double squaresOf(int id, double sizeMm) {
-        MarkerObservation observation = detections.find(id);
-        if (observation == null) {
-            return Double.NaN;
-        }
-        List<PoseMode> modes = MarkerPoseFinder.modes(observation.cornersPx(), sizeMm, cell.camera(), 1);
-        double least = Double.NaN;
-        for (PoseMode mode : modes) {
-            least = Double.isNaN(least) ? mode.halfChiSquare() : Math.min(least, mode.halfChiSquare());
-        }
-        return 2 * least;
+        warnings.add(noise.warning());
+        return noise.stdPx();
     }
 
     private CameraTarget cameraTarget(ReferenceView all, IntrinsicsPrior intrinsics) {
@@ -506,6 +474,8 @@ public final class CellCheck {
             EnsembleSnapshot last) {
         diagnosed(draws, quantities, judged);
         CellEstimate estimate = estimates.of(last.summary(), draws);
+        referenceCheck = ReferenceCheck.of(camera, objects);
+        warnings.addAll(referenceCheck.warnings());
         if (camera.posePrior != null) {
             double share = LinearModel.priorShare(camera.modes.get(0), PRIOR_STD_MM, PRIOR_STD_RAD);
             if (!(share < LEANING_SHARE)) {
@@ -513,8 +483,9 @@ public final class CellCheck {
                         + "what is known there is the weak prior %s; add a reference", 100 * share, posePriorText));
             }
         }
-        return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
-                quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, camera);
+        return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx, diagnostics,
+                last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(), posePriorText,
+                samplerUsed, camera, referenceCheck);
     }
 
     private static List<Integer> ids(List<ObjectMarker> markers) {

@@ -90,6 +90,7 @@ public final class CellEstimate {
     public Reason largestDeviation(int objectId) {
         ObjectEstimate object = object(objectId);
         return object == null ? null
-                : Reason.largestDeviation(Collections.singletonList(object), Collections.emptyList(), OptionalDouble.empty());
+                : Reason.largestDeviation(Collections.singletonList(object), Collections.emptyList(),
+                        OptionalDouble.empty(), null);
     }
 }

@@ -33,16 +33,17 @@ public final class CheckResult {
     private final String posePrior;
     private final SamplerKind samplerUsed;
     private final CameraTarget camera;
+    private final ReferenceCheck referenceCheck;
 
     CheckResult(Cell cell, Detections detections, CheckSettings settings, CellEstimate estimate,
             CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx, Diagnostics diagnostics,
             List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
-            CameraTarget camera) {
+            CameraTarget camera, ReferenceCheck referenceCheck) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
-        this.judgement = new Judgement(cell, estimate, diagnostics);
+        this.judgement = new Judgement(cell, estimate, diagnostics, referenceCheck);
         this.verdict = judgement.verdict();
         this.finding = judgement.finding();
         this.estimate = estimate;
@@ -58,6 +59,7 @@ public final class CheckResult {
         this.posePrior = posePrior;
         this.samplerUsed = samplerUsed;
         this.camera = camera;
+        this.referenceCheck = referenceCheck;
     }
 
     /**
@@ -146,7 +148,7 @@ public final class CheckResult {
         }
         return new CheckResult(cell.withTarget(targetStdMm), detections, settings, estimate, quickLook, referencesUsed,
                 pixelStdPx, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior, samplerUsed,
-                camera);
+                camera, referenceCheck);
     }
 
     /**
@@ -174,6 +176,15 @@ public final class CheckResult {
      */
     public List<Integer> referencesUsed() {
         return referencesUsed;
+    }
+
+    /**
+     * Whether the references fit together.
+     *
+     * @return figures per reference, those that are misplaced, and what hangs on them
+     */
+    public ReferenceCheck referenceCheck() {
+        return referenceCheck;
     }
 
     /**

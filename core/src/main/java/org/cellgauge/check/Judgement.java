@@ -14,6 +14,7 @@ import org.cellgauge.cell.ObjectMarker;
 final class Judgement {
     private final CellEstimate estimate;
     private final Diagnostics diagnostics;
+    private final ReferenceCheck references;
     private final OptionalDouble targetStdMm;
     private final List<Integer> missing;
 
@@ -23,10 +24,12 @@ final class Judgement {
      * @param cell the cell with its target
      * @param estimate what the chains say
      * @param diagnostics their convergence
+     * @param references whether the references fit together: a target must hold whether they are right or not
      */
-    Judgement(Cell cell, CellEstimate estimate, Diagnostics diagnostics) {
+    Judgement(Cell cell, CellEstimate estimate, Diagnostics diagnostics, ReferenceCheck references) {
         this.estimate = estimate;
         this.diagnostics = diagnostics;
+        this.references = references;
         this.targetStdMm = cell.targetStdMm();
         this.missing = new ArrayList<>();
         for (ObjectMarker marker : cell.objects()) {
@@ -65,7 +68,7 @@ final class Judgement {
             return Verdict.NO_TARGET;
         }
         for (ObjectEstimate object : objects) {
-            if (!(object.worstStdMm() <= targetStdMm.getAsDouble())) {
+            if (!references.meets(object, targetStdMm.getAsDouble())) {
                 return Verdict.FAIL;
             }
         }
@@ -97,7 +100,7 @@ final class Judgement {
             }
         }
         return Reason.largestDeviation(objects, verdict == Verdict.FAIL ? notSeen : Collections.emptyList(),
-                targetStdMm);
+                targetStdMm, references.misplacement(verdict == Verdict.PASS, objects));
     }
 
     private static List<ObjectEstimate> only(ObjectEstimate object) {

@@ -22,7 +22,7 @@ final class Matrices {
         return out;
     }
 
-    /** a b a^T added to out, for a of rows x n and a symmetric b of n x n row by row. */
+    /** a b a^T added to a symmetric out, for a of rows x n and a symmetric b of n x n row by row. */
     static void addSandwich(double[][] a, double[] b, int n, double[][] out) {
         for (int i = 0; i < a.length; i++) {
             double[] ab = new double[n];
@@ -31,12 +31,14 @@ final class Matrices {
                     ab[l] += a[i][k] * b[k * n + l];
                 }
             }
-            for (int j = 0; j < a.length; j++) {
+            for (int j = 0; j <= i; j++) {
                 double s = 0;
                 for (int l = 0; l < n; l++) {
                     s += ab[l] * a[j][l];
                 }
                 out[i][j] += s;
+                // symmetric to the last digit
+                out[j][i] = out[i][j];
             }
         }
     }

@@ -51,6 +51,95 @@ public final class Reason {
         POSE_PRIOR
     }
 
+    /**
+     * What a misplaced reference adds: figures keep it, and if it is misplaced a stated position has a larger error than its
+     * deviation; immutable.
+     */
+    public static final class Misplacement {
+        private final List<Integer> references;
+        private final boolean targetMet;
+        private final OptionalInt objectId;
+        private final boolean grip;
+        private final int axis;
+        private final double errorMm;
+
+        Misplacement(List<Integer> references, boolean targetMet, OptionalInt objectId, boolean grip, int axis,
+                double errorMm) {
+            this.references = Collections.unmodifiableList(new ArrayList<>(references));
+            this.targetMet = targetMet;
+            this.objectId = objectId;
+            this.grip = grip;
+            this.axis = axis;
+            this.errorMm = errorMm;
+        }
+
+        /**
+         * The references that seem misplaced.
+         *
+         * @return marker ids, the worst first, not empty
+         */
+        public List<Integer> references() {
+            return references;
+        }
+
+        /**
+         * Whether the target is met even so.
+         *
+         * @return false as well where there is no target
+         */
+        public boolean targetMet() {
+            return targetMet;
+        }
+
+        /**
+         * The object whose stated position is the worst if they are misplaced.
+         *
+         * @return its marker id, or empty where no object is in the photo or without them there is no camera pose
+         */
+        public OptionalInt objectId() {
+            return objectId;
+        }
+
+        /**
+         * Whether the object's gripping point is meant and not the object.
+         *
+         * @return true for the gripping point
+         */
+        public boolean grip() {
+            return grip;
+        }
+
+        /**
+         * The world axis of that error.
+         *
+         * @return 0, 1, 2 for x, y, z
+         */
+        public int axis() {
+            return axis;
+        }
+
+        /**
+         * The error: root mean square of what the stated position then is off by.
+         *
+         * @return mm; 0 where no object is in the photo, infinite where without the references there is no camera pose
+         */
+        public double errorMm() {
+            return errorMm;
+        }
+
+        private String english() {
+            String who = "reference " + Reason.join(references) + (references.size() == 1 ? " seems" : " seem")
+                    + " misplaced";
+            String start = targetMet ? " The target is met although " : " But ";
+            if (!objectId.isPresent()) {
+                return start + who + (errorMm == 0 ? "."
+                        : ", and without " + (references.size() == 1 ? "it" : "them") + " there is no camera pose.");
+            }
+            return start + String.format(Locale.ROOT, "%s: if so, the largest error is %.2f mm in %s of %sobject %d.", who,
+                    errorMm, "xyz".charAt(axis), grip ? "the gripping point of " : "", objectId.getAsInt());
+        }
+    }
+
     private final Parts p;
 
     /** The parts, while they are put together. */
@@ -68,6 +157,7 @@ public final class Reason {
         private String worstParameter;
         private double rHat = Double.NaN;
         private double effectiveDraws = Double.NaN;
+        private Misplacement misplacement;
 
         Parts(Kind kind) {
             this.kind = kind;
@@ -105,14 +195,16 @@ public final class Reason {
      * @param objects the objects seen
      * @param missingObjects ids of objects that count as a failure because they are not seen; empty where none does
      * @param targetMm the target, or empty
+     * @param misplacement what misplaced references add, or null
      */
-    static Reason largestDeviation(List<ObjectEstimate> objects, List<Integer> missingObjects,
-            OptionalDouble targetMm) {
+    static Reason largestDeviation(List<ObjectEstimate> objects, List<Integer> missingObjects, OptionalDouble targetMm,
+            Misplacement misplacement) {
         Kind kind = !missingObjects.isEmpty() ? Kind.OBJECT_NOT_SEEN
                 : objects.isEmpty() ? Kind.NO_OBJECT : Kind.LARGEST_DEVIATION;
         Parts parts = new Parts(kind);
         parts.missingObjects = Collections.unmodifiableList(new ArrayList<>(missingObjects));
         parts.targetMm = targetMm;
+        parts.misplacement = misplacement;
         double std = -1;
         VarianceBudget budget = null;
         int axis = 0;
@@ -243,6 +335,15 @@ public final class Reason {
     }
 
     /**
+     * What misplaced references add to a reason about deviations.
+     *
+     * @return null where no reference seems misplaced, or no figure is to be trusted anyway
+     */
+    public Misplacement misplacement() {
+        return p.misplacement;
+    }
+
+    /**
      * The quantity whose chains agree least.
      *
      * @return its name among the diagnostics, or null
@@ -288,10 +389,14 @@ public final class Reason {
                         + "%%): use a larger marker, come closer or look at it from the side.", p.objectId.getAsInt(),
                         100 * p.share.getAsDouble());
             case OBJECT_NOT_SEEN:
-                return "Object " + join(p.missingObjects) + " was not seen in the photo. " + deviation();
+                return "Object " + join(p.missingObjects) + " was not seen in the photo. " + deviation() + besides();
             default:
-                return (p.targetMm.isPresent() ? "" : "No target is set. ") + deviation();
+                return (p.targetMm.isPresent() ? "" : "No target is set. ") + deviation() + besides();
         }
+    }
+
+    private String besides() {
+        return p.misplacement == null ? "" : p.misplacement.english();
     }
 
     private String deviation() {
@@ -331,9 +436,14 @@ public final class Reason {
 
     /** Ids as in "5, 20 and 30". */
     static String join(List<Integer> ids) {
+        return joined(ids, " and ");
+    }
+
+    /** Words with commas between them, and a word before the last. */
+    static String joined(List<?> words, String beforeLast) {
         StringBuilder text = new StringBuilder();
-        for (int i = 0; i < ids.size(); i++) {
-            text.append(i == 0 ? "" : i == ids.size() - 1 ? " and " : ", ").append(ids.get(i));
+        for (int i = 0; i < words.size(); i++) {
+            text.append(i == 0 ? "" : i == words.size() - 1 ? beforeLast : ", ").append(words.get(i));
         }
         return text.toString();
     }

@@ -110,6 +110,21 @@ public final class ResultJson {
             object(object);
         }
         json.endObject();
+        json.name("references").beginObject();
+        for (Reference reference : cell.references()) {
+            json.name(String.valueOf(reference.id()));
+            fit(result.referenceCheck().fit(reference.id()));
+        }
+        json.endObject();
+        json.name("misplaced_references").beginArray();
+        for (MisplacedReference reference : result.referenceCheck().misplaced()) {
+            misplaced(reference);
+        }
+        json.endArray();
+        if (result.referenceCheck().without() != null) {
+            json.name("without_misplaced");
+            without(result.referenceCheck().without());
+        }
         json.name("laplace");
         laplace();
         json.name("diagnostics");
@@ -305,7 +320,7 @@ public final class ResultJson {
         json.beginObject();
         json.name("within_target");
         if (trusted && cell.targetStdMm().isPresent()) {
-            json.value(object.worstStdMm() <= cell.targetStdMm().getAsDouble());
+            json.value(result.referenceCheck().meets(object, cell.targetStdMm().getAsDouble()));
         } else {
             json.nullValue();
         }
@@ -373,19 +388,94 @@ public final class ResultJson {
         json.endObject();
     }
 
-    /** The quick look: deviations by Laplace's approximation, and what the chains say in multiples of them. */
-    private void laplace() throws IOException {
+    // ---- references
+
+    /** How a reference fits the others; only that it was not used where it was not seen or left out. */
+    private void fit(ReferenceFit fit) throws IOException {
         json.beginObject();
+        json.name("used").value(fit != null);
+        if (fit != null) {
+            json.name("misplaced").value(fit.misplaced());
+            json.name("chi_square");
+            number(fit.chiSquare());
+            json.name("degrees_of_freedom").value(fit.degreesOfFreedom());
+            json.name("p_value");
+            number(fit.pValue());
+            json.name("normalised_residual");
+            number(fit.normalisedResidual());
+            if (fit.tested()) {
+                json.name("order");
+                strings(TANGENT_ORDER);
+                json.name("statistic");
+                numbers(fit.statistic());
+                json.name("limit");
+                numbers(fit.limit());
+                json.name("offset");
+                numbers(fit.offset());
+                json.name("offset_std");
+                numbers(fit.offsetStd());
+                json.name("detectable");
+                numbers(fit.detectable());
+            }
+        }
+        json.endObject();
+    }
+
+    private void misplaced(MisplacedReference reference) throws IOException {
+        json.beginObject();
+        json.name("id").value(reference.id());
+        json.name("order");
+        strings(TANGENT_ORDER);
+        json.name("offset");
+        numbers(reference.offset());
+        json.name("statistic");
+        number(reference.statistic());
+        json.name("limit");
+        number(reference.limit());
+        json.name("or_instead").beginArray();
+        for (int id : reference.orInstead()) {
+            json.value(id);
+        }
+        json.endArray();
+        json.endObject();
+    }
+
+    /** Camera and objects without the misplaced references, by Laplace's approximation. */
+    private void without(WithoutMisplaced without) throws IOException {
+        json.beginObject();
+        json.name("left_out").beginArray();
+        for (int id : without.leftOut()) {
+            json.value(id);
+        }
+        json.endArray();
         json.name("camera").beginObject();
-        comparison(result.quickLook().camera().std(), result.estimate().camera().std(), "");
+        poseMembers(without.camera());
+        json.name("move_mm");
+        numbers(without.cameraMoveMm());
         json.endObject();
         json.name("objects").beginObject();
-        for (ObjectEstimate sampled : result.estimate().objects()) {
-            ObjectEstimate quick = result.quickLook().object(sampled.id());
-            json.name(String.valueOf(sampled.id())).beginObject();
-            comparison(quick.pose().std(), sampled.pose().std(), "");
-            if (sampled.grip() != null) {
-                comparison(quick.grip().stdMm(), sampled.grip().stdMm(), "grip_");
+        for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+            json.name(String.valueOf(object.id())).beginObject();
+            json.name("pose").beginObject();
+            poseMembers(object.pose());
+            json.endObject();
+            json.name("move_mm");
+            numbers(object.moveMm());
+            json.name("error_mm");
+            numbers(object.errorMm());
+            if (object.grip() != null) {
+                json.name("grip").beginObject();
+                json.name("mean");
+                numbers(object.grip().meanMm());
+                json.name("std");
+                numbers(object.grip().stdMm());
+                json.name("covariance");
+                matrix(object.grip().covarianceMm2());
+                json.name("move_mm");
+                numbers(object.gripMoveMm());
+                json.name("error_mm");
+                numbers(object.gripErrorMm());
+                json.endObject();
             }
             json.endObject();
         }
@@ -393,13 +483,45 @@ public final class ResultJson {
         json.endObject();
     }
 
-    private void comparison(double[] laplace, double[] sampled, String prefix) throws IOException {
+    // ---- Laplace
+
+    /** The quick look: Laplace's approximation, how far the chains' means are from it and how large their deviations. */
+    private void laplace() throws IOException {
+        json.beginObject();
+        json.name("camera").beginObject();
+        comparison(result.quickLook().camera().mean(), result.quickLook().camera().std(),
+                result.estimate().camera().mean(), result.estimate().camera().std(), "");
+        json.endObject();
+        json.name("objects").beginObject();
+        for (ObjectEstimate sampled : result.estimate().objects()) {
+            ObjectEstimate quick = result.quickLook().object(sampled.id());
+            json.name(String.valueOf(sampled.id())).beginObject();
+            comparison(quick.pose().mean(), quick.pose().std(), sampled.pose().mean(), sampled.pose().std(), "");
+            if (sampled.grip() != null) {
+                comparison(quick.grip().meanMm(), quick.grip().stdMm(), sampled.grip().meanMm(),
+                        sampled.grip().stdMm(), "grip_");
+            }
+            json.endObject();
+        }
+        json.endObject();
+        json.endObject();
+    }
+
+    private void comparison(double[] mean, double[] laplace, double[] sampledMean, double[] sampled, String prefix)
+            throws IOException {
         double[] ratio = new double[laplace.length];
+        double[] shift = new double[laplace.length];
         for (int i = 0; i < ratio.length; i++) {
             ratio[i] = sampled[i] / laplace[i];
+            double moved = sampledMean[i] - mean[i];
+            shift[i] = (i < 3 ? moved : Angles.wrapToPi(moved)) / laplace[i];
         }
+        json.name(prefix + "mean");
+        numbers(mean);
         json.name(prefix + "std");
         numbers(laplace);
+        json.name(prefix + "mean_shift_by_std");
+        numbers(shift);
         json.name(prefix + "sampled_by_laplace");
         numbers(ratio);
     }

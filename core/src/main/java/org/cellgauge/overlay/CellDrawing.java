@@ -13,6 +13,7 @@ import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.IntrinsicsEstimate;
 import org.cellgauge.check.ModeEstimate;
 import org.cellgauge.check.ObjectEstimate;
+import org.cellgauge.check.ReferenceCheck;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
@@ -59,7 +60,7 @@ final class CellDrawing {
     private final Cell cell;
     private final Detections detections;
     private final CellEstimate estimate;
-    private final List<Integer> referencesUsed;
+    private final ReferenceCheck references;
     private final Stage stage;
     private final ImageOrientation orientation;
     private final boolean panels;
@@ -84,13 +85,13 @@ final class CellDrawing {
      * @param cell the cell
      * @param photo the markers of the photo
      * @param estimate poses, or null where there are none
-     * @param referencesUsed ids of the references the camera pose rests on, or null: all that were seen
+     * @param references what was found of the references, or null: nothing yet
      * @param stage how far the figures have come
      * @param orientation how the photo is turned and mirrored where the overlay is shown
      * @param panels whether banner and legend are drawn
      * @param words what the labels say
      */
-    CellDrawing(Cell cell, Detections photo, CellEstimate estimate, List<Integer> referencesUsed, Stage stage,
+    CellDrawing(Cell cell, Detections photo, CellEstimate estimate, ReferenceCheck references, Stage stage,
             ImageOrientation orientation, boolean panels, LabelWords words) {
         this.cell = cell;
         this.words = words;
@@ -100,7 +101,7 @@ final class CellDrawing {
         this.photoHeight = photo.heightPx();
         this.detections = upright(photo, orientation);
         this.estimate = estimate;
-        this.referencesUsed = referencesUsed;
+        this.references = references;
         this.stage = stage;
         this.width = detections.widthPx();
         this.height = detections.heightPx();
@@ -298,7 +299,7 @@ final class CellDrawing {
             Status status = Status.NEUTRAL;
             if (isReference(m.id())) {
                 role = Role.REFERENCE_OUTLINE;
-                status = leftOut(m.id()) ? Status.FAIL : Status.NEUTRAL;
+                status = leftOut(m.id()) || misplaced(m.id()) ? Status.FAIL : Status.NEUTRAL;
             } else if (objectMarker(m.id()) != null) {
                 role = Role.OBJECT_OUTLINE;
                 status = status(m.id());
@@ -328,7 +329,11 @@ final class CellDrawing {
     }
 
     private boolean leftOut(int id) {
-        return referencesUsed != null && !referencesUsed.contains(id);
+        return references != null && references.fit(id) == null;
+    }
+
+    private boolean misplaced(int id) {
+        return references != null && references.fit(id) != null && references.fit(id).misplaced();
     }
 
     private ObjectMarker objectMarker(int id) {
@@ -355,7 +360,9 @@ final class CellDrawing {
         if (stage == Stage.PRELIMINARY || !cell.targetStdMm().isPresent()) {
             return Status.NEUTRAL;
         }
-        return object.worstStdMm() <= cell.targetStdMm().getAsDouble() ? Status.PASS : Status.FAIL;
+        double target = cell.targetStdMm().getAsDouble();
+        boolean met = references == null ? object.worstStdMm() <= target : references.meets(object, target);
+        return met ? Status.PASS : Status.FAIL;
     }
 
     private double magnification() {
@@ -681,7 +688,9 @@ final class CellDrawing {
             MarkerObservation m = detections.find(r.id());
             if (m != null) {
                 boolean out = leftOut(r.id());
-                name(boxOf(m), out ? Status.FAIL : Status.NEUTRAL, out ? words.leftOut(r.id()) : Integer.toString(r.id()));
+                boolean off = misplaced(r.id());
+                name(boxOf(m), out || off ? Status.FAIL : Status.NEUTRAL,
+                        out ? words.leftOut(r.id()) : off ? words.misplaced(r.id()) : Integer.toString(r.id()));
             } else if (view != null) {
                 double[] centre = view.project(r.worldFromMarker().translationMm());
                 if (view.inImage(centre)) {

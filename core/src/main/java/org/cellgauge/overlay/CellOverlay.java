@@ -77,7 +77,7 @@ public final class CellOverlay {
         }
         CellDrawing.Stage stage = status == Status.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
                 : CellDrawing.Stage.FINAL;
-        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referencesUsed(), stage,
+        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referenceCheck(), stage,
                 orientation, panels, words).draw(status, headline, result.reason());
     }
 

@@ -7,11 +7,12 @@ import java.util.Locale;
 /** What the labels beside the markers say, in the language of whoever looks at them; immutable. */
 public final class LabelWords {
     /** English words, numbers with a point. */
-    public static final LabelWords ENGLISH = new LabelWords(Locale.ROOT, "left out", "not seen", "not in the cell file",
+    public static final LabelWords ENGLISH = new LabelWords(Locale.ROOT, "left out", "seems off", "not seen", "not in the cell file",
             "not converged", "not converged yet", "ambiguous", "grip");
 
     private final Locale locale;
     private final String leftOut;
+    private final String misplaced;
     private final String notSeen;
     private final String notInCell;
     private final String notConverged;
@@ -24,6 +25,7 @@ public final class LabelWords {
      *
      * @param locale how numbers are written
      * @param leftOut of a reference that the camera pose does not rest on
+     * @param misplaced of a reference that does not stand where the others say
      * @param notSeen of a reference that was expected in view
      * @param notInCell of a marker that the cell file does not name
      * @param notConverged of an object whose chains ended without converging
@@ -31,10 +33,11 @@ public final class LabelWords {
      * @param ambiguous of an object with two poses
      * @param grip before the figures of a gripping point
      */
-    public LabelWords(Locale locale, String leftOut, String notSeen, String notInCell, String notConverged,
-            String notConvergedYet, String ambiguous, String grip) {
+    public LabelWords(Locale locale, String leftOut, String misplaced, String notSeen, String notInCell,
+            String notConverged, String notConvergedYet, String ambiguous, String grip) {
         this.locale = locale;
         this.leftOut = leftOut;
+        this.misplaced = misplaced;
         this.notSeen = notSeen;
         this.notInCell = notInCell;
         this.notConverged = notConverged;
@@ -45,6 +48,10 @@ public final class LabelWords {
 
     String leftOut(int id) {
         return id + " " + leftOut;
+    }
+
+    String misplaced(int id) {
+        return id + " " + misplaced;
     }
 
     String notSeen(int id) {

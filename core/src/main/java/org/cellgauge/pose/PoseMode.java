@@ -156,6 +156,16 @@ public final class PoseMode {
     }
 
     /**
+     * Derivative of the whitened residuals of one marker by the unknowns.
+     *
+     * @param marker index of the marker
+     * @return a copy, 8 x dimension row by row
+     */
+    public double[] jacobian(int marker) {
+        return java.util.Arrays.copyOfRange(jacobian, 8 * marker * columns, 8 * (marker + 1) * columns);
+    }
+
+    /**
      * Covariance of the whitened residuals of one marker under the linearised model, {@code I - J C J^T}: what the fit
      * leaves of them.
      *

@@ -73,6 +73,7 @@ public final class Validation {
         boolean refused;
         boolean notConverged;
         boolean ambiguous;
+        boolean falseAlarm;
         List<CellPart.Standing> standings = new ArrayList<>();
     }
 
@@ -139,6 +140,7 @@ public final class Validation {
             outcome.refused = true;
             return outcome;
         }
+        outcome.falseAlarm = !result.referenceCheck().misplaced().isEmpty();
         outcome.notConverged = result.verdict() == Verdict.NOT_CONVERGED;
         if (outcome.notConverged) {
             return outcome;
@@ -157,10 +159,12 @@ public final class Validation {
         int notConverged = 0;
         int refused = 0;
         int ambiguous = 0;
+        int falseAlarms = 0;
         for (Outcome o : outcomes) {
             notConverged += o.notConverged ? 1 : 0;
             refused += o.refused ? 1 : 0;
             ambiguous += o.ambiguous ? 1 : 0;
+            falseAlarms += o.falseAlarm ? 1 : 0;
             if (!o.notConverged && !o.refused) {
                 stated.add(o);
             }
@@ -207,7 +211,7 @@ public final class Validation {
                         coordinate ? Math.sqrt(squares / n) : Double.NaN));
             }
         }
-        return new ValidationResult(outcomes.size(), notConverged, refused, ambiguous, weightShare, regions,
+        return new ValidationResult(outcomes.size(), notConverged, refused, ambiguous, falseAlarms, weightShare, regions,
                 quantities);
     }
 

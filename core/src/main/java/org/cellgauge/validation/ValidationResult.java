@@ -9,16 +9,18 @@ public final class ValidationResult {
     private final int notConverged;
     private final int refused;
     private final int ambiguous;
+    private final int falseAlarms;
     private final double weightShareMin;
     private final List<RegionCoverage> regions;
     private final List<RankedQuantity> quantities;
 
-    ValidationResult(int simulations, int notConverged, int refused, int ambiguous, double weightShareMin,
-            List<RegionCoverage> regions, List<RankedQuantity> quantities) {
+    ValidationResult(int simulations, int notConverged, int refused, int ambiguous, int falseAlarms,
+            double weightShareMin, List<RegionCoverage> regions, List<RankedQuantity> quantities) {
         this.simulations = simulations;
         this.notConverged = notConverged;
         this.refused = refused;
         this.ambiguous = ambiguous;
+        this.falseAlarms = falseAlarms;
         this.weightShareMin = weightShareMin;
         this.regions = Collections.unmodifiableList(regions);
         this.quantities = Collections.unmodifiableList(quantities);
@@ -59,6 +61,15 @@ public final class ValidationResult {
      */
     public int ambiguous() {
         return ambiguous;
+    }
+
+    /**
+     * Cells whose check named a reference as misplaced although all stood as the cell file states.
+     *
+     * @return count, refused cells left out
+     */
+    public int falseAlarms() {
+        return falseAlarms;
     }
 
     /**

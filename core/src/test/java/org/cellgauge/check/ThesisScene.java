@@ -121,6 +121,12 @@ public final class ThesisScene {
         return this;
     }
 
+    /** Puts a reference off its nominal place by (x, y, z), in the place of its random errors; NaN keeps an axis random. */
+    public ThesisScene shifted(int id, double x, double y, double z) {
+        shifts.put(id, new double[] {x, y, z});
+        return this;
+    }
+
     public Map<Integer, RigidTransform> objects() {
         return objects;
     }
@@ -170,6 +176,28 @@ public final class ThesisScene {
             markers.add(observe(id, pose, noisePx, random));
         });
         objects.forEach((id, pose) -> markers.add(observe(id, pose, noisePx, random)));
+        return new Detections("scene", camera.widthPx(), camera.heightPx(), markers);
+    }
+
+    /** Corners with the errors of a single source of the variance, as the budget names it. */
+    public Detections detectionsOf(String source, double noisePx, double stdMm, double stdRad, RandomGenerator random) {
+        List<MarkerObservation> markers = new ArrayList<>();
+        references.forEach((id, nominal) -> {
+            RigidTransform pose = nominal;
+            if (source.equals("placement of reference " + id)) {
+                double[] w = {stdRad * random.nextGaussian(), stdRad * random.nextGaussian(),
+                    stdRad * random.nextGaussian()};
+                double[] t = nominal.translationMm();
+                for (int i = 0; i < 3; i++) {
+                    t[i] += stdMm * random.nextGaussian();
+                }
+                pose = RigidTransform.of(RigidTransform.ofRotationVector(w, new double[3]).compose(nominal).rotation(), t);
+            }
+            boolean noisy = source.equals("corner noise of references");
+            markers.add(observe(id, pose, noisePx, noisy ? random : null));
+        });
+        boolean noisy = source.equals("corner noise of object");
+        objects.forEach((id, pose) -> markers.add(observe(id, pose, noisePx, noisy ? random : null)));
         return new Detections("scene", camera.widthPx(), camera.heightPx(), markers);
     }
 

@@ -67,7 +67,7 @@ class CellOverlayTest {
     void labelsSpeakTheLanguageTheyAreGiven() {
         Cell cell = fine().cell();
         Detections detections = fine().exactDetections();
-        LabelWords german = new LabelWords(Locale.GERMAN, "ausgelassen", "nicht gesehen", "nicht in der Zelldatei",
+        LabelWords german = new LabelWords(Locale.GERMAN, "ausgelassen", "steht falsch", "nicht gesehen", "nicht in der Zelldatei",
                 "nicht konvergiert", "noch nicht konvergiert", "mehrdeutig", "Greifpunkt");
         CheckUpdate update = quickLook(cell, detections);
         List<String> english = texts(CellOverlay.of(cell, detections, update, ImageOrientation.IDENTITY, false), Role.LABEL);

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.TreeMap;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckSettings;
@@ -15,8 +14,11 @@ import org.cellgauge.check.ModeEstimate;
 import org.cellgauge.check.ObjectEstimate;
 import org.cellgauge.check.PointEstimate;
 import org.cellgauge.check.PoseEstimate;
+import org.cellgauge.check.ReferenceCheck;
+import org.cellgauge.check.ReferenceFit;
 import org.cellgauge.check.VarianceBudget;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.check.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
 
 /** A result in words and aligned columns, for people; ASCII, so that every terminal shows it. */
@@ -52,13 +54,13 @@ final class CheckText {
     }
 
     /** Whether one deviation is within the target: a word, or a caution where no figure can be trusted. */
-    static String mark(CheckResult result, double worstStdMm) {
+    static String mark(CheckResult result, double judgedMm) {
         OptionalDouble target = result.cell().targetStdMm();
         String caution = caution(result);
         if (!caution.isEmpty()) {
             return caution;
         }
-        return !target.isPresent() ? "" : worstStdMm <= target.getAsDouble() ? "pass" : "FAIL";
+        return !target.isPresent() ? "" : judgedMm <= target.getAsDouble() ? "pass" : "FAIL";
     }
 
     /** The whole result. */
@@ -74,6 +76,7 @@ final class CheckText {
             budgets(result, text);
         }
         modes(result, text);
+        references(result, text);
         text.append('\n').append(diagnosticsLine(result)).append('\n').append(acceptanceLine(result)).append('\n')
                 .append(laplaceLine(result)).append('\n');
         if (!result.warnings().isEmpty()) {
@@ -128,13 +131,13 @@ final class CheckText {
             double[] std = object.pose().std();
             table.row("object " + object.id(), fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2),
                     fixed(std[0], 2), fixed(std[1], 2), fixed(std[2], 2),
-                    mark(result, Math.max(std[0], Math.max(std[1], std[2]))));
+                    mark(result, result.referenceCheck().judgedMm(object)));
             PointEstimate grip = object.grip();
             if (grip != null) {
                 double[] g = grip.meanMm();
                 double[] gs = grip.stdMm();
                 table.row("  its gripping point", fixed(g[0], 2), fixed(g[1], 2), fixed(g[2], 2), fixed(gs[0], 2),
-                        fixed(gs[1], 2), fixed(gs[2], 2), mark(result, Math.max(gs[0], Math.max(gs[1], gs[2]))));
+                        fixed(gs[1], 2), fixed(gs[2], 2), mark(result, result.referenceCheck().gripJudgedMm(object)));
             }
         }
         text.append(table.text("  "));
@@ -216,6 +219,58 @@ final class CheckText {
         }
     }
 
+    private static void references(CheckResult result, StringBuilder text) {
+        ReferenceCheck check = result.referenceCheck();
+        if (check.fits().stream().anyMatch(ReferenceFit::tested)) {
+            text.append("\nReferences against each other: how far off they seem, from where on it would be noticed, mm\n");
+            TextTable table = new TextTable(1);
+            table.row("", "residual", "off x", "off y", "off z", "noticed x", "y", "z", "");
+            for (ReferenceFit fit : check.fits()) {
+                double[] off = fit.offset();
+                double[] from = fit.detectable();
+                table.row("reference " + fit.id(), fixed(fit.normalisedResidual(), 2), fixed(off[0], 1), fixed(off[1], 1),
+                        fixed(off[2], 1), fixed(from[0], 1), fixed(from[1], 1), fixed(from[2], 1),
+                        fit.misplaced() ? "SEEMS OFF" : "");
+            }
+            text.append(table.text("  ")).append(wrap("  " + check.noticeable(), "  "));
+        }
+        WithoutMisplaced without = check.without();
+        if (without == null || without.objects().isEmpty()) {
+            return;
+        }
+        text.append("\nWithout reference ").append(leftOut(without)).append(", by Laplace's approximation, mm\n");
+        TextTable table = new TextTable(1);
+        table.row("", "x", "y", "z", "moves x", "y", "z", "std x", "y", "z");
+        for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+            withoutRow("object " + object.id(), object.pose().mean(), object.moveMm(), object.pose().std(), table);
+            if (object.grip() != null) {
+                withoutRow("  its gripping point", object.grip().meanMm(), object.gripMoveMm(), object.grip().stdMm(),
+                        table);
+            }
+        }
+        text.append(table.text("  "));
+    }
+
+    /** The references left out, in words. */
+    static String leftOut(WithoutMisplaced without) {
+        StringBuilder ids = new StringBuilder();
+        for (int i = 0; i < without.leftOut().size(); i++) {
+            ids.append(i == 0 ? "" : i == without.leftOut().size() - 1 ? " and " : ", ")
+                    .append(without.leftOut().get(i));
+        }
+        return ids.toString();
+    }
+
+    private static void withoutRow(String name, double[] mean, double[] move, double[] std, TextTable table) {
+        table.row(name, fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2), signed(move[0]), signed(move[1]),
+                signed(move[2]), fixed(std[0], 2), fixed(std[1], 2), fixed(std[2], 2));
+    }
+
+    /** A change, with its sign. */
+    static String signed(double value) {
+        return Double.isFinite(value) ? String.format(Locale.ROOT, "%+.2f", value) : "-";
+    }
+
     /** How the chains went, in one line. */
     static String diagnosticsLine(CheckResult result) {
         Diagnostics d = result.diagnostics();
@@ -238,25 +293,58 @@ final class CheckText {
         return wrap("Accepted: " + String.join(", ", words), "        ").stripTrailing();
     }
 
-    /** What the chains say in multiples of Laplace's approximation. */
+    /** By how much the chains correct Laplace's approximation: positions of objects and gripping points, or the camera's. */
     static String laplaceLine(CheckResult result) {
-        Map<Double, String> ratios = new TreeMap<>();
+        Correction correction = new Correction();
         for (ObjectEstimate sampled : result.estimate().objects()) {
             ObjectEstimate quick = result.quickLook().object(sampled.id());
-            for (int i = 0; i < 3; i++) {
-                ratios.put(sampled.pose().std()[i] / quick.pose().std()[i],
-                        "xyz".charAt(i) + " of object " + sampled.id());
+            correction.add(quick.pose().mean(), quick.pose().std(), sampled.pose().mean(), sampled.pose().std(),
+                    "object " + sampled.id());
+            if (sampled.grip() != null) {
+                correction.add(quick.grip().meanMm(), quick.grip().stdMm(), sampled.grip().meanMm(),
+                        sampled.grip().stdMm(), "the gripping point of object " + sampled.id());
             }
         }
-        TreeMap<Double, String> sorted = new TreeMap<>(ratios);
-        if (sorted.isEmpty()) {
+        if (result.estimate().objects().isEmpty()) {
+            correction.add(result.quickLook().camera().mean(), result.quickLook().camera().std(),
+                    result.estimate().camera().mean(), result.estimate().camera().std(), "the camera");
+        }
+        return wrap(correction.words(), "        ").stripTrailing();
+    }
+
+    /** The extremes of what chains make of Laplace's approximation. */
+    private static final class Correction {
+        private double least = Double.POSITIVE_INFINITY;
+        private double most = Double.NEGATIVE_INFINITY;
+        private double farthest = Double.NEGATIVE_INFINITY;
+        private String whereLeast = "";
+        private String whereMost = "";
+        private String whereFarthest = "";
+
+        void add(double[] mean, double[] std, double[] sampledMean, double[] sampledStd, String name) {
             for (int i = 0; i < 3; i++) {
-                sorted.put(result.estimate().camera().std()[i] / result.quickLook().camera().std()[i],
-                        "xyz".charAt(i) + " of the camera");
+                String where = "xyz".charAt(i) + " of " + name;
+                double ratio = sampledStd[i] / std[i];
+                double shift = Math.abs(sampledMean[i] - mean[i]) / std[i];
+                if (ratio < least) {
+                    least = ratio;
+                    whereLeast = where;
+                }
+                if (ratio > most) {
+                    most = ratio;
+                    whereMost = where;
+                }
+                if (shift > farthest) {
+                    farthest = shift;
+                    whereFarthest = where;
+                }
             }
         }
-        return String.format(Locale.ROOT, "Std of the chains against Laplace's approximation: %.2f (%s) to %.2f (%s)",
-                sorted.firstKey(), sorted.firstEntry().getValue(), sorted.lastKey(), sorted.lastEntry().getValue());
+
+        String words() {
+            return String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (%s) to %.2f (%s) times as "
+                    + "large, means up to %.2f std apart (%s)", least, whereLeast, most, whereMost, farthest, whereFarthest);
+        }
     }
 
     /** A number with fixed decimals; a dash where there is none. */

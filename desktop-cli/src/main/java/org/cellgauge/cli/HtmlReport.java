@@ -11,8 +11,11 @@ import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.ModeEstimate;
 import org.cellgauge.check.ObjectEstimate;
 import org.cellgauge.check.PoseEstimate;
+import org.cellgauge.check.ReferenceCheck;
+import org.cellgauge.check.ReferenceFit;
 import org.cellgauge.check.VarianceBudget;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.check.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.statistics.ChainDiagnostics;
 
@@ -79,6 +82,8 @@ final class HtmlReport {
         camera(result);
         modes(result);
         budgets(result);
+        references(result);
+        without(result);
         diagnostics(result);
         settings(result);
         sections.append("</section>\n");
@@ -157,17 +162,18 @@ final class HtmlReport {
                 row(escape("object " + marker.id()), "-", "-", "-", "-", "-", "-", "not seen");
                 continue;
             }
-            double[] std = object.pose().std();
-            point(result, "object " + object.id(), object.pose().mean(), std);
+            point(result, "object " + object.id(), object.pose().mean(), object.pose().std(),
+                    result.referenceCheck().judgedMm(object));
             if (object.grip() != null) {
-                point(result, "its gripping point", object.grip().meanMm(), object.grip().stdMm());
+                point(result, "its gripping point", object.grip().meanMm(), object.grip().stdMm(),
+                        result.referenceCheck().gripJudgedMm(object));
             }
         }
         end();
     }
 
-    private void point(CheckResult result, String name, double[] mean, double[] std) {
-        String mark = CheckText.mark(result, Math.max(std[0], Math.max(std[1], std[2])));
+    private void point(CheckResult result, String name, double[] mean, double[] std, double judgedMm) {
+        String mark = CheckText.mark(result, judgedMm);
         String key = mark.equals("pass") ? "pass" : mark.equals("FAIL") ? "fail" : "not-converged";
         row(escape(name), CheckText.fixed(mean[0], 3), CheckText.fixed(mean[1], 3), CheckText.fixed(mean[2], 3),
                 CheckText.fixed(std[0], 3), CheckText.fixed(std[1], 3), CheckText.fixed(std[2], 3),
@@ -254,6 +260,46 @@ final class HtmlReport {
 
     private static String percent(double share) {
         return Double.isFinite(share) ? CheckText.fixed(100 * share, 1) + " %" : "-";
+    }
+
+    private void references(CheckResult result) {
+        ReferenceCheck check = result.referenceCheck();
+        sections.append("<h3>References against each other</h3>\n");
+        header("", "normalised residual", "p", "seems off in x, mm", "y", "z", "noticed from x, mm", "y", "z", "");
+        for (ReferenceFit fit : check.fits()) {
+            double[] off = fit.offset();
+            double[] from = fit.detectable();
+            row(escape("reference " + fit.id()), CheckText.fixed(fit.normalisedResidual(), 2),
+                    CheckText.fixed(fit.pValue(), 3), CheckText.fixed(off[0], 1), CheckText.fixed(off[1], 1),
+                    CheckText.fixed(off[2], 1), CheckText.fixed(from[0], 1), CheckText.fixed(from[1], 1),
+                    CheckText.fixed(from[2], 1), fit.misplaced() ? verdict("fail", "seems off") : "");
+        }
+        end();
+        sections.append("<p>").append(escape(check.noticeable())).append("</p>\n");
+    }
+
+    /** Objects without the references that seem off. */
+    private void without(CheckResult result) {
+        WithoutMisplaced without = result.referenceCheck().without();
+        if (without == null || without.objects().isEmpty()) {
+            return;
+        }
+        sections.append("<h3>").append(escape("Without reference " + CheckText.leftOut(without)
+                + ", by Laplace's approximation, mm")).append("</h3>\n");
+        header("", "x", "y", "z", "moves x", "y", "z", "std x", "y", "z");
+        for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+            withoutRow("object " + object.id(), object.pose().mean(), object.moveMm(), object.pose().std());
+            if (object.grip() != null) {
+                withoutRow("its gripping point", object.grip().meanMm(), object.gripMoveMm(), object.grip().stdMm());
+            }
+        }
+        end();
+    }
+
+    private void withoutRow(String name, double[] mean, double[] move, double[] std) {
+        row(escape(name), CheckText.fixed(mean[0], 3), CheckText.fixed(mean[1], 3), CheckText.fixed(mean[2], 3),
+                CheckText.signed(move[0]), CheckText.signed(move[1]), CheckText.signed(move[2]),
+                CheckText.fixed(std[0], 3), CheckText.fixed(std[1], 3), CheckText.fixed(std[2], 3));
     }
 
     private void diagnostics(CheckResult result) {

@@ -1,8 +1,13 @@
 package org.cellgauge.cli;
 
 import java.util.Locale;
+import java.util.Map;
+import java.util.Stack;
 import org.cellgauge.geometry.RigidTransform;
+import picocli.CommandLine.IParameterPreprocessor;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.TypeConversionException;
 
 /**
@@ -50,6 +55,20 @@ public record PoseArgument(RigidTransform pose) {
             // said below, as for infinite values
         }
         throw new TypeConversionException("'" + part.trim() + "' in '" + text + "' is no number; expected " + FORM);
+    }
+
+    /**
+     * Lets the first number be negative, as in {@code --camera-pose -418,106,1070}: the parser would take the value for an
+     * option. A leading space tells it otherwise, and does not matter to the number.
+     */
+    public static final class MayBeNegative implements IParameterPreprocessor {
+        @Override
+        public boolean preprocess(Stack<String> args, CommandSpec command, ArgSpec option, Map<String, Object> info) {
+            if (!args.isEmpty() && args.peek().matches("-\\.?[0-9].*")) {
+                args.push(" " + args.pop());
+            }
+            return false;
+        }
     }
 
     /** Lets an option be of this type. */

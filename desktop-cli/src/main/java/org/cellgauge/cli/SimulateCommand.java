@@ -62,11 +62,13 @@ public final class SimulateCommand implements Callable<Integer> {
     private List<String> objects = new ArrayList<>();
 
     @Option(names = "--camera-pose", paramLabel = "X,Y,Z,PSI,THETA,PHI", converter = PoseArgument.Converter.class,
+            preprocessor = PoseArgument.MayBeNegative.class,
             description = "Pose of the camera in the world, mm and degrees. Without it the camera looks straight at "
                     + "the plane z = 0, from where all markers fit.")
     private PoseArgument cameraPose;
 
     @Option(names = "--camera-jitter", paramLabel = "MM,DEG", defaultValue = "0,0",
+            preprocessor = PoseArgument.MayBeNegative.class,
             description = "Standard deviation of the camera's pose from photo to photo: position per axis in mm, "
                     + "rotation per axis in degrees (${DEFAULT-VALUE}).")
     private String cameraJitter;

@@ -38,11 +38,11 @@ import picocli.CommandLine.Spec;
             "",
             "Angles are in degrees, as in the cell file, unless they end in 'rad'.",
             "Each check runs until it has converged and the Monte Carlo error of every standard deviation is below",
-            "10 %, unless --iterations is given: these errors average out over the simulations.",
+            "10 %%, unless --iterations is given: these errors average out over the simulations.",
             "The tables go to standard output, progress and messages to standard error.",
             "",
-            "Exit codes: 0 all 95 % regions hold the truth as often as they claim, within chance, 1 internal error,",
-            "2 usage, 3 input refused, 4 a 95 % region holds it too rarely or too often, 5 more than 5 % of the",
+            "Exit codes: 0 all 95 %% regions hold the truth as often as they claim, within chance, 1 internal error,",
+            "2 usage, 3 input refused, 4 a 95 %% region holds it too rarely or too often, 5 more than 5 %% of the",
             "simulations gave no figure."})
 public final class ValidateCommand implements Callable<Integer> {
     /** Share of simulations without a figure beyond which coverage of the others says little. */
@@ -69,11 +69,13 @@ public final class ValidateCommand implements Callable<Integer> {
     private List<String> objects = new ArrayList<>();
 
     @Option(names = "--camera-pose", paramLabel = "X,Y,Z,PSI,THETA,PHI", converter = PoseArgument.Converter.class,
+            preprocessor = PoseArgument.MayBeNegative.class,
             description = "Nominal pose of the camera in the world, mm and degrees. Without it the camera looks "
                     + "straight at the plane z = 0, from where all markers fit.")
     private PoseArgument cameraPose;
 
     @Option(names = "--spread", paramLabel = "MM,DEG", defaultValue = "50,10",
+            preprocessor = PoseArgument.MayBeNegative.class,
             description = "Standard deviation of the true poses about the nominal ones, from simulation to simulation: "
                     + "the camera swings about the references, objects move before the camera (${DEFAULT-VALUE}). "
                     + "0,0: the truth is the same in all.")

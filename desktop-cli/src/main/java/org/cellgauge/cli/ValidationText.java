@@ -29,6 +29,8 @@ final class ValidationText {
     static final double JUDGED = 0.95;
     private static final double[] LEVELS = {0.5, 0.8, 0.95};
     private static final double SUSPICIOUS = 0.01;
+    /** Where the band of an honest 95 % reaches below this share, passing says little. */
+    private static final double TELLING = 0.85;
 
     private final TruthPrior prior;
     private final ValidationSettings settings;
@@ -47,8 +49,8 @@ final class ValidationText {
         StringBuilder text = new StringBuilder();
         CheckSettings check = settings.check();
         text.append(CheckText.wrap(String.format(Locale.ROOT, "%d simulated cells, %s, seed %d; %s. %d not converged, "
-                + "%d refused, %d ambiguous.", result.simulations(), model(check), check.seed(), truth(),
-                result.notConverged(), result.refused(), result.ambiguous()), ""));
+                + "%d refused, %d ambiguous%s.", result.simulations(), model(check), check.seed(), truth(),
+                result.notConverged(), result.refused(), result.ambiguous(), falseAlarms(check)), ""));
         int stated = result.simulations() - result.notConverged() - result.refused();
         if (stated == 0) {
             return text.append("No check stated a figure: there is nothing to count.\n").toString();
@@ -72,6 +74,12 @@ final class ValidationText {
         ranks(text);
         text.append('\n').append(verdict());
         return text.toString();
+    }
+
+    /** Only where placement is tested at all. */
+    private String falseAlarms(CheckSettings check) {
+        return check.model() == LikelihoodModel.RIGID_MARKER
+                ? "; in " + result.falseAlarms() + " a reference was called misplaced although none was" : "";
     }
 
     private static String model(CheckSettings check) {
@@ -163,8 +171,14 @@ final class ValidationText {
     }
 
     private String verdict() {
-        return result.covers(JUDGED) ? "A stated 95 % is right 95 times in 100 here, within chance.\n"
-                : "A stated 95 % is not right 95 times in 100 here.\n";
+        if (!result.covers(JUDGED)) {
+            return "A stated 95 % is not right 95 times in 100 here.\n";
+        }
+        RegionCoverage region = result.regions().get(0);
+        double least = (double) region.band(JUDGED).lower() / region.trials();
+        return CheckText.wrap("A stated 95 % is right 95 times in 100 here, within chance." + (least < TELLING
+                ? " So few simulated cells would not tell it from " + Math.round(100 * least)
+                + " times in 100: give more --simulations." : ""), "");
     }
 
     // ---- JSON
@@ -192,6 +206,7 @@ final class ValidationText {
         root.addProperty("not_converged", result.notConverged());
         root.addProperty("refused", result.refused());
         root.addProperty("ambiguous", result.ambiguous());
+        root.addProperty("false_alarms", result.falseAlarms());
         root.add("effective_share_min", number(result.weightShareMin()));
         root.add("rank_p_value", number(result.rankPValue()));
         JsonArray regions = new JsonArray();

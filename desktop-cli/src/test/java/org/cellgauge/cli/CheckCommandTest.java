@@ -20,6 +20,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -291,6 +292,141 @@ class CheckCommandTest {
         assertFalse(text.contains("NaN") || text.contains("Infinity"), text);
         assertTrue(json(out.resolve("corners.result.json")).getAsJsonObject("diagnostics").get("ess_bulk_min")
                 .isJsonNull());
+    }
+
+    // ---- the chains beside Laplace's approximation
+
+    @Test
+    void theReportSaysByHowMuchTheChainsCorrectLaplacesApproximation() throws IOException {
+        CommandCall call = check("--detections", corners, "--target", 5, "--out", out);
+        JsonObject result = json(out.resolve("corners.result.json"));
+        double least = Double.POSITIVE_INFINITY;
+        double most = 0;
+        double farthest = 0;
+        for (String id : List.of("5", "20")) {
+            JsonObject laplace = result.getAsJsonObject("laplace").getAsJsonObject("objects").getAsJsonObject(id);
+            JsonObject object = result.getAsJsonObject("objects").getAsJsonObject(id);
+            for (String prefix : id.equals("20") ? List.of("", "grip_") : List.of("")) {
+                JsonObject sampled = object.getAsJsonObject(prefix.isEmpty() ? "pose" : "grip");
+                for (int i = 0; i < 3; i++) {
+                    double std = numbers(laplace.get(prefix + "std"))[i];
+                    double ratio = numbers(sampled.get("std"))[i] / std;
+                    double shift = (numbers(sampled.get("mean"))[i] - numbers(laplace.get(prefix + "mean"))[i]) / std;
+                    assertEquals(ratio, numbers(laplace.get(prefix + "sampled_by_laplace"))[i], 1e-12);
+                    assertEquals(shift, numbers(laplace.get(prefix + "mean_shift_by_std"))[i], 1e-9);
+                    least = Math.min(least, ratio);
+                    most = Math.max(most, ratio);
+                    farthest = Math.max(farthest, Math.abs(shift));
+                }
+            }
+        }
+        // a nearly Gaussian posterior: what is left is Monte Carlo error, 2 % of each deviation
+        assertTrue(least > 0.9 && most < 1.1 && farthest < 0.2, least + ", " + most + ", " + farthest);
+        String line = call.out().replaceAll("\\s+", " ");
+        assertTrue(line.contains(String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (", least)),
+                line);
+        assertTrue(line.contains(String.format(Locale.ROOT, ") to %.2f (", most)), line);
+        assertTrue(line.contains(String.format(Locale.ROOT, ") times as large, means up to %.2f std apart (", farthest)),
+                line);
+        assertTrue(Files.readString(out.resolve("report.html")).contains("Chains against Laplace&#39;s approximation"));
+    }
+
+    // ---- references against each other
+
+    /** The cell file has reference 911 by 12 mm beside where the photo shows it, with a stated precision of 1 mm. */
+    private void misplace911() throws IOException {
+        Files.writeString(cell, SmallCell.YAML.replace("911: {position_mm: [400, 0, 0]",
+                "911: {position_mm: [400, 12, 0]"));
+    }
+
+    @Test
+    void everyReferenceHasItsFigures() throws IOException {
+        assertEquals(0, check("--detections", corners, "--target", 5, "--out", out).code());
+        JsonObject result = json(out.resolve("corners.result.json"));
+        JsonObject references = result.getAsJsonObject("references");
+        assertEquals(Set.of("944", "22", "911", "1234"), references.keySet());
+        assertEquals(0, result.getAsJsonArray("misplaced_references").size());
+        assertFalse(result.has("without_misplaced"));
+        for (JsonElement e : references.asMap().values()) {
+            JsonObject reference = e.getAsJsonObject();
+            assertTrue(reference.get("used").getAsBoolean());
+            assertFalse(reference.get("misplaced").getAsBoolean());
+            int degrees = reference.get("degrees_of_freedom").getAsInt();
+            assertEquals(8, degrees);
+            double chiSquare = reference.get("chi_square").getAsDouble();
+            assertEquals(Math.sqrt(chiSquare / degrees), reference.get("normalised_residual").getAsDouble(), 1e-12);
+            assertTrue(reference.get("p_value").getAsDouble() > 1e-4);
+            assertEquals("[\"x_mm\",\"y_mm\",\"z_mm\",\"wx_rad\",\"wy_rad\",\"wz_rad\"]",
+                    reference.get("order").toString());
+            double[] statistic = numbers(reference.get("statistic"));
+            double[] offset = numbers(reference.get("offset"));
+            double[] std = numbers(reference.get("offset_std"));
+            double[] limit = numbers(reference.get("limit"));
+            double[] detectable = numbers(reference.get("detectable"));
+            for (int i = 0; i < 6; i++) {
+                assertEquals(statistic[i], offset[i] / std[i], 1e-9);
+                assertTrue(Math.abs(statistic[i]) < limit[i]);
+                assertTrue(detectable[i] > limit[i] * std[i], "to be beyond the limit it must be farther off");
+            }
+            // stated to 1 mm and 0.2 degrees: what is seen of it is never more precise
+            assertTrue(std[0] > 1 && std[5] > Math.toRadians(0.2));
+        }
+    }
+
+    @Test
+    void aMisplacedReferenceIsNamedWithWhatHangsOnIt() throws IOException {
+        misplace911();
+        CommandCall call = check("--detections", corners, "--target", 3, "--out", out);
+        assertEquals(4, call.code(), call.out());
+        JsonObject result = json(out.resolve("corners.result.json"));
+        assertTrue(result.getAsJsonObject("references").getAsJsonObject("911").get("misplaced").getAsBoolean());
+        JsonObject found = result.getAsJsonArray("misplaced_references").get(0).getAsJsonObject();
+        assertEquals(911, found.get("id").getAsInt());
+        assertTrue(found.get("statistic").getAsDouble() < -found.get("limit").getAsDouble());
+        // it stands at 0 where the file has 12
+        assertEquals(-12, numbers(found.get("offset"))[1], 3);
+        JsonObject without = result.getAsJsonObject("without_misplaced");
+        assertEquals("[911]", without.get("left_out").toString());
+        assertPose(without.getAsJsonObject("camera"));
+        JsonObject objects = without.getAsJsonObject("objects");
+        assertEquals(Set.of("5", "20"), objects.keySet());
+        JsonObject grip = objects.getAsJsonObject("20").getAsJsonObject("grip");
+        double[] truth = RigidTransform.ofEuler(110, 150, 0, 0, 0.4, -0.2).apply(0, 0, 100);
+        for (int i = 0; i < 3; i++) {
+            double std = numbers(grip.get("std"))[i];
+            assertEquals(truth[i], numbers(grip.get("mean"))[i], 3 * std);
+            assertEquals(Math.hypot(std, numbers(grip.get("move_mm"))[i]), numbers(grip.get("error_mm"))[i], 1e-12);
+        }
+        String reason = result.get("reason").getAsString();
+        assertTrue(reason.contains("But reference 911 seems misplaced: if so, the largest error is"), reason);
+        boolean missed = false;
+        for (JsonElement object : result.getAsJsonObject("objects").asMap().values()) {
+            missed |= !object.getAsJsonObject().get("within_target").getAsBoolean();
+            assertTrue(object.getAsJsonObject().get("worst_std_mm").getAsDouble() < 3);
+        }
+        assertTrue(missed, "an object must say that the target is missed");
+
+        String text = call.out();
+        assertTrue(text.lines().anyMatch(l -> l.matches("  reference 911 .*SEEMS OFF")), text);
+        assertTrue(text.lines().noneMatch(l -> l.matches("  reference 944 .*SEEMS OFF")), text);
+        assertTrue(text.contains("Without reference 911, by Laplace's approximation, mm"), text);
+        assertTrue(text.replaceAll("\\s+", " ").contains("- reference 911 seems off by about -1"), text);
+        assertTrue(text.lines().anyMatch(l -> l.matches("  (object 5|object 20|  its gripping point) .*FAIL")), text);
+        String report = Files.readString(out.resolve("report.html"));
+        assertTrue(report.contains("Without reference 911, by Laplace&#39;s approximation, mm"), "table of the report");
+        assertTrue(report.contains("seems off</span>"), "mark of the report");
+        List<String> lines = Files.readAllLines(out.resolve("summary.csv"));
+        int within = Arrays.asList(lines.get(0).split(",")).indexOf("within_target");
+        assertTrue(lines.stream().skip(1).anyMatch(l -> l.split(",")[within].equals("false")), lines.toString());
+    }
+
+    @Test
+    void aReferenceThatWasNotSeenHasNoFigures() throws IOException {
+        Files.writeString(corners, Files.readString(corners).replace("\"id\": 22,", "\"id\": 23,"));
+        check("--detections", corners, "--out", out);
+        JsonObject references = json(out.resolve("corners.result.json")).getAsJsonObject("references");
+        assertEquals("{\"used\":false}", references.getAsJsonObject("22").toString());
+        assertTrue(references.getAsJsonObject("944").get("used").getAsBoolean());
     }
 
     // ---- reproducibility

@@ -84,10 +84,30 @@ final class Wording {
                         percent(reason.share().getAsDouble()));
             case OBJECT_NOT_SEEN:
                 return plural(R.plurals.not_seen, reason.missingObjects().size(), ids(reason.missingObjects())) + " "
-                        + deviation(reason);
+                        + deviation(reason) + misplacement(reason);
             default:
-                return (reason.targetMm().isPresent() ? "" : get(R.string.no_target) + " ") + deviation(reason);
+                return (reason.targetMm().isPresent() ? "" : get(R.string.no_target) + " ") + deviation(reason)
+                        + misplacement(reason);
         }
+    }
+
+    /** What misplaced references add to a reason; empty where there are none. */
+    private String misplacement(Reason reason) {
+        Reason.Misplacement misplacement = reason.misplacement();
+        if (misplacement == null) {
+            return "";
+        }
+        int count = misplacement.references().size();
+        String ids = ids(misplacement.references());
+        String met = misplacement.targetMet() ? " " + get(R.string.target_met_even_so) : "";
+        if (misplacement.objectId().isPresent()) {
+            String of = get(misplacement.grip() ? R.string.of_grip : R.string.of_object,
+                    misplacement.objectId().getAsInt());
+            return met + " " + plural(R.plurals.misplaced_error, count, ids, mm(misplacement.errorMm()),
+                    axis(misplacement.axis()), of);
+        }
+        return met + " " + plural(misplacement.errorMm() == 0 ? R.plurals.misplaced : R.plurals.misplaced_no_pose,
+                count, ids);
     }
 
     private String deviation(Reason reason) {
@@ -113,7 +133,11 @@ final class Wording {
     }
 
     private static String axis(Reason reason) {
-        return "xyz".substring(reason.axis().getAsInt(), reason.axis().getAsInt() + 1);
+        return axis(reason.axis().getAsInt());
+    }
+
+    private static String axis(int axis) {
+        return "xyz".substring(axis, axis + 1);
     }
 
     private String source(Reason reason) {
@@ -133,8 +157,8 @@ final class Wording {
 
     /** What labels in the picture say. */
     LabelWords labels() {
-        return new LabelWords(locale, get(R.string.label_left_out), get(R.string.label_not_seen),
-                get(R.string.label_not_in_cell), get(R.string.label_not_converged),
+        return new LabelWords(locale, get(R.string.label_left_out), get(R.string.label_misplaced),
+                get(R.string.label_not_seen), get(R.string.label_not_in_cell), get(R.string.label_not_converged),
                 get(R.string.label_not_converged_yet), get(R.string.label_ambiguous), get(R.string.label_grip));
     }
 

@@ -1,0 +1,317 @@
+package org.cellgauge.check;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalInt;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.ReferenceView;
+
+/**
+ * Whether the references fit together, which of them does not, and what hangs on it; immutable.
+ *
+ * <p>Every direction of every reference has its {@link PlacementTest} (a mean-shift outlier test; data snooping in
+ * photogrammetry: Baarda, "A testing procedure for use in geodetic networks", 1968). The reference for which most speaks is
+ * named and left out, the pose fitted again, and the rest tested anew, until nothing raises an alarm.
+ *
+ * <p>What the camera pose can absorb cannot be noticed: two references, or three in a plane, determine it with next to
+ * nothing to spare.
+ */
+public final class ReferenceCheck {
+    /** Twice the logarithm of 20: another reference for which this much less speaks may be the one instead. */
+    private static final double DOUBT = 2 * Math.log(20);
+
+    private final List<ReferenceFit> fits;
+    private final List<MisplacedReference> misplaced;
+    private final WithoutMisplaced without;
+
+    private ReferenceCheck(List<ReferenceFit> fits, List<MisplacedReference> misplaced, WithoutMisplaced without) {
+        this.fits = Collections.unmodifiableList(fits);
+        this.misplaced = Collections.unmodifiableList(misplaced);
+        this.without = without;
+    }
+
+    /**
+     * Checks the references of a photo.
+     *
+     * @param camera the camera from all of them
+     * @param objects the objects seen
+     */
+    static ReferenceCheck of(CameraTarget camera, List<ObjectTarget> objects) {
+        PoseMode mode = camera.modes.get(0);
+        // without rigid placements in the likelihood there is nothing stated that a test could hold against them
+        List<PlacementTest> tests = camera.settings.model() == LikelihoodModel.RIGID_MARKER
+                ? PlacementTest.of(camera.view, mode) : Collections.emptyList();
+        List<MisplacedReference> found = new ArrayList<>();
+        List<Integer> leftOut = new ArrayList<>();
+        CameraTarget rest = camera;
+        List<PlacementTest> testsOfRest = tests;
+        while (rest != null && rest.view.size() >= 2) {
+            PlacementTest worst = worst(testsOfRest, Collections.emptyList(), true);
+            if (worst == null) {
+                break;
+            }
+            found.add(new MisplacedReference(worst, orInstead(testsOfRest, worst)));
+            leftOut.add(worst.reference.id());
+            rest = without(rest, worst.index);
+            testsOfRest = rest == null || rest.view.size() < 2 ? Collections.emptyList()
+                    : PlacementTest.of(rest.view, rest.modes.get(0));
+        }
+        PlacementScores scores = new PlacementScores(camera.view, mode);
+        List<ReferenceFit> fits = new ArrayList<>();
+        for (int m = 0; m < camera.view.size(); m++) {
+            Reference reference = camera.view.references().get(m);
+            fits.add(new ReferenceFit(reference, scores.chiSquare(m), leftOut.contains(reference.id()), tests));
+        }
+        return new ReferenceCheck(fits, found,
+                found.isEmpty() || rest == null ? null : WithoutMisplaced.of(leftOut, camera, rest, objects));
+    }
+
+    /** The test for which most speaks, of references that are not excepted. */
+    private static PlacementTest worst(List<PlacementTest> tests, List<Integer> excepted, boolean alarmsOnly) {
+        PlacementTest worst = null;
+        for (PlacementTest test : tests) {
+            if ((test.raisesAlarm() || !alarmsOnly) && !excepted.contains(test.reference.id())
+                    && (worst == null || test.evidence() > worst.evidence())) {
+                worst = test;
+            }
+        }
+        return worst;
+    }
+
+    private static List<Integer> orInstead(List<PlacementTest> tests, PlacementTest worst) {
+        List<Integer> excepted = new ArrayList<>();
+        excepted.add(worst.reference.id());
+        List<Integer> others = new ArrayList<>();
+        while (true) {
+            PlacementTest next = worst(tests, excepted, false);
+            if (next == null || next.evidence() < worst.evidence() - DOUBT) {
+                return others;
+            }
+            others.add(next.reference.id());
+            excepted.add(next.reference.id());
+        }
+    }
+
+    /** The camera from all references of a target but one; null if they lead to no pose. */
+    private static CameraTarget without(CameraTarget target, int leftOut) {
+        List<Integer> kept = new ArrayList<>();
+        for (int m = 0; m < target.view.size(); m++) {
+            if (m != leftOut) {
+                kept.add(m);
+            }
+        }
+        ReferenceView view = target.view.only(kept);
+        RigidTransform start = target.view.worldFromCamera(target.modes.get(0).state().cameraFromSet());
+        List<PoseMode> modes = target.finder(view).modes(start);
+        return modes.isEmpty() ? null : target.with(view, modes);
+    }
+
+    /**
+     * How each reference fits the others.
+     *
+     * @return those that the camera pose rests on, in the order of the cell
+     */
+    public List<ReferenceFit> fits() {
+        return fits;
+    }
+
+    /**
+     * How one reference fits the others.
+     *
+     * @param id marker id
+     * @return its figures, or null where the camera pose does not rest on it
+     */
+    public ReferenceFit fit(int id) {
+        for (ReferenceFit fit : fits) {
+            if (fit.id() == id) {
+                return fit;
+            }
+        }
+        return null;
+    }
+
+    /**
+     * References that stand farther off than their stated precision allows.
+     *
+     * @return the worst first, each after those before it were left out; mostly none
+     */
+    public List<MisplacedReference> misplaced() {
+        return misplaced;
+    }
+
+    /**
+     * Camera and objects without them.
+     *
+     * @return null where no reference is misplaced, or the others lead to no pose
+     */
+    public WithoutMisplaced without() {
+        return without;
+    }
+
+    /**
+     * What the target is held against at an object's position.
+     *
+     * @param object as the chains have it
+     * @return its largest deviation; where a reference is misplaced, the error the position has without it if larger
+     */
+    public double judgedMm(ObjectEstimate object) {
+        return judged(WithoutMisplaced.largest(object.pose().std()),
+                without == null ? null : without.object(object.id()).errorMm());
+    }
+
+    /**
+     * What the target is held against at an object's gripping point.
+     *
+     * @param object as the chains have it
+     * @return the same of the gripping point; 0 if it has none
+     */
+    public double gripJudgedMm(ObjectEstimate object) {
+        return object.grip() == null ? 0 : judged(WithoutMisplaced.largest(object.grip().stdMm()),
+                without == null ? null : without.object(object.id()).gripErrorMm());
+    }
+
+    private double judged(double stdMm, double[] errorMm) {
+        if (misplaced.isEmpty()) {
+            return stdMm;
+        }
+        return errorMm == null ? Double.POSITIVE_INFINITY : Math.max(stdMm, WithoutMisplaced.largest(errorMm));
+    }
+
+    /**
+     * Whether an object and its gripping point meet a target, misplaced references kept or left out.
+     *
+     * @param object as the chains have it
+     * @param targetStdMm largest deviation allowed on any axis, mm
+     * @return true if both do
+     */
+    public boolean meets(ObjectEstimate object, double targetStdMm) {
+        return judgedMm(object) <= targetStdMm && gripJudgedMm(object) <= targetStdMm;
+    }
+
+    /**
+     * How far off a reference would have to be to be noticed, for people.
+     *
+     * @return a sentence or two with full stops; empty where references are not tested
+     */
+    public String noticeable() {
+        double[] worstMm = new double[3];
+        double most = 0;
+        boolean tested = false;
+        for (ReferenceFit fit : fits) {
+            tested |= fit.tested();
+            for (int axis = 0; axis < 3; axis++) {
+                double mm = fit.detectable()[axis];
+                worstMm[axis] = Math.max(worstMm[axis], Double.isNaN(mm) ? Double.POSITIVE_INFINITY : mm);
+                most = Math.max(most, worstMm[axis] / fit.statedStdMm(axis));
+            }
+        }
+        if (!tested) {
+            return "";
+        }
+        List<String> sizes = new ArrayList<>();
+        List<String> never = new ArrayList<>();
+        for (int axis = 0; axis < 3; axis++) {
+            String name = "xyz".substring(axis, axis + 1);
+            if (Double.isInfinite(worstMm[axis])) {
+                never.add(name);
+            } else {
+                sizes.add(String.format(Locale.ROOT, worstMm[axis] < 100 ? "%.1f mm in %s" : "%.0f mm in %s",
+                        worstMm[axis], name));
+            }
+        }
+        String text = sizes.isEmpty() ? "" : "To be noticed in 19 of 20 photos a reference would have to be off by up to "
+                + Reason.joined(sizes, " or ") + ".";
+        text += never.isEmpty() ? "" : (text.isEmpty() ? "" : " ") + "A reference that is off in "
+                + Reason.joined(never, " or ") + " would not be noticed.";
+        return text + (most > PlacementTest.LOOKED_FOR ? String.format(Locale.ROOT, " That is more than %.0f times what "
+                + "is stated: more references would show less.", PlacementTest.LOOKED_FOR) : "");
+    }
+
+    /** Warnings to the user. */
+    List<String> warnings() {
+        List<String> texts = new ArrayList<>();
+        for (MisplacedReference reference : misplaced) {
+            texts.add(reference.warning());
+        }
+        if (!misplaced.isEmpty()) {
+            texts.add(hangsOnIt());
+        }
+        return texts;
+    }
+
+    /** What leaving out the misplaced references changes, largest change first; a sentence without a full stop. */
+    private String hangsOnIt() {
+        String them = misplaced.size() == 1 ? "it" : "them";
+        if (without == null) {
+            return "without " + them + " the other references lead to no camera pose";
+        }
+        String moved = "the camera";
+        double[] move = without.cameraMoveMm();
+        double most = -1;
+        for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+            if (length(object.moveMm()) > most) {
+                most = length(object.moveMm());
+                move = object.moveMm();
+                moved = "object " + object.id();
+            }
+            if (object.grip() != null && length(object.gripMoveMm()) > most) {
+                most = length(object.gripMoveMm());
+                move = object.gripMoveMm();
+                moved = "the gripping point of object " + object.id();
+            }
+        }
+        String text = String.format(Locale.ROOT, "figures rest on reference %s all the same: without %s %s moves by (%.1f, "
+                + "%.1f, %.1f) mm%s", list(), them, moved, move[0], move[1], move[2],
+                without.objects().size() > 1 ? ", more than any other" : "");
+        return without.objects().isEmpty() ? text : text + String.format(Locale.ROOT, ", and the largest deviation is %.2f "
+                + "mm instead of %.2f mm", without.worstStdMm(), without.worstStdWithAllMm());
+    }
+
+    private static double length(double[] v) {
+        return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+
+    private String list() {
+        List<Integer> ids = new ArrayList<>();
+        misplaced.forEach(reference -> ids.add(reference.id()));
+        return Reason.joined(ids, " and ");
+    }
+
+    /**
+     * What misplaced references add to a reason.
+     *
+     * @param targetMet whether the verdict is that the target is met
+     * @param of the objects that the reason is about
+     * @return the largest error that a stated position of these has if they are misplaced; null where none is
+     */
+    Reason.Misplacement misplacement(boolean targetMet, List<ObjectEstimate> of) {
+        if (misplaced.isEmpty()) {
+            return null;
+        }
+        List<Integer> ids = new ArrayList<>();
+        misplaced.forEach(reference -> ids.add(reference.id()));
+        Reason.Misplacement worst = new Reason.Misplacement(ids, targetMet, OptionalInt.empty(), false, 0,
+                without == null ? Double.POSITIVE_INFINITY : 0);
+        if (without == null) {
+            return worst;
+        }
+        for (ObjectEstimate estimate : of) {
+            WithoutMisplaced.ObjectWithout object = without.object(estimate.id());
+            for (int i = 0; i < 3; i++) {
+                if (object.errorMm()[i] > worst.errorMm()) {
+                    worst = new Reason.Misplacement(ids, targetMet, OptionalInt.of(object.id()), false, i,
+                            object.errorMm()[i]);
+                }
+                if (object.grip() != null && object.gripErrorMm()[i] > worst.errorMm()) {
+                    worst = new Reason.Misplacement(ids, targetMet, OptionalInt.of(object.id()), true, i,
+                            object.gripErrorMm()[i]);
+                }
+            }
+        }
+        return worst;
+    }
+}
