@@ -130,6 +130,7 @@ class ValidateCommandTest {
         assertEquals(4, call.code(), call.out() + call.err());
         assertTrue(call.out().contains("corner-cube with kappa 0.5"), call.out());
         assertTrue(call.out().contains("TOO RARE"), call.out());
+        assertFalse(call.out().contains("misplaced"), "this likelihood knows no placement to test");
         assertTrue(call.out().endsWith("A stated 95 % is not right 95 times in 100 here.\n"), call.out());
     }
 
@@ -153,6 +154,8 @@ class ValidateCommandTest {
         String out = call.out();
         assertTrue(out.startsWith("4 simulated cells, rigid-marker, seed 1; true poses spread by 50 mm and 10 degrees."),
                 out);
+        assertTrue(out.replaceAll("\\s+", " ").matches(".* \\d ambiguous; in \\d a reference was called misplaced although none "
+                + "was\\. .*"), out);
         for (String region : List.of("camera pose", "object 5 position", "object 5 pose", "object 20 position",
                 "object 20 pose", "object 20 grip")) {
             assertTrue(out.lines().anyMatch(l -> l.matches("  " + region + " +[36] .* - .*")), region + "\n" + out);
