@@ -513,8 +513,8 @@ public final class CellCheck {
                         + "what is known there is the weak prior %s; add a reference", 100 * share, posePriorText));
             }
         }
-        return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
-                quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, camera);
+        return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx,
+                diagnostics, last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, camera);
     }
 
     private static List<Integer> ids(List<ObjectMarker> markers) {

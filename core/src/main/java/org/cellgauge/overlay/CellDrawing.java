@@ -681,7 +681,8 @@ final class CellDrawing {
             MarkerObservation m = detections.find(r.id());
             if (m != null) {
                 boolean out = leftOut(r.id());
-                name(boxOf(m), out ? Status.FAIL : Status.NEUTRAL, out ? words.leftOut(r.id()) : Integer.toString(r.id()));
+                name(boxOf(m), out ? Status.FAIL : Status.NEUTRAL,
+                        out ? words.leftOut(r.id()) : Integer.toString(r.id()));
             } else if (view != null) {
                 double[] centre = view.project(r.worldFromMarker().translationMm());
                 if (view.inImage(centre)) {
@@ -704,7 +705,8 @@ final class CellDrawing {
         } else if (stage == Stage.NOT_CONVERGED) {
             lines.add(words.notConverged(id));
         } else if (status(id) == Status.AMBIGUOUS) {
-            lines.add(words.ambiguous(id, ambiguous(object.modes()) ? shares(object.modes()) : Collections.emptyList()));
+            lines.add(words.ambiguous(id,
+                    ambiguous(object.modes()) ? shares(object.modes()) : Collections.emptyList()));
         } else {
             lines.add(words.deviations(id, object.pose().std()));
             if (object.grip() != null) {
