@@ -53,7 +53,10 @@ class ApkTest {
         Stream.of(arguments).map(Object::toString).forEach(line::add);
         File output = scratch.resolve("output").toFile();
         ProcessBuilder process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(output);
+        // apksigner is a script that looks for a Java of its own
         process.environment().put("JAVA_HOME", System.getProperty("java.home"));
+        process.environment().merge("PATH", Path.of(System.getProperty("java.home"), "bin").toString(),
+                (path, bin) -> bin + File.pathSeparator + path);
         int code = process.start().waitFor();
         String text = Files.readString(output.toPath(), StandardCharsets.ISO_8859_1);
         assertEquals(exitCode, code, () -> line + ": " + text);

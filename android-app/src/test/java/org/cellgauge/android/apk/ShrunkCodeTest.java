@@ -12,6 +12,7 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Function;
 import javax.imageio.ImageIO;
@@ -71,7 +72,7 @@ class ShrunkCodeTest {
 
     /**
      * Markers, poses, deviations, diagnostics and every drawn line, to the last digit. Between them the scenes need the
-     * lens' tables, a dictionary that is read from a file, unknown focal lengths, and all likelihoods but none twice.
+     * lens' tables, a dictionary that is read from a file, unknown focal lengths, both likelihoods and two samplers.
      */
     @ParameterizedTest
     @CsvSource({"lifted-4, default, pass", "distorted-4, default, ", "apriltag-4, default, ", "plane-4, focal, ",
@@ -91,7 +92,7 @@ class ShrunkCodeTest {
     @CsvSource({"pixel_std_px: 0.05, pixel_std_px: [0.05", "size_mm: 47, size_mm: -47", "square-binary, square-binarry",
         "target:, tarrget:"})
     void faultsAreRefusedInTheSameWords(String right, String wrong) throws Exception {
-        Map<String, Object> input = new java.util.HashMap<>(input("lifted-4", "default"));
+        Map<String, Object> input = new HashMap<>(input("lifted-4", "default"));
         input.put("cell", ((String) input.get("cell")).replace(right, wrong));
         String expected = new CheckProbe().apply(input);
         assertTrue(expected.startsWith("refused: cell.yaml"), expected);
