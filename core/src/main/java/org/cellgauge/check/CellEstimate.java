@@ -85,7 +85,8 @@ public final class CellEstimate {
      * The largest standard deviation of one object and its gripping point, and what causes most of it.
      *
      * @param objectId marker id
-     * @return a reason of the kind {@link Reason.Kind#LARGEST_DEVIATION} without a target, or null for an object not seen
+     * @return a reason of the kind {@link Reason.Kind#LARGEST_DEVIATION} without a target, or null for an object not
+     *     seen
      */
     public Reason largestDeviation(int objectId) {
         ObjectEstimate object = object(objectId);

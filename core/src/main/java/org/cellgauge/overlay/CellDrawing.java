@@ -713,7 +713,8 @@ final class CellDrawing {
         } else if (stage == Stage.NOT_CONVERGED) {
             lines.add(words.notConverged(id));
         } else if (status(id) == Status.AMBIGUOUS) {
-            lines.add(words.ambiguous(id, ambiguous(object.modes()) ? shares(object.modes()) : Collections.emptyList()));
+            lines.add(words.ambiguous(id,
+                    ambiguous(object.modes()) ? shares(object.modes()) : Collections.emptyList()));
         } else {
             lines.add(words.deviations(id, object.pose().std()));
             if (object.grip() != null) {

@@ -36,8 +36,8 @@ public final class Overlay {
     }
 
     /**
-     * The length that line widths and texts are measured in: 1 px in a VGA image, growing with the image, the same however
-     * the image is turned.
+     * The length that line widths and texts are measured in: 1 px in a VGA image, growing with the image, the same
+     * however the image is turned.
      *
      * @param widthPx image width
      * @param heightPx image height

@@ -70,9 +70,9 @@ class CellOverlayTest {
         LabelWords german = new LabelWords(Locale.GERMAN, "ausgelassen", "steht falsch", "nicht gesehen", "nicht in der Zelldatei",
                 "nicht konvergiert", "noch nicht konvergiert", "mehrdeutig", "Greifpunkt");
         CheckUpdate update = quickLook(cell, detections);
-        List<String> english = texts(CellOverlay.of(cell, detections, update, ImageOrientation.IDENTITY, false), Role.LABEL);
-        List<String> translated = texts(CellOverlay.of(cell, detections, update, ImageOrientation.IDENTITY, false, german),
-                Role.LABEL);
+        ImageOrientation asItIs = ImageOrientation.IDENTITY;
+        List<String> english = texts(CellOverlay.of(cell, detections, update, asItIs, false), Role.LABEL);
+        List<String> translated = texts(CellOverlay.of(cell, detections, update, asItIs, false, german), Role.LABEL);
         assertEquals(english.size(), translated.size());
         assertTrue(translated.contains("noch nicht konvergiert"));
         assertFalse(translated.contains("not converged yet"));

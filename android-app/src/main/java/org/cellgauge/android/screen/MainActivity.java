@@ -500,7 +500,8 @@ public final class MainActivity extends Activity {
         freeze.setEnabled(s.cell() != null && (s.canFreeze() || !liveShown));
         text(freeze, words.get(liveShown ? R.string.freeze : R.string.resume));
         freeze.setContentDescription(words.get(liveShown ? R.string.freeze_spoken : R.string.resume_spoken));
-        freeze.setCompoundDrawablesWithIntrinsicBounds(0, liveShown ? R.drawable.ic_freeze : R.drawable.ic_resume, 0, 0);
+        freeze.setCompoundDrawablesWithIntrinsicBounds(0,
+                liveShown ? R.drawable.ic_freeze : R.drawable.ic_resume, 0, 0);
         enable(R.id.save, s.canSave());
         enable(R.id.share, s.canShare());
         enable(R.id.target, s.cell() != null);

@@ -145,8 +145,8 @@ public final class OverlayPainter {
         if (shape instanceof PanelShape) {
             Box b = shape.bounds();
             float round = (float) (3 * unit);
-            item.path.addRoundRect((float) b.left(), (float) b.top(), (float) b.right(), (float) b.bottom(), round, round,
-                    Path.Direction.CW);
+            item.path.addRoundRect((float) b.left(), (float) b.top(), (float) b.right(), (float) b.bottom(), round,
+                    round, Path.Direction.CW);
             item.fillColour = PANEL;
             item.rimColour = 0;
             return;

@@ -26,7 +26,8 @@ public final class OverlayView extends View {
     /**
      * What to draw.
      *
-     * @param next in px of the upright picture, which fills the view and is cut where the shapes differ; null for nothing
+     * @param next in px of the upright picture, which fills the view and is cut where the shapes differ; null for
+     *     nothing
      */
     void setOverlay(Overlay next) {
         if (next == overlay) {

@@ -30,9 +30,9 @@ final class PictureMatrix {
     }
 
     /**
-     * How a preview must be turned. A texture shows the camera's buffer, stretched over the view, as it stands upright on
-     * the device in its natural orientation, a front camera's mirrored: the camera service sees to that, and knows nothing
-     * of the display's rotation.
+     * How a preview must be turned. A texture shows the camera's buffer, stretched over the view, as it stands upright
+     * on the device in its natural orientation, a front camera's mirrored: the camera service sees to that, and knows
+     * nothing of the display's rotation.
      *
      * @param matrix is set
      * @param imageWidth width of the camera's frames in sensor orientation, px

@@ -213,8 +213,8 @@ final class ScreenContent {
                     s.canSave() ? Action.SAVE_AGAIN : null));
         } else if (s.saved() != null) {
             rows.add(s.showsSaved()
-                    ? new Row(R.drawable.mark_pass, R.color.mark_pass, words.get(R.string.saved, s.saved().name()), null,
-                            null, null)
+                    ? new Row(R.drawable.mark_pass, R.color.mark_pass, words.get(R.string.saved, s.saved().name()),
+                            null, null, null)
                     : note(R.drawable.ic_save, words.get(R.string.saved_earlier, s.saved().name()),
                             words.get(R.string.saved_earlier_text), null));
         }
@@ -313,8 +313,8 @@ final class ScreenContent {
             rows.add(note(R.drawable.mark_not_converged, words.get(R.string.heat_warm),
                     words.get(R.string.heat_warm_text), null));
         } else if (s.heat() == ThermalLevel.HOT) {
-            rows.add(note(R.drawable.mark_not_converged, words.get(R.string.heat_hot), words.get(R.string.heat_hot_text),
-                    null));
+            rows.add(note(R.drawable.mark_not_converged, words.get(R.string.heat_hot),
+                    words.get(R.string.heat_hot_text), null));
         } else if (s.heat() == ThermalLevel.CRITICAL && s.source() != ImageSource.LIVE) {
             rows.add(note(R.drawable.mark_not_converged, words.get(R.string.too_hot), words.get(R.string.too_hot_text),
                     null));

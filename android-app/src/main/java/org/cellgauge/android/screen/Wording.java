@@ -119,7 +119,8 @@ final class Wording {
         String share = percent(reason.share().getAsDouble());
         OptionalDouble target = reason.targetMm();
         return target.isPresent()
-                ? get(R.string.largest_target, std, axis(reason), of, plain(target.getAsDouble()), share, source(reason))
+                ? get(R.string.largest_target, std, axis(reason), of, plain(target.getAsDouble()), share,
+                        source(reason))
                 : get(R.string.largest, std, axis(reason), of, share, source(reason));
     }
 

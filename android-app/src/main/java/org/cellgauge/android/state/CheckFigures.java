@@ -29,8 +29,8 @@ final class CheckFigures {
             ObjectEstimate object = estimate == null ? null : estimate.object(marker.id());
             if (object == null) {
                 boolean seen = estimate == null && !live.missingObjects().contains(marker.id());
-                rows.add(new ObjectRow(marker.id(), seen ? ObjectRow.Mark.NO_FIGURE : ObjectRow.Mark.NOT_SEEN, null, null,
-                        null, null));
+                rows.add(new ObjectRow(marker.id(), seen ? ObjectRow.Mark.NO_FIGURE : ObjectRow.Mark.NOT_SEEN, null,
+                        null, null, null));
             } else {
                 rows.add(result != null ? judged(object, result) : preliminary(object, estimate));
             }
@@ -54,7 +54,8 @@ final class CheckFigures {
             case NO_TARGET:
                 return figures(object, ObjectRow.Mark.NOT_JUDGED, result.finding(object.id()));
             case AMBIGUOUS:
-                return new ObjectRow(object.id(), ObjectRow.Mark.AMBIGUOUS, null, null, null, result.finding(object.id()));
+                return new ObjectRow(object.id(), ObjectRow.Mark.AMBIGUOUS, null, null, null,
+                        result.finding(object.id()));
             default:
                 return new ObjectRow(object.id(), ObjectRow.Mark.NOT_CONVERGED, null, null, null, null);
         }

@@ -484,8 +484,8 @@ public final class CheckSession {
         if (s.live() == null || current == null || !belongs(s, current)) {
             return s;
         }
-        return s.change().overlay(CheckFigures.overlay(current.cell(), s.live(), s.result(), s.orientation(), s.words()))
-                .build();
+        return s.change().overlay(
+                CheckFigures.overlay(current.cell(), s.live(), s.result(), s.orientation(), s.words())).build();
     }
 
     // ---- the camera
@@ -559,7 +559,8 @@ public final class CheckSession {
             }
             if (m.source() == ImageSource.PHOTO) {
                 beginPhoto();
-                Supplier<Photo> photo = m.photoUri() == null ? library::examplePhoto : () -> library.photo(m.photoUri());
+                Supplier<Photo> photo = m.photoUri() == null ? library::examplePhoto
+                        : () -> library.photo(m.photoUri());
                 checkPhoto(document, m.photoUri(), photo, m.photoCamera(), m.focalEstimated(), ImageSource.PHOTO, null);
             } else if (m.source() == ImageSource.FROZEN) {
                 FrozenFrameFile.Frame frame = frozenFrame.read();

@@ -5,8 +5,8 @@ import java.util.OptionalDouble;
 import org.cellgauge.geometry.PinholeCamera;
 
 /**
- * What of a session outlives its process: what was chosen, not what was computed. The same choices and the same seed give
- * the same figures again. Immutable.
+ * What of a session outlives its process: what was chosen, not what was computed. The same choices and the same seed
+ * give the same figures again. Immutable.
  */
 public final class SessionMemory {
     private static final String SEED = "seed";

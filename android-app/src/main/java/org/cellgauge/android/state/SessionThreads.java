@@ -32,7 +32,8 @@ public final class SessionThreads {
         this(states, files, watch, chains, new ExecutorService[0]);
     }
 
-    private SessionThreads(Scheduler states, Scheduler files, Scheduler watch, Scheduler chains, ExecutorService[] own) {
+    private SessionThreads(Scheduler states, Scheduler files, Scheduler watch, Scheduler chains,
+            ExecutorService[] own) {
         this.states = states;
         this.files = files;
         this.watch = watch;
@@ -48,7 +49,8 @@ public final class SessionThreads {
     public static SessionThreads ofApp() {
         ExecutorService states = Executors.newSingleThreadExecutor(r -> new Thread(r, "states"));
         ExecutorService files = Executors.newSingleThreadExecutor(r -> new Thread(r, "files"));
-        return new SessionThreads(Schedulers.from(states), Schedulers.from(files), null, null, new ExecutorService[] {states, files});
+        return new SessionThreads(Schedulers.from(states), Schedulers.from(files), null, null,
+                new ExecutorService[] {states, files});
     }
 
     Scheduler states() {

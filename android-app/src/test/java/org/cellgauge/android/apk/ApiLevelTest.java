@@ -40,8 +40,9 @@ class ApiLevelTest {
         HARMLESS.put("org\\.ejml\\.(data\\.[DF]MatrixRMaj|simple\\.SimpleBase)"
                         + ": String java\\.io\\.ByteArrayOutputStream\\.toString\\(java\\.nio\\.charset\\.Charset\\)",
                 "the text of a matrix, for debugging: in toString(), which nothing here calls");
-        HARMLESS.put("org\\.cellgauge\\.android\\.camera\\.(CameraTraits|RequestSettings): android\\.hardware\\.camera2\\."
-                        + "Ca\\w+\\.Key android\\.hardware\\.camera2\\.Ca\\w+\\.(LENS_DISTORTION|DISTORTION_CORRECTION_\\w+|"
+        HARMLESS.put("org\\.cellgauge\\.android\\.camera\\.(CameraTraits|RequestSettings): "
+                        + "android\\.hardware\\.camera2\\.Ca\\w+\\.Key android\\.hardware\\.camera2\\.Ca\\w+\\."
+                        + "(LENS_DISTORTION|DISTORTION_CORRECTION_\\w+|"
                         + "SCALER_(AVAILABLE_)?ROTATE_AND_CROP(_MODES)?)",
                 "keys of Android 9 and 12: read behind a question for the version");
         HARMLESS.put("org\\.cellgauge\\.android\\.device\\.ThermalWatch.* android\\.os\\.PowerManager\\..*",

@@ -142,8 +142,8 @@ public class AccessibilityTest {
             Screen.app().levels.onNext(ThermalLevel.NORMAL);
             Screen.app().feed.frame(Fixture.LIFTED.image());
             screen.until("result", () -> screen.state().verdict() != null);
-            assertEquals("Picture. Pass – target met. Object 5 within 3 mm. Object 20 within 3 mm. Object 30 within 3 mm.",
-                    Screen.plain(overlay.getContentDescription()));
+            assertEquals("Picture. Pass – target met. Object 5 within 3 mm. Object 20 within 3 mm. "
+                    + "Object 30 within 3 mm.", Screen.plain(overlay.getContentDescription()));
         }
     }
 
@@ -195,7 +195,7 @@ public class AccessibilityTest {
         double a = Color.luminance(resources.getColor(front, null));
         double b = Color.luminance(resources.getColor(back, null));
         double contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-        assertTrue(night + " " + resources.getResourceEntryName(front) + " on " + resources.getResourceEntryName(back) + ": "
-                + contrast, contrast >= least);
+        assertTrue(night + " " + resources.getResourceEntryName(front) + " on "
+                + resources.getResourceEntryName(back) + ": " + contrast, contrast >= least);
     }
 }

@@ -14,7 +14,7 @@ import org.robolectric.Robolectric;
 import org.robolectric.RobolectricTestRunner;
 import org.robolectric.android.controller.ActivityController;
 
-/** The app as it is packed, with nothing of a test in it but the machine it runs on: it shows its example and keeps it. */
+/** The app as it is packed, nothing of a test in it but the machine: it checks its example and keeps it. */
 @RunWith(RobolectricTestRunner.class)
 public class DevicePartsTest {
     private static final int PATIENCE_MS = 60_000;

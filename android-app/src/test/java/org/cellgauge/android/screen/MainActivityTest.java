@@ -171,7 +171,8 @@ public class MainActivityTest {
                     BoofMarkerDetector.forCell(FIXTURE.cell()).detect(FIXTURE.image(), "alone"),
                     CheckSettings.builder().build());
             for (int id : new int[] {5, 20, 30}) {
-                assertArrayEquals(alone.estimate().object(id).pose().std(), shown.estimate().object(id).pose().std(), 0);
+                assertArrayEquals(alone.estimate().object(id).pose().std(),
+                        shown.estimate().object(id).pose().std(), 0);
             }
             assertEquals(Verdict.PASS, screen.state().verdict());
             assertEquals(alone.reason().replace(" %", "%"), screen.text(R.id.reason));
@@ -203,8 +204,8 @@ public class MainActivityTest {
             feed().frame(FIXTURE.blank());
             screen.until("search", () -> screen.state().phase() == LiveState.Phase.SEARCHING);
             assertEquals("No reference in view", screen.text(R.id.banner_headline));
-            assertEquals("None of the references 944, 1234, 911 and 22 is in view: come closer, or check light and focus.",
-                    screen.text(R.id.reason));
+            assertEquals("None of the references 944, 1234, 911 and 22 is in view: "
+                    + "come closer, or check light and focus.", screen.text(R.id.reason));
             assertFalse(screen.find(R.id.freeze).isEnabled());
         }
     }
@@ -463,7 +464,8 @@ public class MainActivityTest {
             assertFalse(messageShown(screen));
             assertEquals("Pass – target met", screen.text(R.id.banner_headline));
             assertEquals(View.VISIBLE, screen.find(R.id.still).getVisibility());
-            assertTrue(rows(screen), rows(screen).contains("The camera was disconnected. The last frame with figures is held."));
+            assertTrue(rows(screen),
+                    rows(screen).contains("The camera was disconnected. The last frame with figures is held."));
             screen.tap(R.id.save);
             assertArrayEquals(FIXTURE.image().luminance(), Screen.app().archive.photos.get(0).luminance().luminance());
             tapRow(screen, "Try again");
@@ -488,8 +490,8 @@ public class MainActivityTest {
         try (Screen screen = Screen.start()) {
             screen.chooseCell(new CellDocument("cell.yaml", "content://cells/own", FIXTURE.cell(), null));
             assertNull("the device's own model is asked for", feed().openedWith);
-            feed().opened(FIXTURE.cell().camera(), CameraModelSource.FIELD_OF_VIEW, 90, false, CameraNote.FOCUS_NOT_LOCKED,
-                    CameraNote.FOCAL_LENGTH_ESTIMATED);
+            feed().opened(FIXTURE.cell().camera(), CameraModelSource.FIELD_OF_VIEW, 90, false,
+                    CameraNote.FOCUS_NOT_LOCKED, CameraNote.FOCAL_LENGTH_ESTIMATED);
             screen.settle();
             assertTrue(rows(screen), rows(screen).contains("From the lens's field of view only."));
             assertTrue(rows(screen), rows(screen).contains("The focus cannot be locked"));
@@ -538,7 +540,7 @@ public class MainActivityTest {
     @Test
     public void refusedCellIsShownInFullAndTheOldOneStays() {
         try (Screen screen = live()) {
-            String message = "kitchen.yaml, line 7: references.944.position_mm has 2 numbers; write three: [x, y, z] in mm";
+            String message = "kitchen.yaml, line 7: references.944.position_mm has 2 numbers; write three, in mm";
             Screen.app().library.cells.put("content://cells/kitchen", () -> {
                 throw new InputRefusedException(message);
             });
@@ -592,7 +594,8 @@ public class MainActivityTest {
     @Test
     public void photoOfAnUnknownCameraIsNotChecked() {
         try (Screen screen = Screen.start()) {
-            screen.chooseCell(new CellDocument("cell.yaml", "content://cells/own", FIXTURE.cell(), null, "camera.yaml"));
+            screen.chooseCell(
+                    new CellDocument("cell.yaml", "content://cells/own", FIXTURE.cell(), null, "camera.yaml"));
             assertTrue(rows(screen), rows(screen).contains("The cell file names the camera camera.yaml"));
             screen.openPhoto(FIXTURE.photo());
             assertEquals("The camera of this photo is not known", screen.text(R.id.message_title));

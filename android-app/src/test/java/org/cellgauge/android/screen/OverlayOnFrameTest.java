@@ -32,8 +32,8 @@ import org.robolectric.RuntimeEnvironment;
 import org.robolectric.annotation.Config;
 
 /**
- * A rendered frame fed in as a camera's comes out as ellipses at the right pixels of the view, however the device is held
- * and whichever way the camera looks. What is right is worked out here from the check of the frame alone.
+ * A rendered frame fed in as a camera's comes out as ellipses at the right pixels of the view, however the device is
+ * held and whichever way the camera looks. What is right is worked out here from the check of the frame alone.
  */
 @RunWith(RobolectricTestRunner.class)
 @Config(application = TestApp.class)
@@ -51,7 +51,7 @@ public class OverlayOnFrameTest {
         return ((front ? SENSOR_DEG + displayDeg : SENSOR_DEG - displayDeg + 360) / 90) % 4;
     }
 
-    /** Where a point of the frame lies on the upright picture: matrices a, b, c, d, e, f of (a u + b v + c, d u + e v + f). */
+    /** Where a point of the frame lies on the upright picture: rows a, b, c, d, e, f of (a u + b v + c, d u + e v + f). */
     private static double[] upright(double u, double v, int turns, boolean mirrored) {
         double[][] turn = {{1, 0, 0, 0, 1, 0}, {0, -1, HEIGHT, 1, 0, 0}, {-1, 0, WIDTH, 0, -1, HEIGHT},
             {0, 1, 0, -1, 0, WIDTH}};
@@ -67,13 +67,14 @@ public class OverlayOnFrameTest {
         double width = turns % 2 == 0 ? WIDTH : HEIGHT;
         double height = turns % 2 == 0 ? HEIGHT : WIDTH;
         double scale = Math.max(viewWidth / width, viewHeight / height);
-        return new double[] {viewWidth / 2.0 + scale * (p[0] - width / 2), viewHeight / 2.0 + scale * (p[1] - height / 2)};
+        return new double[] {viewWidth / 2.0 + scale * (p[0] - width / 2),
+            viewHeight / 2.0 + scale * (p[1] - height / 2)};
     }
 
     private static CheckResult checkOfTheFrame() {
         Fixture fixture = Fixture.LIFTED;
-        return CellCheck.run(fixture.cell(), BoofMarkerDetector.forCell(fixture.cell()).detect(fixture.image(), "frame"),
-                CheckSettings.builder().build());
+        return CellCheck.run(fixture.cell(),
+                BoofMarkerDetector.forCell(fixture.cell()).detect(fixture.image(), "frame"), CheckSettings.builder().build());
     }
 
     private static Screen held(int displayRotation, boolean front) {
@@ -167,7 +168,8 @@ public class OverlayOnFrameTest {
                 && shown.shapes(Role.LEGEND).isEmpty());
     }
 
-    private static void assertSameLines(Role role, List<Shape> desktop, List<Shape> shown, int turns, boolean mirrored) {
+    private static void assertSameLines(Role role, List<Shape> desktop, List<Shape> shown, int turns,
+            boolean mirrored) {
         assertFalse(role + " is drawn", desktop.isEmpty());
         assertEquals(role.toString(), pointsOf(desktop).size(), pointsOf(shown).size());
         List<double[]> found = pointsOf(shown);
@@ -209,8 +211,8 @@ public class OverlayOnFrameTest {
     }
 
     /**
-     * The preview's pixels lie under the overlay: a texture stands upright in the device's natural orientation, stretched
-     * over the view (a front camera's mirrored), and from there the view's matrix takes it.
+     * The preview's pixels lie under the overlay: a texture stands upright in the device's natural orientation,
+     * stretched over the view (a front camera's mirrored), and from there the view's matrix takes it.
      */
     @Test
     public void previewLiesUnderTheOverlay() {

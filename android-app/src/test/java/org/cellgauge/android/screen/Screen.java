@@ -156,7 +156,8 @@ final class Screen implements AutoCloseable {
         settle();
         while (!(condition.getAsBoolean() && activity().shown() == state())) {
             if (System.currentTimeMillis() > end) {
-                fail(what + " does not come; the screen says: " + text(R.id.banner_headline) + " / " + text(R.id.reason));
+                fail(what + " does not come; the screen says: " + text(R.id.banner_headline) + " / "
+                        + text(R.id.reason));
             }
             try {
                 Thread.sleep(2);

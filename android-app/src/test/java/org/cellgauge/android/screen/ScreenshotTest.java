@@ -29,8 +29,8 @@ import org.robolectric.annotation.Config;
 import org.robolectric.shadows.ShadowDialog;
 
 /**
- * Pictures of the screens, for people to look at: android-app/build/screenshots. The camera's own picture is painted in from
- * the fixture, since no camera draws here.
+ * Pictures of the screens, for people to look at: android-app/build/screenshots. The camera's own picture is painted in
+ * from the fixture, since no camera draws here.
  */
 @RunWith(RobolectricTestRunner.class)
 @Config(application = TestApp.class)
@@ -71,8 +71,8 @@ public class ScreenshotTest {
     }
 
     private static String size(String qualifiers) {
-        return (qualifiers.equals(Screen.TABLET_LANDSCAPE) || qualifiers.equals(Screen.TABLET_PORTRAIT) ? "tablet" : "phone")
-                + (qualifiers.contains("-land") ? "-landscape" : "-portrait");
+        boolean tablet = qualifiers.equals(Screen.TABLET_LANDSCAPE) || qualifiers.equals(Screen.TABLET_PORTRAIT);
+        return (tablet ? "tablet" : "phone") + (qualifiers.contains("-land") ? "-landscape" : "-portrait");
     }
 
     @Test
@@ -107,8 +107,8 @@ public class ScreenshotTest {
 
     @Test
     public void sampling() {
-        Screen.app().settings = CheckSettings.builder().targetMcseStdRel(NEVER_PRECISE_ENOUGH).maxIterations(100_000_000)
-                .build();
+        Screen.app().settings = CheckSettings.builder().targetMcseStdRel(NEVER_PRECISE_ENOUGH)
+                .maxIterations(100_000_000).build();
         for (String language : new String[] {"", "de-"}) {
             try (Screen screen = live(language + Screen.TABLET_LANDSCAPE, FIXTURE.cell())) {
                 Screen.app().feed.frame(FIXTURE.image());
@@ -129,7 +129,8 @@ public class ScreenshotTest {
                 Screen.TABLET_LANDSCAPE.replace("notnight", "night"));
         verdict("fail-german-portrait", Banner.FAIL, FIXTURE.cell().withTarget(OptionalDouble.of(1.5)),
                 "de-" + Screen.TABLET_PORTRAIT);
-        verdict("no-target", Banner.NO_TARGET, FIXTURE.cell().withTarget(OptionalDouble.empty()), Screen.TABLET_LANDSCAPE);
+        verdict("no-target", Banner.NO_TARGET, FIXTURE.cell().withTarget(OptionalDouble.empty()),
+                Screen.TABLET_LANDSCAPE);
         verdict("ambiguous", Banner.AMBIGUOUS, Fixture.with(FIXTURE.cell(), 0.3, OptionalDouble.of(3)),
                 Screen.TABLET_LANDSCAPE);
         verdict("ambiguous-dark-german", Banner.AMBIGUOUS, Fixture.with(FIXTURE.cell(), 0.3, OptionalDouble.of(3)),
@@ -215,8 +216,8 @@ public class ScreenshotTest {
 
     @Test
     public void files() {
-        String message = "kitchen.yaml, line 7, references.944.position_mm: has 2 numbers where three are needed; write "
-                + "position_mm: [x, y, z], in mm along the world's axes";
+        String message = "kitchen.yaml, line 7, references.944.position_mm: has 2 numbers where three are needed; "
+                + "write position_mm: [x, y, z], in mm along the world's axes";
         RuntimeEnvironment.setQualifiers(Screen.TABLET_LANDSCAPE);
         try (Screen screen = Screen.start()) {
             Screen.app().library.cells.put("content://cells/kitchen", () -> {
@@ -232,7 +233,8 @@ public class ScreenshotTest {
         }
         RuntimeEnvironment.setQualifiers(Screen.TABLET_PORTRAIT);
         try (Screen screen = Screen.start()) {
-            screen.chooseCell(new CellDocument("cell.yaml", "content://cells/own", FIXTURE.cell(), null, "camera.yaml"));
+            screen.chooseCell(
+                    new CellDocument("cell.yaml", "content://cells/own", FIXTURE.cell(), null, "camera.yaml"));
             screen.openPhoto(FIXTURE.photo());
             screen.keep("photo-without-camera", null);
         }
@@ -260,7 +262,8 @@ public class ScreenshotTest {
         RuntimeEnvironment.setQualifiers(Screen.TABLET_LANDSCAPE);
         Screen.turnDisplay(Surface.ROTATION_90);
         try (Screen screen = Screen.start()) {
-            screen.chooseCell(new CellDocument("cell.yaml", "content://cells/own", FIXTURE.cell(), null, "camera.yaml"));
+            screen.chooseCell(
+                    new CellDocument("cell.yaml", "content://cells/own", FIXTURE.cell(), null, "camera.yaml"));
             Screen.app().feed.opened(FIXTURE.cell().camera(), CameraModelSource.FIELD_OF_VIEW, 90, false,
                     CameraNote.values());
             screen.holdStillUntilResult(FIXTURE);

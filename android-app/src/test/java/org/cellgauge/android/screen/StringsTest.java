@@ -89,7 +89,8 @@ class StringsTest {
         List<String> same = new ArrayList<>();
         strings("values").forEach((name, text) -> {
             // what has no words, or the same ones
-            if (text.equals(german.get(name)) && !text.matches("(?:\\W|\\d|\\\\u00A0|%\\d\\$[sd]|[xyzd]|mm|CellGauge)*")) {
+            String wordless = "(?:\\W|\\d|\\\\u00A0|%\\d\\$[sd]|[xyzd]|mm|CellGauge)*";
+            if (text.equals(german.get(name)) && !text.matches(wordless)) {
                 same.add(name);
             }
         });
