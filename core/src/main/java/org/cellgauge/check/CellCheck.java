@@ -60,8 +60,6 @@ public final class CellCheck {
     private static final int FIRST_ROUND = 1000;
     private static final double SMALLEST_SIDE_PX = 25;
     private static final double ADVISED_SIDE_PX = 32;
-    /** Effective share of importance draws below which an independence chain would stick: a random walk does better. */
-    private static final double POOR_EFFICIENCY = 0.05;
 
     private final Cell cell;
     private final Detections detections;
@@ -77,6 +75,7 @@ public final class CellCheck {
     private Diagnostics diagnostics;
     private int diagnosedDraws;
     private SamplerKind samplerUsed;
+    private long tuningEvaluations;
 
     private CellCheck(Cell cell, Detections detections, CheckSettings settings) {
         this.cell = cell;
@@ -159,15 +158,20 @@ public final class CellCheck {
 
     /** The sampler asked for; where independence fits the posterior too poorly, adaptive Metropolis instead. */
     private CameraSampler.Tuned tunedSampler() {
-        CameraSampler.Tuned tuned = settings.sampler().sampler().tune(camera,
-                RandomStreams.of(settings.seed(), STREAM_TUNING));
         samplerUsed = settings.sampler();
-        if (settings.sampler() == SamplerKind.INDEPENDENCE && tuned.efficiency() < POOR_EFFICIENCY) {
-            warnings.add(String.format(Locale.ROOT, "the posterior is far from Gaussian (importance efficiency %.0f %%): "
-                    + "adaptive Metropolis was used instead of independence", 100 * tuned.efficiency()));
+        CameraSampler.Tuned tuned = tuned(samplerUsed);
+        if (tuned.misfit() != null && settings.sampler() == SamplerKind.INDEPENDENCE) {
+            warnings.add("the posterior is far from Gaussian (" + tuned.misfit() + "): adaptive Metropolis was used "
+                    + "instead of independence");
             samplerUsed = SamplerKind.ADAPTIVE;
-            return SamplerKind.ADAPTIVE.sampler().tune(camera, RandomStreams.of(settings.seed(), STREAM_TUNING));
+            return tuned(samplerUsed);
         }
+        return tuned;
+    }
+
+    private CameraSampler.Tuned tuned(SamplerKind kind) {
+        CameraSampler.Tuned tuned = kind.sampler().tune(camera, RandomStreams.of(settings.seed(), STREAM_TUNING));
+        tuningEvaluations += tuned.evaluations();
         return tuned;
     }
 
@@ -457,7 +461,7 @@ public final class CellCheck {
         Verdict verdict = verdict(estimate, diagnostics);
         return new CheckResult(cell, detections, settings, verdict, reason(verdict, estimate, diagnostics), estimate,
                 quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
-                quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, camera);
+                quantities.layout, last.iterationsPerChain(), posePriorText, samplerUsed, tuningEvaluations, camera);
     }
 
     private Verdict verdict(CellEstimate estimate, Diagnostics diagnostics) {

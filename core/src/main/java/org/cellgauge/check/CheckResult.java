@@ -30,13 +30,14 @@ public final class CheckResult {
     private final int iterationsPerChain;
     private final String posePrior;
     private final SamplerKind samplerUsed;
+    private final long tuningEvaluations;
     private final CameraTarget camera;
 
     CheckResult(Cell cell, Detections detections, CheckSettings settings, Verdict verdict, String reason,
             CellEstimate estimate, CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx,
             Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
-            CameraTarget camera) {
+            long tuningEvaluations, CameraTarget camera) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
@@ -54,6 +55,7 @@ public final class CheckResult {
         this.iterationsPerChain = iterationsPerChain;
         this.posePrior = posePrior;
         this.samplerUsed = samplerUsed;
+        this.tuningEvaluations = tuningEvaluations;
         this.camera = camera;
     }
 
@@ -208,6 +210,15 @@ public final class CheckResult {
      */
     public SamplerKind samplerUsed() {
         return samplerUsed;
+    }
+
+    /**
+     * How often the camera's posterior was evaluated before the chains, to fit their proposal.
+     *
+     * @return the count; that of the chains is one for each of their steps
+     */
+    public long tuningEvaluations() {
+        return tuningEvaluations;
     }
 
     /**
