@@ -27,6 +27,7 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
+import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 
@@ -458,6 +459,12 @@ public final class CellCheck {
                         + "what is known there is the weak prior %s; add a reference", 100 * share, posePriorText));
             }
         }
+        if (diagnostics.converged() && !settings.iterations().isPresent() && !preciseEnough(diagnostics)) {
+            warnings.add(String.format(Locale.ROOT, "the chains reached their cap of %d iterations before the precision "
+                    + "asked for: the standard deviation of %s has a Monte Carlo error of %.1f %% in place of %s %%; "
+                    + "allow more with --max-iterations", last.iterationsPerChain(), diagnostics.leastPreciseParameter(),
+                    100 * diagnostics.mcseStdRelMax(), plain(1e-9 * Math.rint(1e11 * settings.targetMcseStdRel()))));
+        }
         Verdict verdict = verdict(estimate, diagnostics);
         return new CheckResult(cell, detections, settings, verdict, reason(verdict, estimate, diagnostics), estimate,
                 quickLook, ids(camera.view), pixelStdPx, diagnostics, last.acceptance(), warnings, draws,
@@ -497,9 +504,7 @@ public final class CellCheck {
     private String reason(Verdict verdict, CellEstimate estimate, Diagnostics diagnostics) {
         switch (verdict) {
             case NOT_CONVERGED:
-                return String.format(Locale.ROOT, "The chains have not converged (worst: %s, R-hat %s, effective draws %s): no "
-                        + "accuracy can be read off them.", diagnostics.worstParameter(), number(diagnostics.rHatMax(), 3),
-                        number(Math.min(diagnostics.essBulkMin(), diagnostics.essTailMin()), 0));
+                return "The chains have not converged (" + worstOf(diagnostics) + "): no accuracy can be read off them.";
             case AMBIGUOUS:
                 return ambiguity(estimate);
             case NO_TARGET:
@@ -511,6 +516,22 @@ public final class CellCheck {
                 return worst(estimate);
             default:
                 return worst(estimate);
+        }
+    }
+
+    private static String worstOf(Diagnostics diagnostics) {
+        String name = diagnostics.worstParameter();
+        ChainDiagnostics worst = diagnostics.parameters().get(name);
+        switch (worst.status()) {
+            case CONSTANT:
+                return name + " never moved in at least one of them";
+            case NON_FINITE:
+                return name + " became infinite or NaN";
+            case TOO_SHORT:
+                return "fewer than " + ChainDiagnostics.MIN_DRAWS + " draws each";
+            default:
+                return String.format(Locale.ROOT, "worst: %s, R-hat %s, effective draws %s", name, number(worst.rHat(), 3),
+                        number(Math.min(worst.essBulk(), worst.essTail()), 0));
         }
     }
 
