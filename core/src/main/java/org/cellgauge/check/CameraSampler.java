@@ -25,8 +25,17 @@ interface CameraSampler {
          */
         CameraChain chain(RandomGenerator random);
 
-        /** Effective share of importance draws from the tuned proposal; NaN where there is none. */
-        double efficiency();
+        /**
+         * Whether the chains would hardly move, judged by what the tuning saw.
+         *
+         * @return in words why, or null where nothing speaks against this sampler
+         */
+        default String misfit() {
+            return null;
+        }
+
+        /** How often the tuning has evaluated the posterior. */
+        long evaluations();
     }
 
     /** A chain with the chart of its coordinates and what to do at the end of the warm-up. */

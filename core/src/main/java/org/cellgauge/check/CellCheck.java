@@ -63,8 +63,6 @@ public final class CellCheck {
     private static final int FIRST_ROUND = 1000;
     private static final double SMALLEST_SIDE_PX = 25;
     private static final double ADVISED_SIDE_PX = 32;
-    /** Effective share of importance draws below which an independence chain would stick: a random walk does better. */
-    private static final double POOR_EFFICIENCY = 0.05;
 
     private final Cell cell;
     private final Detections detections;
@@ -82,6 +80,7 @@ public final class CellCheck {
     private int diagnosedDraws;
     private SamplerKind samplerUsed;
     private ReferenceCheck referenceCheck;
+    private long tuningEvaluations;
 
     private CellCheck(Cell cell, Detections detections, CheckSettings settings, RigidTransform worldFromCameraStart) {
         this.cell = cell;
@@ -198,15 +197,20 @@ public final class CellCheck {
 
     /** The sampler asked for; where independence fits the posterior too poorly, adaptive Metropolis instead. */
     private CameraSampler.Tuned tunedSampler() {
-        CameraSampler.Tuned tuned = settings.sampler().sampler().tune(camera,
-                RandomStreams.of(settings.seed(), STREAM_TUNING));
         samplerUsed = settings.sampler();
-        if (settings.sampler() == SamplerKind.INDEPENDENCE && tuned.efficiency() < POOR_EFFICIENCY) {
-            warnings.add(String.format(Locale.ROOT, "the posterior is far from Gaussian (importance efficiency %.0f %%): "
-                    + "adaptive Metropolis was used instead of independence", 100 * tuned.efficiency()));
+        CameraSampler.Tuned tuned = tuned(samplerUsed);
+        if (tuned.misfit() != null && settings.sampler() == SamplerKind.INDEPENDENCE) {
+            warnings.add("the posterior is far from Gaussian (" + tuned.misfit() + "): adaptive Metropolis was used "
+                    + "instead of independence");
             samplerUsed = SamplerKind.ADAPTIVE;
-            return SamplerKind.ADAPTIVE.sampler().tune(camera, RandomStreams.of(settings.seed(), STREAM_TUNING));
+            return tuned(samplerUsed);
         }
+        return tuned;
+    }
+
+    private CameraSampler.Tuned tuned(SamplerKind kind) {
+        CameraSampler.Tuned tuned = kind.sampler().tune(camera, RandomStreams.of(settings.seed(), STREAM_TUNING));
+        tuningEvaluations += tuned.evaluations();
         return tuned;
     }
 
@@ -483,9 +487,15 @@ public final class CellCheck {
                         + "what is known there is the weak prior %s; add a reference", 100 * share, posePriorText));
             }
         }
+        if (diagnostics.converged() && !settings.iterations().isPresent() && !preciseEnough(diagnostics)) {
+            warnings.add(String.format(Locale.ROOT, "the chains reached their cap of %d iterations before the precision "
+                    + "asked for: the standard deviation of %s has a Monte Carlo error of %.1f %% in place of %s %%; "
+                    + "allow more with --max-iterations", last.iterationsPerChain(), diagnostics.leastPreciseParameter(),
+                    100 * diagnostics.mcseStdRelMax(), Reason.plain(1e-9 * Math.rint(1e11 * settings.targetMcseStdRel()))));
+        }
         return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx, diagnostics,
                 last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(), posePriorText,
-                samplerUsed, camera, referenceCheck);
+                samplerUsed, tuningEvaluations, camera, referenceCheck);
     }
 
     private static List<Integer> ids(List<ObjectMarker> markers) {

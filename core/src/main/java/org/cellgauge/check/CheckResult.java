@@ -32,6 +32,7 @@ public final class CheckResult {
     private final int iterationsPerChain;
     private final String posePrior;
     private final SamplerKind samplerUsed;
+    private final long tuningEvaluations;
     private final CameraTarget camera;
     private final ReferenceCheck referenceCheck;
 
@@ -39,7 +40,7 @@ public final class CheckResult {
             CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx, Diagnostics diagnostics,
             List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
-            CameraTarget camera, ReferenceCheck referenceCheck) {
+            long tuningEvaluations, CameraTarget camera, ReferenceCheck referenceCheck) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
@@ -58,6 +59,7 @@ public final class CheckResult {
         this.iterationsPerChain = iterationsPerChain;
         this.posePrior = posePrior;
         this.samplerUsed = samplerUsed;
+        this.tuningEvaluations = tuningEvaluations;
         this.camera = camera;
         this.referenceCheck = referenceCheck;
     }
@@ -148,7 +150,7 @@ public final class CheckResult {
         }
         return new CheckResult(cell.withTarget(targetStdMm), detections, settings, estimate, quickLook, referencesUsed,
                 pixelStdPx, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior, samplerUsed,
-                camera, referenceCheck);
+                tuningEvaluations, camera, referenceCheck);
     }
 
     /**
@@ -266,6 +268,15 @@ public final class CheckResult {
      */
     public SamplerKind samplerUsed() {
         return samplerUsed;
+    }
+
+    /**
+     * How often the camera's posterior was evaluated before the chains, to fit their proposal.
+     *
+     * @return the count; that of the chains is one for each of their steps
+     */
+    public long tuningEvaluations() {
+        return tuningEvaluations;
     }
 
     /**

@@ -362,6 +362,16 @@ public final class CheckSettings {
         }
 
         /**
+         * Lets chains run until their precision suffices, where a number of iterations was fixed before.
+         *
+         * @return this
+         */
+        public Builder untilPrecise() {
+            iterations = OptionalInt.empty();
+            return this;
+        }
+
+        /**
          * Sets the cap on iterations where they are not fixed.
          *
          * @param value at least 8
@@ -474,7 +484,7 @@ public final class CheckSettings {
         /**
          * Sets the relative Monte Carlo error of standard deviations at which sampling stops.
          *
-         * @param value share, positive
+         * @param value share, above 0 and below 1
          * @return this
          */
         public Builder targetMcseStdRel(double value) {
@@ -503,8 +513,8 @@ public final class CheckSettings {
             require(kappa > 0 && Double.isFinite(kappa), "kappa must be positive");
             require(chains >= 1 && chains <= 1000, "chains must be between 1 and 1000");
             require(focalPriorStdPx > 0 && Double.isFinite(focalPriorStdPx), "focal prior must be positive");
-            require(targetMcseStdRel > 0 && Double.isFinite(targetMcseStdRel),
-                    "Monte Carlo error target must be positive");
+            require(targetMcseStdRel > 0 && targetMcseStdRel < 1,
+                    "precision must lie between 0 and 1: it is a share, 0.02 for 2 %");
             require(threads >= 1, "threads must be at least 1");
             int cap = iterations.orElse(maxIterations);
             require(cap >= 8, "iterations must be at least 8");

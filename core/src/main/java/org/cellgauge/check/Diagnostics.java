@@ -19,6 +19,7 @@ public final class Diagnostics {
     private final double essTailMin;
     private final double mcseStdRelMax;
     private final String worst;
+    private final String leastPrecise;
 
     private Diagnostics(Map<String, ChainDiagnostics> parameters, boolean[] judged, boolean[] measured) {
         this.parameters = Collections.unmodifiableMap(parameters);
@@ -28,6 +29,7 @@ public final class Diagnostics {
         double tail = Double.POSITIVE_INFINITY;
         double mcse = 0;
         String worstName = "";
+        String leastPreciseName = "";
         double worstBulk = Double.POSITIVE_INFINITY;
         int i = 0;
         for (Map.Entry<String, ChainDiagnostics> e : parameters.entrySet()) {
@@ -49,7 +51,11 @@ public final class Diagnostics {
             bulk = defined && !Double.isNaN(bulk) ? Math.min(bulk, d.essBulk()) : Double.NaN;
             tail = defined && !Double.isNaN(tail) ? Math.min(tail, d.essTail()) : Double.NaN;
             if (toMeasure) {
-                mcse = defined && !Double.isNaN(mcse) ? Math.max(mcse, d.mcseSd() / d.std()) : Double.NaN;
+                double share = defined ? d.mcseSd() / d.std() : Double.NaN;
+                if (!Double.isNaN(mcse) && !(share <= mcse)) {
+                    mcse = share;
+                    leastPreciseName = e.getKey();
+                }
             }
         }
         convergence = overall;
@@ -58,6 +64,7 @@ public final class Diagnostics {
         essTailMin = tail;
         mcseStdRelMax = mcse;
         worst = worstName;
+        leastPrecise = leastPreciseName;
     }
 
     /**
@@ -148,6 +155,15 @@ public final class Diagnostics {
      */
     public double mcseStdRelMax() {
         return mcseStdRelMax;
+    }
+
+    /**
+     * The quantity whose deviation has the largest Monte Carlo error, of those that {@link #mcseStdRelMax()} is about.
+     *
+     * @return its name
+     */
+    public String leastPreciseParameter() {
+        return leastPrecise;
     }
 
     /**

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.cellgauge.statistics.ChainDiagnostics;
 
 /**
  * Why a check ended as it did, in parts that any language can make a sentence of; immutable.
@@ -24,6 +25,12 @@ public final class Reason {
         LARGEST_DEVIATION,
         /** The chains have not converged: {@link #worstParameter()}, {@link #rHat()}, {@link #effectiveDraws()}. */
         NOT_CONVERGED,
+        /** At least one chain never moved: {@link #worstParameter()}. */
+        NEVER_MOVED,
+        /** A chain left the finite numbers: {@link #worstParameter()}. */
+        NON_FINITE,
+        /** Chains of fewer than {@link ChainDiagnostics#MIN_DRAWS} draws. */
+        TOO_SHORT,
         /** Two camera poses explain the references: {@link #share()} is the second one's. */
         TWO_CAMERA_POSES,
         /** Two poses explain the corners of {@link #objectId()}: {@link #share()} is the second one's. */
@@ -169,11 +176,25 @@ public final class Reason {
     }
 
     static Reason notConverged(Diagnostics diagnostics) {
-        Parts parts = new Parts(Kind.NOT_CONVERGED);
+        ChainDiagnostics worst = diagnostics.parameters().get(diagnostics.worstParameter());
+        Parts parts = new Parts(kindOf(worst.status()));
         parts.worstParameter = diagnostics.worstParameter();
-        parts.rHat = diagnostics.rHatMax();
-        parts.effectiveDraws = Math.min(diagnostics.essBulkMin(), diagnostics.essTailMin());
+        parts.rHat = worst.rHat();
+        parts.effectiveDraws = Math.min(worst.essBulk(), worst.essTail());
         return new Reason(parts);
+    }
+
+    private static Kind kindOf(ChainDiagnostics.Status status) {
+        switch (status) {
+            case CONSTANT:
+                return Kind.NEVER_MOVED;
+            case NON_FINITE:
+                return Kind.NON_FINITE;
+            case TOO_SHORT:
+                return Kind.TOO_SHORT;
+            default:
+                return Kind.NOT_CONVERGED;
+        }
     }
 
     static Reason twoCameraPoses(double secondShare) {
@@ -353,7 +374,7 @@ public final class Reason {
     }
 
     /**
-     * Largest R-hat.
+     * R-hat of that quantity.
      *
      * @return NaN where it is undefined or not the reason
      */
@@ -362,7 +383,7 @@ public final class Reason {
     }
 
     /**
-     * Smallest effective number of draws, of bulk and tails.
+     * Effective number of draws of that quantity, the smaller of bulk and tails.
      *
      * @return NaN where it is undefined or not the reason
      */
@@ -378,9 +399,14 @@ public final class Reason {
     public String english() {
         switch (p.kind) {
             case NOT_CONVERGED:
-                return String.format(Locale.ROOT, "The chains have not converged (worst: %s, R-hat %s, effective draws "
-                        + "%s): no accuracy can be read off them.", p.worstParameter, number(p.rHat, 3),
-                        number(p.effectiveDraws, 0));
+                return notConverged(String.format(Locale.ROOT, "worst: %s, R-hat %s, effective draws %s", p.worstParameter,
+                        number(p.rHat, 3), number(p.effectiveDraws, 0)));
+            case NEVER_MOVED:
+                return notConverged(p.worstParameter + " never moved in at least one of them");
+            case NON_FINITE:
+                return notConverged(p.worstParameter + " became infinite or NaN");
+            case TOO_SHORT:
+                return notConverged("fewer than " + ChainDiagnostics.MIN_DRAWS + " draws each");
             case TWO_CAMERA_POSES:
                 return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): "
                         + "add a reference out of their plane.", 100 * p.share.getAsDouble());
@@ -393,6 +419,10 @@ public final class Reason {
             default:
                 return (p.targetMm.isPresent() ? "" : "No target is set. ") + deviation() + besides();
         }
+    }
+
+    private static String notConverged(String why) {
+        return "The chains have not converged (" + why + "): no accuracy can be read off them.";
     }
 
     private String besides() {
@@ -426,7 +456,7 @@ public final class Reason {
         }
     }
 
-    private static String plain(double value) {
+    static String plain(double value) {
         return value == Math.rint(value) ? String.format(Locale.ROOT, "%.0f", value) : Double.toString(value);
     }
 

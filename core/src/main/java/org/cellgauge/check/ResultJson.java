@@ -34,6 +34,8 @@ public final class ResultJson {
     private static final String[] INTRINSIC_NAMES = {"fx_px", "fy_px", "cx_px", "cy_px", "skew_px", "k1", "k2", "k3",
         "p1", "p2"};
 
+    private static final int[] QUANTILE_PERCENT = {5, 50, 95};
+
     private final StringWriter text = new StringWriter();
     private final JsonWriter json = new JsonWriter(text);
     private final CheckResult result;
@@ -541,6 +543,16 @@ public final class ResultJson {
         number(d.essTailMin());
         json.name("mcse_std_rel_max");
         number(d.mcseStdRelMax());
+        json.name("precision_reached");
+        if (result.settings().iterations().isPresent()) {
+            json.nullValue();
+        } else {
+            json.value(d.mcseStdRelMax() < result.settings().targetMcseStdRel());
+        }
+        json.name("camera_evaluations").beginObject();
+        json.name("tuning").value(result.tuningEvaluations());
+        json.name("chains").value((long) result.settings().chains() * result.iterationsPerChain());
+        json.endObject();
         json.name("worst_parameter").value(d.worstParameter().isEmpty() ? null : d.worstParameter());
         json.name("parameters").beginObject();
         QuantityLayout layout = result.layout();
@@ -563,6 +575,15 @@ public final class ResultJson {
             number(p.mcseMean());
             json.name("mcse_std");
             number(p.mcseSd());
+            for (int percent : QUANTILE_PERCENT) {
+                double quantile = p.quantile(percent / 100.0);
+                json.name("q" + percent);
+                number(angle && Double.isFinite(quantile) ? Angles.wrapToPi(quantile) : quantile);
+            }
+            for (int percent : QUANTILE_PERCENT) {
+                json.name("mcse_q" + percent);
+                number(p.mcseQuantile(percent / 100.0));
+            }
             json.endObject();
         }
         json.endObject();

@@ -12,11 +12,15 @@ import org.cellgauge.statistics.Angles;
  * {@code from_cmdstan}.
  */
 public final class StanCsv {
+    /** Most lines of a chain: longer ones are thinned, since a file of tens of megabytes serves no one. */
+    public static final int MOST_DRAWS = 10_000;
+
     private StanCsv() {
     }
 
     /**
-     * Writes one chain. Angles are in (-pi, pi]; numbers keep every digit.
+     * Writes one chain. Angles are in (-pi, pi]; numbers keep every digit. Of more than {@value #MOST_DRAWS} draws every
+     * second, third, … is written, as Stan thins; the result's figures rest on all of them.
      *
      * @param result what a check found
      * @param chain which chain, from 1
@@ -30,6 +34,7 @@ public final class StanCsv {
             throws IOException {
         Draws draws = result.draws().get(chain - 1);
         CheckSettings settings = result.settings();
+        int thin = (draws.count() + MOST_DRAWS - 1) / MOST_DRAWS;
         comment(out, "program = cellgauge");
         comment(out, "program_version = " + version);
         comment(out, "model = " + settings.model().optionName());
@@ -38,7 +43,7 @@ public final class StanCsv {
         comment(out, "    num_samples = " + draws.count());
         comment(out, "    num_warmup = " + result.warmup());
         comment(out, "    save_warmup = false (Default)");
-        comment(out, "    thin = 1 (Default)");
+        comment(out, "    thin = " + thin + (thin == 1 ? " (Default)" : ""));
         comment(out, "    algorithm = " + result.samplerUsed().optionName());
         comment(out, "id = " + chain);
         comment(out, "data");
@@ -50,7 +55,7 @@ public final class StanCsv {
         List<String> names = layout.names();
         out.append(String.join(",", names)).append('\n');
         StringBuilder line = new StringBuilder();
-        for (int i = 0; i < draws.count(); i++) {
+        for (int i = 0; i < draws.count(); i += thin) {
             line.setLength(0);
             for (int q = 0; q < names.size(); q++) {
                 double value = draws.get(q, i);

@@ -30,8 +30,8 @@ final class ThesisCameraSampler implements CameraSampler {
             }
 
             @Override
-            public double efficiency() {
-                return Double.NaN;
+            public long evaluations() {
+                return 0;
             }
         };
     }

@@ -109,6 +109,19 @@ public final class StudentTMixture implements Proposal {
     }
 
     /**
+     * The component of the largest weight.
+     *
+     * @return 0 to components - 1
+     */
+    public int heaviest() {
+        int heaviest = 0;
+        for (int k = 1; k < means.length; k++) {
+            heaviest = weight(k) > weight(heaviest) ? k : heaviest;
+        }
+        return heaviest;
+    }
+
+    /**
      * Scale matrix of a component.
      *
      * @param component 0 to components - 1

@@ -37,9 +37,18 @@ final class CheckOptions {
     private Integer chains;
 
     @Option(names = "--iterations", paramLabel = "N",
-            description = "Iterations of each chain, warm-up included. Without it: as many as a Monte Carlo error of "
-                    + "2 %% in every standard deviation takes, at most 50000.")
+            description = "Iterations of each chain, warm-up included. Without it: as many as --precision takes.")
     private Integer iterations;
+
+    @Option(names = "--precision", paramLabel = "SHARE",
+            description = "Chains run until the Monte Carlo error of every standard deviation is below this share of it "
+                    + "(0.02; validate 0.1).")
+    private Double precision;
+
+    @Option(names = "--max-iterations", paramLabel = "N",
+            description = "Cap on the iterations of each chain, warm-up included, whatever the precision is by then; a "
+                    + "warning says if it was not reached (50000).")
+    private Integer maxIterations;
 
     @Option(names = "--warmup", paramLabel = "N",
             description = "Iterations of each chain that are not kept (independence 200, adaptive 5000, thesis-mixture "
@@ -115,8 +124,18 @@ final class CheckOptions {
         if (chains != null) {
             b.chains(chains);
         }
+        if (iterations != null && (precision != null || maxIterations != null)) {
+            throw new ParameterException(command, "--iterations fixes the length of the chains; leave it out, or leave out "
+                    + (precision != null ? "--precision" : "--max-iterations"));
+        }
         if (iterations != null) {
             b.iterations(iterations);
+        }
+        if (precision != null) {
+            b.untilPrecise().targetMcseStdRel(precision);
+        }
+        if (maxIterations != null) {
+            b.untilPrecise().maxIterations(maxIterations);
         }
         if (warmup != null) {
             b.warmup(warmup);
@@ -135,6 +154,11 @@ final class CheckOptions {
         } catch (IllegalArgumentException e) {
             throw new ParameterException(command, e.getMessage());
         }
+    }
+
+    /** Whether the precision was given, so that no default of a command's own takes its place. */
+    boolean hasPrecision() {
+        return precision != null;
     }
 
     private static <T> T choose(CommandLine command, String option, String given, List<T> choices,

@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
             "",
             "Angles are in degrees, as in the cell file, unless they end in 'rad'.",
             "Each check runs until it has converged and the Monte Carlo error of every standard deviation is below",
-            "10 %%, unless --iterations is given: these errors average out over the simulations.",
+            "10 %%, unless --iterations or --precision is given: these errors average out over the simulations.",
             "The tables go to standard output, progress and messages to standard error.",
             "",
             "Exit codes: 0 all 95 %% regions hold the truth as often as they claim, within chance, 1 internal error,",
@@ -140,8 +140,9 @@ public final class ValidateCommand implements Callable<Integer> {
         }
         double pixels = pixelStdPx != null ? pixelStdPx : cell.pixelStdPx().getAsDouble();
         try {
-            return new ValidationSettings(simulations, check.toBuilder().targetMcseStdRel(MCSE_STD_REL).build(), pixels,
-                    check.threads());
+            CheckSettings each = options.hasPrecision() ? check
+                    : check.toBuilder().targetMcseStdRel(MCSE_STD_REL).build();
+            return new ValidationSettings(simulations, each, pixels, check.threads());
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());
         }

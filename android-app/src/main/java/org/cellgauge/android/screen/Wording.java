@@ -11,6 +11,7 @@ import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.check.Reason;
 import org.cellgauge.overlay.LabelWords;
+import org.cellgauge.statistics.ChainDiagnostics;
 
 /** Sentences in the user's language, with numbers as written there, from what core and camera say in parts. */
 final class Wording {
@@ -77,6 +78,12 @@ final class Wording {
             case NOT_CONVERGED:
                 return get(R.string.not_converged, reason.worstParameter(), number(reason.rHat(), 3),
                         number(reason.effectiveDraws(), 0));
+            case NEVER_MOVED:
+                return get(R.string.never_moved, reason.worstParameter());
+            case NON_FINITE:
+                return get(R.string.non_finite, reason.worstParameter());
+            case TOO_SHORT:
+                return get(R.string.chains_too_short, ChainDiagnostics.MIN_DRAWS);
             case TWO_CAMERA_POSES:
                 return get(R.string.two_camera_poses, percent(reason.share().getAsDouble()));
             case TWO_OBJECT_POSES:
