@@ -8,10 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.api.Test;
@@ -112,16 +114,39 @@ class ReasonTest {
 
     @Test
     void chainsThatHaveNotConvergedAreDescribedByTheWorst() {
-        ThesisScene scene = fine().target(3);
-        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
-                CheckSettings.thesis().iterations(2000).warmup(1000).threads(1).build());
-        Reason reason = result.finding();
+        // four chains of 100 draws, of which the tails hold far fewer than 400 effective ones
+        Reason reason = reasonOfChains(CheckSettings.builder().iterations(200).warmup(100));
         assertEquals(Reason.Kind.NOT_CONVERGED, reason.kind());
-        assertEquals(result.diagnostics().worstParameter(), reason.worstParameter());
-        assertEquals(result.diagnostics().rHatMax(), reason.rHat());
-        assertTrue(result.reason().startsWith("The chains have not converged (worst: " + reason.worstParameter()),
-                result.reason());
+        assertTrue(reason.rHat() > 0.9 && reason.effectiveDraws() < 400, reason.english());
+        assertEquals(String.format(Locale.ROOT, "The chains have not converged (worst: %s, R-hat %.3f, effective draws "
+                + "%.0f): no accuracy can be read off them.", reason.worstParameter(), reason.rHat(),
+                reason.effectiveDraws()), reason.english());
         assertFalse(reason.stdMm().isPresent(), "no figure");
+    }
+
+    @Test
+    void aChainThatNeverMovedIsCalledThat() {
+        Reason reason = reasonOfChains(CheckSettings.thesis().iterations(2000).warmup(1000));
+        assertEquals(Reason.Kind.NEVER_MOVED, reason.kind());
+        assertEquals("The chains have not converged (" + reason.worstParameter() + " never moved in at least one of them): "
+                + "no accuracy can be read off them.", reason.english());
+    }
+
+    @Test
+    void chainsTooShortToBeJudgedAreCalledThat() {
+        Reason reason = reasonOfChains(CheckSettings.builder().iterations(101).warmup(100));
+        assertEquals(Reason.Kind.TOO_SHORT, reason.kind());
+        assertEquals("The chains have not converged (fewer than " + ChainDiagnostics.MIN_DRAWS + " draws each): no accuracy "
+                + "can be read off them.", reason.english());
+    }
+
+    private static Reason reasonOfChains(CheckSettings.Builder settings) {
+        ThesisScene scene = fine().target(3);
+        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(), settings.threads(1).build());
+        assertEquals(Verdict.NOT_CONVERGED, result.verdict());
+        assertEquals(result.diagnostics().worstParameter(), result.finding().worstParameter());
+        assertEquals(result.reason(), result.finding().english());
+        return result.finding();
     }
 
     @Test
