@@ -263,7 +263,7 @@ public final class MainActivity extends Activity {
                 && s.permission() == CameraPermission.GRANTED;
         if (wanted && openFor != s.cell()) {
             openFor = s.cell();
-            feed.open(s.cell().calibration(), surface, session.cameraListener());
+            feed.open(s.liveCalibration(), surface, session.cameraListener());
         } else if (!wanted && openFor != null) {
             openFor = null;
             feed.close();
