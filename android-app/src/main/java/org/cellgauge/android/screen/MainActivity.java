@@ -263,7 +263,7 @@ public final class MainActivity extends Activity {
                 && s.permission() == CameraPermission.GRANTED;
         if (wanted && openFor != s.cell()) {
             openFor = s.cell();
-            feed.open(s.cell().calibration(), surface, session.cameraListener());
+            feed.open(s.liveCalibration(), surface, session.cameraListener());
         } else if (!wanted && openFor != null) {
             openFor = null;
             feed.close();
@@ -435,9 +435,6 @@ public final class MainActivity extends Activity {
         bannerMark.setImageResource(now.mark());
         banner.setBackgroundColor(getColor(now.colour()));
         optional(reason, content.reason(s));
-        // keeps its room where it is empty, so that the picture stays where it is
-        String below = content.caption(s);
-        text(caption, below == null ? "" : below);
         rows.show(content.rows(s));
         showMessage(s);
         showPicture(s);
@@ -468,6 +465,10 @@ public final class MainActivity extends Activity {
     private void showMessage(CheckScreenState s) {
         message = content.message(s);
         messageView.setVisibility(message == null ? View.GONE : View.VISIBLE);
+        // keeps its room below a picture where it is empty, so that the picture stays where it is
+        caption.setVisibility(message == null ? View.VISIBLE : View.GONE);
+        String below = content.caption(s);
+        text(caption, below == null ? "" : below);
         // what is covered is not there for a screen reader either
         viewport.setImportantForAccessibility(message == null ? View.IMPORTANT_FOR_ACCESSIBILITY_AUTO
                 : View.IMPORTANT_FOR_ACCESSIBILITY_NO_HIDE_DESCENDANTS);

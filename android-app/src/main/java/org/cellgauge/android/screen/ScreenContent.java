@@ -361,7 +361,7 @@ final class ScreenContent {
             for (CameraNote note : s.setup().notes()) {
                 lines.add(words.note(note));
             }
-        } else if (s.cell().calibration() != null) {
+        } else if (s.liveCalibration() != null) {
             lines.add(words.get(R.string.camera_model_calibration));
         } else {
             lines.add(words.get(R.string.camera_model_none));

@@ -325,6 +325,15 @@ public final class CheckScreenState {
     }
 
     /**
+     * The calibration that the device's camera is to be opened with.
+     *
+     * @return that of the cell in use, or null: the device's own model. The bundled example's camera is not this one
+     */
+    public PinholeCamera liveCalibration() {
+        return v.cell == null || v.cell.uri() == null ? null : v.cell.calibration();
+    }
+
+    /**
      * Whether there is a frame to freeze.
      *
      * @return true while live with figures

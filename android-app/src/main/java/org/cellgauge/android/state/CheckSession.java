@@ -93,6 +93,9 @@ public final class CheckSession {
                 .distinctUntilChanged(CheckScreenState::still)
                 .onBackpressureLatest().observeOn(threads.files(), false, 1)
                 .subscribe(s -> keepFrozen(s)));
+        work.add(states.map(s -> s.source() == ImageSource.FROZEN).distinctUntilChanged().buffer(2, 1)
+                .filter(frozen -> frozen.size() == 2 && frozen.get(0)).onBackpressureLatest()
+                .observeOn(threads.files(), false, 1).subscribe(thawed -> frozenFrame.clear()));
         if (memory.hasCell()) {
             restore();
         }

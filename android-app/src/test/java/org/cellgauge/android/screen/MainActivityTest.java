@@ -26,6 +26,7 @@ import android.view.View;
 import android.widget.EditText;
 import android.widget.TextView;
 import java.awt.image.BufferedImage;
+import java.io.File;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
@@ -99,6 +100,10 @@ public class MainActivityTest {
         throw new AssertionError("no row offers " + label + ":\n" + rows(screen));
     }
 
+    private static File frozenFrame() {
+        return new File(Screen.app().cacheFolder(), "frozen-frame");
+    }
+
     private static boolean messageShown(Screen screen) {
         return screen.find(R.id.message).getVisibility() == View.VISIBLE;
     }
@@ -127,6 +132,19 @@ public class MainActivityTest {
             assertFalse(messageShown(screen));
             assertEquals(0, feed().openings);
             assertTrue(rows(screen), rows(screen).contains("Object 20 – within 3 mm"));
+        }
+    }
+
+    @Test
+    public void examplesCameraIsNotTakenForTheDevices() {
+        Screen.allowCamera();
+        try (Screen screen = Screen.start()) {
+            screen.tap(R.id.message_second);
+            screen.until("result", () -> screen.state().verdict() != null);
+            screen.tap(R.id.freeze);
+            assertTrue(feed().isOpen());
+            assertNull(feed().openedWith);
+            assertNull(screen.state().result());
         }
     }
 
@@ -299,7 +317,9 @@ public class MainActivityTest {
             screen.tap(R.id.freeze);
             screen.until("result", () -> screen.state().verdict() != null);
             assertEquals(ImageSource.FROZEN, screen.state().source());
+            assertTrue("kept in case the system ends the app", frozenFrame().exists());
             screen.tap(R.id.freeze);
+            assertFalse("and no longer than that", frozenFrame().exists());
             assertEquals(ImageSource.LIVE, screen.state().source());
             assertNull(screen.state().result());
             screen.holdStillUntilResult(FIXTURE);

@@ -225,10 +225,12 @@ final class Screen implements AutoCloseable {
         StillView still = find(R.id.still);
         if (behind != null && still.getVisibility() != View.VISIBLE) {
             ImageOrientation orientation = state().orientation();
+            View viewport = find(R.id.viewport);
             still.setVisibility(View.VISIBLE);
             still.setStill(behind, orientation);
+            // not by the main thread, which would show the next state and hide it again
+            still.layout(0, 0, viewport.getWidth(), viewport.getHeight());
         }
-        settle();
         write(name, picture());
     }
 
