@@ -38,7 +38,8 @@ final class CameraTarget {
 
     /** The same camera from other references, at the modes found for them. */
     CameraTarget with(ReferenceView other, List<PoseMode> otherModes) {
-        return new CameraTarget(other, settings, intrinsicsPrior, posePrior, otherModes, initialWorldFromCamera, finders);
+        return new CameraTarget(other, settings, intrinsicsPrior, posePrior, otherModes,
+                initialWorldFromCamera, finders);
     }
 
     /** Finds the modes as they were found for this target, from other references. */

@@ -12,15 +12,16 @@ import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 
 /**
- * Corner noise estimated from how well each marker alone is a square: 8 coordinates, 6 unknowns, so 2 degrees of freedom per
- * marker, whatever the placement errors are. Immutable.
+ * Corner noise estimated from how well each marker alone is a square: 8 coordinates, 6 unknowns, so 2 degrees of
+ * freedom per marker, whatever the placement errors are. Immutable.
  *
- * <p>Where a marker has two poses, taking the one that fits better would take part of the noise for pose: of a small frontal
- * marker half of it. The likelihood of the noise is integrated over the pose instead, by Laplace's method about each mode,
- * {@code L(s) = s^-2 sum_k exp(-S_k / (2 s^2)) / sqrt(det J_k^T J_k)} per marker, S_k being the mode's sum of squares; its
- * maximum over all markers is where {@code s^2} is the mean of the S_k by the modes' weights at s, over 2 (the restricted
- * likelihood of Harville, "Maximum likelihood approaches to variance component estimation", JASA 1977, with modes as in a
- * mixture; found by expectation and maximisation in turn, Dempster, Laird and Rubin 1977).
+ * <p>Where a marker has two poses, taking the one that fits better would take part of the noise for pose: of small
+ * frontal markers a fifth of its squares. The likelihood of the noise is integrated over the pose instead, by Laplace's
+ * method about each mode, {@code L(s) = s^-2 sum_k exp(-S_k / (2 s^2)) / sqrt(det J_k^T J_k)} per marker, S_k being the
+ * mode's sum of squares; its maximum over all markers is where {@code s^2} is the mean of the S_k by the modes' weights
+ * at s, over 2 (the restricted likelihood of Harville, "Maximum likelihood approaches to variance component
+ * estimation", JASA 1977, with modes as in a mixture; found by expectation and maximisation in turn, Dempster, Laird
+ * and Rubin 1977).
  */
 final class CornerNoise {
     private static final int MOST_ROUNDS = 200;
@@ -86,7 +87,9 @@ final class CornerNoise {
         }
     }
 
-    /** Mean and variance of one marker's sum of squares over its modes, fitted at 1 px, by their weights at a variance. */
+    /**
+     * Mean and variance of one marker's sum of squares over its modes, fitted at 1 px, by their weights at a variance.
+     */
     private static double[] squares(List<PoseMode> modes, double variance) {
         double most = Double.NEGATIVE_INFINITY;
         for (PoseMode mode : modes) {
@@ -122,7 +125,7 @@ final class CornerNoise {
 
     /** What to tell the user. */
     String warning() {
-        return String.format(Locale.ROOT, "pixel_std_px is estimated as %.3f px from %d degrees of freedom, good to about "
-                + "%.0f %%", stdPx, 2 * markers, 100 * relativeStd);
+        return String.format(Locale.ROOT, "pixel_std_px is estimated as %.3f px from %d degrees of freedom, good to "
+                + "about %.0f %%", stdPx, 2 * markers, 100 * relativeStd);
     }
 }

@@ -51,7 +51,8 @@ public final class MisplacedReference {
     }
 
     /**
-     * The size of that statistic that a cell as stated reaches, in any of its tests, less than once in a hundred photos.
+     * The size of that statistic that a cell as stated reaches, in any of its tests, less than once in a hundred
+     * photos.
      *
      * @return the limit
      */
@@ -60,8 +61,8 @@ public final class MisplacedReference {
     }
 
     /**
-     * Other references, any one of which may be the one that is off: the photo speaks for this one less than twenty times
-     * as clearly.
+     * Other references, any one of which may be the one that is off: the photo speaks for this one less than twenty
+     * times as clearly.
      *
      * @return marker ids, the likelier first; mostly none
      */

@@ -13,10 +13,10 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 /**
  * What the residuals of a fit say of the placement of its references, in the model linearised at the mode.
  *
- * <p>Coordinate c of reference m (shift along world x, y, z, then turn about x, y, z), one stated deviation long, moves the
- * whitened residuals along d. Its score is {@code d^T P r}, with {@code P = I - J C J^T} what the fit leaves of residuals;
- * under the model all scores together are normal with the covariance {@code d^T P d'} (score test of a mean shift: Cook and
- * Weisberg, "Residuals and Influence in Regression", 1982, section 2.2).
+ * <p>Coordinate c of reference m (shift along world x, y, z, then turn about x, y, z), one stated deviation long, moves
+ * the whitened residuals along d. Its score is {@code d^T P r}, with {@code P = I - J C J^T} what the fit leaves of
+ * residuals; under the model all scores together are normal with the covariance {@code d^T P d'} (score test of a mean
+ * shift: Cook and Weisberg, "Residuals and Influence in Regression", 1982, section 2.2).
  */
 final class PlacementScores {
     /** Coordinates of a placement: shifts along x, y, z, turns about x, y, z. */
@@ -102,8 +102,8 @@ final class PlacementScores {
     }
 
     /**
-     * Variance of that score under the model: at most 1, and 1 where neither the pose nor corner noise takes anything of
-     * it; 0 where all that is left is rounding.
+     * Variance of that score under the model: at most 1, and 1 where neither the pose nor corner noise takes anything
+     * of it; 0 where all that is left is rounding.
      */
     double variance(int reference, double[] direction) {
         double sum = 0;
@@ -134,8 +134,8 @@ final class PlacementScores {
     }
 
     /**
-     * Chi-square of the residuals of one reference, normalised by the covariance that the model gives them after the fit,
-     * and its degrees of freedom: what the fit has absorbed is left out.
+     * Chi-square of the residuals of one reference, normalised by the covariance that the model gives them after the
+     * fit, and its degrees of freedom: what the fit has absorbed is left out.
      *
      * @return chi-square, degrees of freedom
      */

@@ -11,14 +11,14 @@ import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.statistics.SharedLevel;
 
 /**
- * The test of one direction of one reference's placement: is the reference off along it by more than its stated precision
- * allows? Immutable.
+ * The test of one direction of one reference's placement: is the reference off along it by more than its stated
+ * precision allows? Immutable.
  *
- * <p>Tried are shifts along each world axis, shifts half-way between two axes, and turns about each axis. The limits are
- * such that a cell as stated raises any alarm with the chance {@link #LEVEL}. The level is shared by the chance that each
- * test would find what it looks for, five stated deviations along its direction (weights fixed by the layout alone keep
- * the level: Genovese, Roeder and Wasserman, "False discovery control with p-value weighting", Biometrika 2006): a test
- * of what the pose absorbs anyway must not cost the others their sharpness.
+ * <p>Tried are shifts along each world axis, shifts half-way between two axes, and turns about each axis. The limits
+ * are such that a cell as stated raises any alarm with the chance {@link #LEVEL}. The level is shared by the chance
+ * that each test would find what it looks for, five stated deviations along its direction (weights fixed by the layout
+ * alone keep the level: Genovese, Roeder and Wasserman, "False discovery control with p-value weighting", Biometrika
+ * 2006): a test of what the pose absorbs anyway must not cost the others their sharpness.
  */
 final class PlacementTest {
     /** Chance of a false alarm per cell by the linear model; 1 in 100 less what large placement errors may add. */
@@ -111,8 +111,8 @@ final class PlacementTest {
     }
 
     /**
-     * Chance that a reference off by so many stated deviations is beyond the limit: the offset stands in the place of the
-     * random error that is part of the statistic's variance.
+     * Chance that a reference off by so many stated deviations is beyond the limit: the offset stands in the place of
+     * the random error that is part of the statistic's variance.
      */
     private static double chance(double deviations, double sensitivity, double limit) {
         double left = Math.sqrt(Math.max(1e-12, 1 - sensitivity * sensitivity));
@@ -135,8 +135,8 @@ final class PlacementTest {
     }
 
     /**
-     * How much speaks for this test's shift rather than another's: twice the logarithm of the likelihood ratio at the best
-     * size of the shift, and of the weight.
+     * How much speaks for this test's shift rather than another's: twice the logarithm of the likelihood ratio at the
+     * best size of the shift, and of the weight.
      */
     double evidence() {
         return statistic() * statistic() + 2 * Math.log(weight);

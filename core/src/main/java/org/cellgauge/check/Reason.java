@@ -59,8 +59,8 @@ public final class Reason {
     }
 
     /**
-     * What a misplaced reference adds: figures keep it, and if it is misplaced a stated position has a larger error than its
-     * deviation; immutable.
+     * What a misplaced reference adds: figures keep it, and if it is misplaced a stated position has a larger error
+     * than its deviation; immutable.
      */
     public static final class Misplacement {
         private final List<Integer> references;
@@ -142,8 +142,9 @@ public final class Reason {
                 return start + who + (errorMm == 0 ? "."
                         : ", and without " + (references.size() == 1 ? "it" : "them") + " there is no camera pose.");
             }
-            return start + String.format(Locale.ROOT, "%s: if so, the largest error is %.2f mm in %s of %sobject %d.", who,
-                    errorMm, "xyz".charAt(axis), grip ? "the gripping point of " : "", objectId.getAsInt());
+            return start + String.format(Locale.ROOT, "%s: if so, the largest error is %.2f mm in %s of %sobject "
+                    + "%d.", who, errorMm, "xyz".charAt(axis), grip ? "the gripping point of " : "",
+                    objectId.getAsInt());
         }
     }
 

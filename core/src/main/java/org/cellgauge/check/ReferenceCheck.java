@@ -14,8 +14,8 @@ import org.cellgauge.pose.ReferenceView;
  * Whether the references fit together, which of them does not, and what hangs on it; immutable.
  *
  * <p>Every direction of every reference has its {@link PlacementTest} (a mean-shift outlier test; data snooping in
- * photogrammetry: Baarda, "A testing procedure for use in geodetic networks", 1968). The reference for which most speaks is
- * named and left out, the pose fitted again, and the rest tested anew, until nothing raises an alarm.
+ * photogrammetry: Baarda, "A testing procedure for use in geodetic networks", 1968). The reference for which most
+ * speaks is named and left out, the pose fitted again, and the rest tested anew, until nothing raises an alarm.
  *
  * <p>What the camera pose can absorb cannot be noticed: two references, or three in a plane, determine it with next to
  * nothing to spare.
@@ -223,12 +223,13 @@ public final class ReferenceCheck {
                         worstMm[axis], name));
             }
         }
-        String text = sizes.isEmpty() ? "" : "To be noticed in 19 of 20 photos a reference would have to be off by up to "
+        String text = sizes.isEmpty() ? ""
+                : "To be noticed in 19 of 20 photos a reference would have to be off by up to "
                 + Reason.joined(sizes, " or ") + ".";
         text += never.isEmpty() ? "" : (text.isEmpty() ? "" : " ") + "A reference that is off in "
                 + Reason.joined(never, " or ") + " would not be noticed.";
-        return text + (most > PlacementTest.LOOKED_FOR ? String.format(Locale.ROOT, " That is more than %.0f times what "
-                + "is stated: more references would show less.", PlacementTest.LOOKED_FOR) : "");
+        return text + (most > PlacementTest.LOOKED_FOR ? String.format(Locale.ROOT, " That is more than %.0f times "
+                + "what is stated: more references would show less.", PlacementTest.LOOKED_FOR) : "");
     }
 
     /** Warnings to the user. */
@@ -264,11 +265,11 @@ public final class ReferenceCheck {
                 moved = "the gripping point of object " + object.id();
             }
         }
-        String text = String.format(Locale.ROOT, "figures rest on reference %s all the same: without %s %s moves by (%.1f, "
-                + "%.1f, %.1f) mm%s", list(), them, moved, move[0], move[1], move[2],
+        String text = String.format(Locale.ROOT, "figures rest on reference %s all the same: without %s %s moves by "
+                + "(%.1f, %.1f, %.1f) mm%s", list(), them, moved, move[0], move[1], move[2],
                 without.objects().size() > 1 ? ", more than any other" : "");
-        return without.objects().isEmpty() ? text : text + String.format(Locale.ROOT, ", and the largest deviation is %.2f "
-                + "mm instead of %.2f mm", without.worstStdMm(), without.worstStdWithAllMm());
+        return without.objects().isEmpty() ? text : text + String.format(Locale.ROOT, ", and the largest deviation is "
+                + "%.2f mm instead of %.2f mm", without.worstStdMm(), without.worstStdWithAllMm());
     }
 
     private static double length(double[] v) {

@@ -7,8 +7,8 @@ import org.cellgauge.cell.Reference;
 /**
  * How one reference fits the others under the model, and how far off it would be noticed; immutable.
  *
- * <p>Arrays by coordinate of its placement: shift along world x, y, z in mm, then turn about world x, y, z in rad. What has
- * no test (the pose absorbs it, or the model knows no rigid placement) is NaN.
+ * <p>Arrays by coordinate of its placement: shift along world x, y, z in mm, then turn about world x, y, z in rad. What
+ * has no test (the pose absorbs it, or the model knows no rigid placement) is NaN.
  */
 public final class ReferenceFit {
     private final Reference reference;
@@ -137,7 +137,8 @@ public final class ReferenceFit {
     }
 
     /**
-     * For each coordinate where the photo puts the reference relative to the cell file, if that coordinate alone is off.
+     * For each coordinate where the photo puts the reference relative to the cell file, if that coordinate alone is
+     * off.
      *
      * @return a copy; mm, then rad
      */

@@ -487,7 +487,9 @@ public final class ResultJson {
 
     // ---- Laplace
 
-    /** The quick look: Laplace's approximation, how far the chains' means are from it and how large their deviations. */
+    /**
+     * The quick look: Laplace's approximation, how far the chains' means are from it and how large their deviations.
+     */
     private void laplace() throws IOException {
         json.beginObject();
         json.name("camera").beginObject();

@@ -11,10 +11,10 @@ import org.cellgauge.pose.PoseMode;
  * Camera and objects estimated again without the references that are named as misplaced, by Laplace's approximation;
  * immutable.
  *
- * <p>Result figures keep all references: a test may name the wrong one, and what a cell file states is not for a program to
- * correct. This second estimate says how much hangs on that. If the named references are off, a position as stated differs
- * from the true one by a bias, its move to here, and by what this estimate leaves open: root of the sum of squares is its
- * error then.
+ * <p>Result figures keep all references: a test may name the wrong one, and what a cell file states is not for a
+ * program to correct. This second estimate says how much hangs on that. If the named references are off, a position as
+ * stated differs from the true one by a bias, its move to here, and by what this estimate leaves open: root of the sum
+ * of squares is its error then.
  */
 public final class WithoutMisplaced {
     private final List<Integer> leftOut;

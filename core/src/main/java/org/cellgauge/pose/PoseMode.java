@@ -6,8 +6,8 @@ import org.cellgauge.geometry.Cholesky;
  * A mode of a pose posterior with what Laplace's approximation needs: where it is, its Fisher information, and the
  * derivative of its whitened residuals; immutable.
  *
- * <p>Order of all matrices: (dp x, y, z in mm; w x, y, z in rad, both of the centred chart in the camera frame; then the
- * unknown intrinsics in the order of {@link IntrinsicsPrior}).
+ * <p>Order of all matrices: (dp x, y, z in mm; w x, y, z in rad, both of the centred chart in the camera frame; then
+ * the unknown intrinsics in the order of {@link IntrinsicsPrior}).
  */
 public final class PoseMode {
     private final CameraState state;

@@ -10,8 +10,8 @@ import org.apache.commons.math3.special.Erf;
  * either side. Bonferroni's inequality gives every test its part of the level and takes no notice of how much alarms
  * coincide; here the limits are lowered until the chance of any alarm is the whole level. That chance is estimated by
  * importance sampling from the tests' own tails (Naiman and Priebe, "Computing scan statistic p values using importance
- * sampling, with applications to genetics and medical image analysis", Journal of Computational and Graphical Statistics
- * 2001, section 2): with p_j the chance of test j alone,
+ * sampling, with applications to genetics and medical image analysis", Journal of Computational and Graphical
+ * Statistics 2001, section 2): with p_j the chance of test j alone,
  *
  * <pre>P(any) = sum_j p_j E[1 / number of alarms], j drawn with chance p_j / sum p, the draw given an alarm of j,</pre>
  *
@@ -112,7 +112,9 @@ public final class SharedLevel {
             return out;
         }
 
-        /** Chance of any alarm where test j alone raises one with the chance scale * weights[j]; fills in the limits. */
+        /**
+         * Chance of any alarm where test j alone raises one with the chance scale * weights[j]; fills in the limits.
+         */
         double chance(double scale, double[] limits) {
             double all = 0;
             for (int j = 0; j < limits.length; j++) {

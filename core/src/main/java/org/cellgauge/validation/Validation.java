@@ -211,8 +211,8 @@ public final class Validation {
                         coordinate ? Math.sqrt(squares / n) : Double.NaN));
             }
         }
-        return new ValidationResult(outcomes.size(), notConverged, refused, ambiguous, falseAlarms, weightShare, regions,
-                quantities);
+        return new ValidationResult(outcomes.size(), notConverged, refused, ambiguous, falseAlarms, weightShare,
+                regions, quantities);
     }
 
     /** As many bins as leave enough ranks in each. */

@@ -37,8 +37,8 @@ class AmbiguousPoseTest {
     }
 
     /**
-     * With truths drawn as the flat prior has them, the true pose is the heavier mode as often as the weights of the heavier
-     * modes say (calibration: Dawid, "The well-calibrated Bayesian", JASA 1982).
+     * With truths drawn as the flat prior has them, the true pose is the heavier mode as often as the weights of the
+     * heavier modes say (calibration: Dawid, "The well-calibrated Bayesian", JASA 1982).
      */
     @Test
     void weightsAreTheChancesOfTheTwoPoses() {
@@ -69,8 +69,8 @@ class AmbiguousPoseTest {
                     < truth.angleRadTo(modes.get(1).pose().meanTransform()) ? 1 : 0;
             if (two) {
                 ambiguous++;
-                assertTrue(result.reason().startsWith(String.format(Locale.ROOT, "Two poses explain the corners of object "
-                        + "5 (the second holds %.0f %%)", 100 * modes.get(1).weight())), result.reason());
+                assertTrue(result.reason().startsWith(String.format(Locale.ROOT, "Two poses explain the corners of "
+                        + "object 5 (the second holds %.0f %%)", 100 * modes.get(1).weight())), result.reason());
             }
         }
         assertTrue(ambiguous > 30, ambiguous + " of " + cells + " were ambiguous: too few to judge");

@@ -15,8 +15,8 @@ import org.ejml.simple.SimpleEVD;
 import org.ejml.simple.SimpleMatrix;
 
 /**
- * What tests of misplaced references can reach, in the model linearised at the true pose: an independent computation, with
- * derivatives taken numerically and limits found by counting simulated cells.
+ * What tests of misplaced references can reach, in the model linearised at the true pose: an independent computation,
+ * with derivatives taken numerically and limits found by counting simulated cells.
  *
  * <p>Scores of all placement coordinates (one stated deviation each) are normal with covariance G = D^T P D. Where
  * coordinate j is off by a, in the place of its random error, they have mean a G_j and covariance G - G_j G_j^T.
@@ -95,8 +95,8 @@ final class LinearPlacementModel {
     // ---- bounds
 
     /**
-     * Chance with which a test at 1 % false alarms that is told which reference may be off, along which axis and to which
-     * side finds it; mean over references and the axes x and y.
+     * Chance with which a test at 1 % false alarms that is told which reference may be off, along which axis and to
+     * which side finds it; mean over references and the axes x and y.
      */
     double clairvoyant() {
         double sum = 0;
@@ -111,10 +111,10 @@ final class LinearPlacementModel {
     }
 
     /**
-     * The largest share, over references and the axes x and y, that any rule with 1 % false alarms names: by the lemma of
-     * Neyman and Pearson that of the rule that names the reference with the largest likelihood ratio, where this is beyond a
-     * limit. It knows that one reference is off by just 5 deviations along x or y, but not which, along which and to which
-     * side.
+     * The largest share, over references and the axes x and y, that any rule with 1 % false alarms names: by the lemma
+     * of Neyman and Pearson that of the rule that names the reference with the largest likelihood ratio, where this is
+     * beyond a limit. It knows that one reference is off by just 5 deviations along x or y, but not which, along which
+     * and to which side.
      */
     double bound() {
         double[] ratio = new double[CELLS];

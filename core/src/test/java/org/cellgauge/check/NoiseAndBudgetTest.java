@@ -24,9 +24,9 @@ class NoiseAndBudgetTest {
     }
 
     /**
-     * Seven markers have 8 coordinates and 6 unknowns each, so 14 degrees of freedom; large placement errors must not count
-     * as noise, nor noise as pose: seen from the front each marker has a second, mirrored pose, and taking the better of the
-     * two leaves 11 of 14.
+     * Seven markers have 8 coordinates and 6 unknowns each, so 14 degrees of freedom; large placement errors must not
+     * count as noise, nor noise as pose: seen from the front each marker has a second, mirrored pose, and taking the
+     * better of the two leaves 11 of 14.
      */
     @Test
     void estimatedCornerNoiseHasTwoDegreesOfFreedomPerMarker() {
@@ -44,8 +44,8 @@ class NoiseAndBudgetTest {
             errors += (relative - 1) * (relative - 1);
             stated += noise.relativeStd() * noise.relativeStd();
             assertTrue(noise.relativeStd() >= 1 / Math.sqrt(28) - 1e-6, "never better than with one pose each");
-            assertTrue(noise.warning().matches("pixel_std_px is estimated as 0\\.\\d+ px from 14 degrees of freedom, good to "
-                    + "about [12]\\d %"), noise.warning());
+            assertTrue(noise.warning().matches("pixel_std_px is estimated as 0\\.\\d+ px from 14 degrees of freedom, "
+                    + "good to about [12]\\d %"), noise.warning());
         }
         // chi-square of 14 degrees of freedom: mean 14, deviation sqrt(28)
         assertEquals(14, squares / cells, 4 * Math.sqrt(28.0 / cells));
@@ -60,7 +60,8 @@ class NoiseAndBudgetTest {
         Detections detections = scene.detections(0.3, RandomStreams.of(53), 1, 0.003);
         CheckResult result = CellCheck.run(cell, detections, CheckSettings.builder().iterations(60).build());
         assertEquals(CornerNoise.of(cell, detections).stdPx(), result.pixelStdPx(), 0);
-        assertTrue(result.warnings().contains(CornerNoise.of(cell, detections).warning()), result.warnings().toString());
+        assertTrue(result.warnings().contains(CornerNoise.of(cell, detections).warning()),
+                result.warnings().toString());
     }
 
     @Test
@@ -81,7 +82,8 @@ class NoiseAndBudgetTest {
 
     /**
      * Sources are independent: with one source made ever smaller the variance falls by what the budget gave to it, the
-     * weights of the fit kept. Here against errors drawn one source at a time, which no part of the budget's code makes.
+     * weights of the fit kept. Here against errors drawn one source at a time, which no part of the budget's code
+     * makes.
      */
     @ParameterizedTest
     @CsvSource({"placement of reference 22", "corner noise of references", "corner noise of object"})

@@ -40,8 +40,8 @@ class ReferenceCheckTest {
         Function<ReferenceView, CameraModeFinder> finders = v -> new CameraModeFinder(v, cell.camera(),
                 new RigidMarkerNoise(v, cell.pixelStdPx().getAsDouble()), IntrinsicsPrior.KNOWN, null);
         List<PoseMode> modes = finders.apply(view).modes(ThesisScene.WORLD_FROM_CAMERA);
-        return ReferenceCheck.of(new CameraTarget(view, CheckSettings.builder().build(), IntrinsicsPrior.KNOWN, null, modes,
-                ThesisScene.WORLD_FROM_CAMERA, finders), Collections.emptyList());
+        return ReferenceCheck.of(new CameraTarget(view, CheckSettings.builder().build(), IntrinsicsPrior.KNOWN, null,
+                modes, ThesisScene.WORLD_FROM_CAMERA, finders), Collections.emptyList());
     }
 
     private static boolean names(ReferenceCheck check, int id) {
@@ -106,16 +106,17 @@ class ReferenceCheckTest {
         double share = (double) found[0] / found[1];
         String measured = found[1] == 0 ? ""
                 : String.format(Locale.ROOT, "named %d of %d = %.1f %%, ", found[0], found[1], 100 * share);
-        reporter.publishEntry(String.format(Locale.ROOT, "references %d, sigma %.0f mm, corners %.2f px", references,
-                stdMm, pixelStdPx), measured + String.format(Locale.ROOT, "predicted %.1f %%, any rule at most %.1f %%, "
-                        + "knowing which %.1f %%; predicted in any direction of the plane %.1f %%, of space %.1f %%",
-                        100 * predicted, 100 * bound, 100 * model.clairvoyant(),
-                        100 * model.namedInAnyDirection(LEVEL, 2), 100 * model.namedInAnyDirection(LEVEL, 3)));
+        String where = String.format(Locale.ROOT, "references %d, sigma %.0f mm, corners %.2f px", references, stdMm,
+                pixelStdPx);
+        reporter.publishEntry(where, measured + String.format(Locale.ROOT, "predicted %.1f %%, any rule at most %.1f "
+                + "%%, knowing which %.1f %%; predicted in any direction of the plane %.1f %%, of space %.1f %%",
+                100 * predicted, 100 * bound, 100 * model.clairvoyant(), 100 * model.namedInAnyDirection(LEVEL, 2),
+                100 * model.namedInAnyDirection(LEVEL, 3)));
         // three deviations of the count, one point each of simulation and of what is not linear
         double error = 3 * Math.sqrt(predicted * (1 - predicted) / found[1]);
         assertTrue(found[1] == 0 || Math.abs(share - predicted) < error + 0.02, share + ", predicted " + predicted);
         assertTrue(predicted <= bound + 0.01, "no rule names more than " + bound);
-        // that bound is of a rule that knows the size and that references are off along x or y alone, at 1 % false alarms
+        // that bound is of a rule that knows size and axes (x or y), with 1 % false alarms
         assertTrue(predicted >= bound - 0.08, "predicted " + predicted + ", any rule at most " + bound);
     }
 
@@ -265,7 +266,8 @@ class ReferenceCheckTest {
     void theThesisLikelihoodKnowsNoMisplacedReferences() {
         ThesisScene scene = scene(4, 5, 0.3).planeObjects().shifted(22, 1, 30);
         CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.3, RandomStreams.of(8), 5, STD_RAD),
-                CheckSettings.builder().model(LikelihoodModel.CORNER_CUBE).initial(InitialPose.PNP).iterations(60).build());
+                CheckSettings.builder().model(LikelihoodModel.CORNER_CUBE).initial(InitialPose.PNP).iterations(60)
+                        .build());
         assertTrue(result.referenceCheck().misplaced().isEmpty());
         assertFalse(result.referenceCheck().fit(22).tested());
         assertEquals("", result.referenceCheck().noticeable());
@@ -309,9 +311,9 @@ class ReferenceCheckTest {
         assertTrue(without.worstStdMm() > without.worstStdWithAllMm());
         String warnings = String.join("\n", result.warnings());
         assertTrue(warnings.contains("reference 22 seems off by about"), warnings);
-        assertTrue(warnings.matches("(?s).*figures rest on reference 22 all the same: without it object [0-9]+ moves by "
-                + "\\([-0-9., ]+\\) mm, more than any other, and the largest deviation is [0-9.]+ mm instead of [0-9.]+ mm"
-                + ".*"), warnings);
+        assertTrue(warnings.matches("(?s).*figures rest on reference 22 all the same: without it object [0-9]+ moves "
+                + "by \\([-0-9., ]+\\) mm, more than any other, and the largest deviation is [0-9.]+ mm instead of "
+                + "[0-9.]+ mm.*"), warnings);
     }
 
     /** The target is met only if it is with the reference left out as well: what is stated may be the biased one. */
@@ -359,7 +361,9 @@ class ReferenceCheckTest {
         }
     }
 
-    /** With an unknown focal length the objects are solved anew at the focal length of the fit without the reference. */
+    /**
+     * With an unknown focal length the objects are solved anew at the focal length of the fit without the reference.
+     */
     @Test
     void theFitWithoutItHasItsOwnFocalLength() {
         ThesisScene scene = ThesisScene.oneRaised(6).placement(0.5, 0.003).pixelStd(0.05).shifted(22, 10, 10, 10);
@@ -380,8 +384,8 @@ class ReferenceCheckTest {
     void whatWouldBeNoticedIsToldInMillimetres() {
         ThesisScene scene = scene(3, 5, 0.3);
         String told = check(scene.cell(), scene.exactDetections()).noticeable();
-        assertTrue(told.matches("To be noticed in 19 of 20 photos a reference would have to be off by up to [0-9.]+ mm in x, "
-                + "[0-9.]+ mm in y or [0-9]+ mm in z\\. That is more than 5 times what is stated: more references would show "
-                + "less\\."), told);
+        assertTrue(told.matches("To be noticed in 19 of 20 photos a reference would have to be off by up to [0-9.]+ mm "
+                + "in x, [0-9.]+ mm in y or [0-9]+ mm in z\\. That is more than 5 times what is stated: more "
+                + "references would show less\\."), told);
     }
 }

@@ -121,7 +121,9 @@ public final class ThesisScene {
         return this;
     }
 
-    /** Puts a reference off its nominal place by (x, y, z), in the place of its random errors; NaN keeps an axis random. */
+    /**
+     * Puts a reference off its nominal place by (x, y, z), in the place of its random errors; NaN keeps an axis random.
+     */
     public ThesisScene shifted(int id, double x, double y, double z) {
         shifts.put(id, new double[] {x, y, z});
         return this;
@@ -191,7 +193,8 @@ public final class ThesisScene {
                 for (int i = 0; i < 3; i++) {
                     t[i] += stdMm * random.nextGaussian();
                 }
-                pose = RigidTransform.of(RigidTransform.ofRotationVector(w, new double[3]).compose(nominal).rotation(), t);
+                RigidTransform turn = RigidTransform.ofRotationVector(w, new double[3]);
+                pose = RigidTransform.of(turn.compose(nominal).rotation(), t);
             }
             boolean noisy = source.equals("corner noise of references");
             markers.add(observe(id, pose, noisePx, noisy ? random : null));

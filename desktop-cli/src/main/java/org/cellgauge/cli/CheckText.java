@@ -222,14 +222,15 @@ final class CheckText {
     private static void references(CheckResult result, StringBuilder text) {
         ReferenceCheck check = result.referenceCheck();
         if (check.fits().stream().anyMatch(ReferenceFit::tested)) {
-            text.append("\nReferences against each other: how far off they seem, from where on it would be noticed, mm\n");
+            text.append("\nReferences against each other: how far off they seem, from where on it would be ")
+                    .append("noticed, mm\n");
             TextTable table = new TextTable(1);
             table.row("", "residual", "off x", "off y", "off z", "noticed x", "y", "z", "");
             for (ReferenceFit fit : check.fits()) {
                 double[] off = fit.offset();
                 double[] from = fit.detectable();
-                table.row("reference " + fit.id(), fixed(fit.normalisedResidual(), 2), fixed(off[0], 1), fixed(off[1], 1),
-                        fixed(off[2], 1), fixed(from[0], 1), fixed(from[1], 1), fixed(from[2], 1),
+                table.row("reference " + fit.id(), fixed(fit.normalisedResidual(), 2), fixed(off[0], 1),
+                        fixed(off[1], 1), fixed(off[2], 1), fixed(from[0], 1), fixed(from[1], 1), fixed(from[2], 1),
                         fit.misplaced() ? "SEEMS OFF" : "");
             }
             text.append(table.text("  ")).append(wrap("  " + check.noticeable(), "  "));
@@ -293,7 +294,10 @@ final class CheckText {
         return wrap("Accepted: " + String.join(", ", words), "        ").stripTrailing();
     }
 
-    /** By how much the chains correct Laplace's approximation: positions of objects and gripping points, or the camera's. */
+    /**
+     * By how much the chains correct Laplace's approximation: positions of objects and gripping points, or the
+     * camera's.
+     */
     static String laplaceLine(CheckResult result) {
         Correction correction = new Correction();
         for (ObjectEstimate sampled : result.estimate().objects()) {
@@ -342,8 +346,9 @@ final class CheckText {
         }
 
         String words() {
-            return String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (%s) to %.2f (%s) times as "
-                    + "large, means up to %.2f std apart (%s)", least, whereLeast, most, whereMost, farthest, whereFarthest);
+            return String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (%s) to %.2f (%s) "
+                    + "times as large, means up to %.2f std apart (%s)", least, whereLeast, most, whereMost, farthest,
+                    whereFarthest);
         }
     }
 

@@ -58,8 +58,8 @@ public record PoseArgument(RigidTransform pose) {
     }
 
     /**
-     * Lets the first number be negative, as in {@code --camera-pose -418,106,1070}: the parser would take the value for an
-     * option. A leading space tells it otherwise, and does not matter to the number.
+     * Lets the first number be negative, as in {@code --camera-pose -418,106,1070}: the parser would take the value for
+     * an option. A leading space tells it otherwise, and does not matter to the number.
      */
     public static final class MayBeNegative implements IParameterPreprocessor {
         @Override

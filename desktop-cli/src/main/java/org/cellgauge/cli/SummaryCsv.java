@@ -53,7 +53,8 @@ final class SummaryCsv {
         cells.add(number(result.cell().targetStdMm().orElse(Double.NaN)));
         boolean judged = object != null && result.cell().targetStdMm().isPresent()
                 && CheckText.caution(result).isEmpty();
-        cells.add(judged ? String.valueOf(result.referenceCheck().meets(object, result.cell().targetStdMm().getAsDouble())) : "");
+        cells.add(judged ? String.valueOf(result.referenceCheck().meets(object,
+                result.cell().targetStdMm().getAsDouble())) : "");
         cells.add(String.valueOf(result.diagnostics().converged()));
         cells.add(number(result.diagnostics().rHatMax()));
         cells.add(number(result.diagnostics().essBulkMin()));

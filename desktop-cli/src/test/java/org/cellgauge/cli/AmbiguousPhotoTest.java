@@ -26,15 +26,16 @@ class AmbiguousPhotoTest {
     private JsonObject check(double pixelStdPx, String name) throws IOException {
         Path cell = SmallCell.write(folder);
         Files.writeString(cell, SmallCell.YAML.replace("pixel_std_px: 0.05", "pixel_std_px: " + pixelStdPx)
-                .replace("  5: {}", "  5: {size_mm: 40, grip_mm: [0, 0, 50]}").replace("  20: {grip_mm: [0, 0, 100]}\n", "")
+                .replace("  5: {}", "  5: {size_mm: 40, grip_mm: [0, 0, 50]}")
+                .replace("  20: {grip_mm: [0, 0, 100]}\n", "")
                 .replace("target: {std_mm: 2.0}", "target: {std_mm: 50}"));
-        CommandCall photo = CommandCall.of("simulate", "--cell", cell.toString(), "--out", folder.toString(), "--object",
-                "5=200,150,0,13,0,0.2rad", "--camera-pose", "200,150,900,180,0,0", "--name", name);
+        CommandCall photo = CommandCall.of("simulate", "--cell", cell.toString(), "--out", folder.toString(),
+                "--object", "5=200,150,0,13,0,0.2rad", "--camera-pose", "200,150,900,180,0,0", "--name", name);
         assertEquals(0, photo.code(), photo.err());
-        CommandCall call = CommandCall.of("check", "--cell", cell.toString(), folder.resolve(name + ".png").toString(), "--out",
-                folder.resolve("out").toString());
-        JsonObject result = JsonParser.parseString(Files.readString(folder.resolve("out").resolve(name + ".result.json")))
-                .getAsJsonObject();
+        CommandCall call = CommandCall.of("check", "--cell", cell.toString(), folder.resolve(name + ".png").toString(),
+                "--out", folder.resolve("out").toString());
+        JsonObject result = JsonParser.parseString(Files.readString(folder.resolve("out")
+                .resolve(name + ".result.json"))).getAsJsonObject();
         assertEquals(result.get("verdict").getAsString().equals("ambiguous") ? 5 : 0, call.code(), call.out());
         assertEquals(result.get("verdict").getAsString().equals("ambiguous"), call.out().startsWith("AMBIGUOUS"));
         return result;

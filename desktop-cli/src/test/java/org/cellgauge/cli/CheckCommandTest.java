@@ -323,11 +323,11 @@ class CheckCommandTest {
         // a nearly Gaussian posterior: what is left is Monte Carlo error, 2 % of each deviation
         assertTrue(least > 0.9 && most < 1.1 && farthest < 0.2, least + ", " + most + ", " + farthest);
         String line = call.out().replaceAll("\\s+", " ");
-        assertTrue(line.contains(String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (", least)),
-                line);
+        assertTrue(line.contains(String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (",
+                least)), line);
         assertTrue(line.contains(String.format(Locale.ROOT, ") to %.2f (", most)), line);
-        assertTrue(line.contains(String.format(Locale.ROOT, ") times as large, means up to %.2f std apart (", farthest)),
-                line);
+        assertTrue(line.contains(String.format(Locale.ROOT, ") times as large, means up to %.2f std apart (",
+                farthest)), line);
         assertTrue(Files.readString(out.resolve("report.html")).contains("Chains against Laplace&#39;s approximation"));
     }
 

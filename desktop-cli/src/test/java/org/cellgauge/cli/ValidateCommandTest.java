@@ -60,7 +60,9 @@ class ValidateCommandTest {
 
     // ---- is it right
 
-    /** One call that is long enough to mean something; false alarm of the bands 1 %, of the ranks 1 %, at a fixed seed. */
+    /**
+     * One call that is long enough to mean something; false alarm of the bands 1 %, of the ranks 1 %, at a fixed seed.
+     */
     @Test
     void anHonestLikelihoodCoversAndEndsWithZero() {
         CommandCall call = validate("--simulations", "120", "--json");
@@ -152,10 +154,10 @@ class ValidateCommandTest {
     void tablesHoldRegionsErrorsAndRanksOfEveryPart() {
         CommandCall call = quick();
         String out = call.out();
-        assertTrue(out.startsWith("4 simulated cells, rigid-marker, seed 1; true poses spread by 50 mm and 10 degrees."),
-                out);
-        assertTrue(out.replaceAll("\\s+", " ").matches(".* \\d ambiguous; in \\d a reference was called misplaced although none "
-                + "was\\. .*"), out);
+        assertTrue(out.startsWith("4 simulated cells, rigid-marker, seed 1; true poses spread by 50 mm and 10 "
+                + "degrees."), out);
+        assertTrue(out.replaceAll("\\s+", " ").matches(".* \\d ambiguous; in \\d a reference was called misplaced "
+                + "although none was\\. .*"), out);
         for (String region : List.of("camera pose", "object 5 position", "object 5 pose", "object 20 position",
                 "object 20 pose", "object 20 grip")) {
             assertTrue(out.lines().anyMatch(l -> l.matches("  " + region + " +[36] .* - .*")), region + "\n" + out);
@@ -167,8 +169,8 @@ class ValidateCommandTest {
         assertTrue(out.lines().anyMatch(l -> l.matches("  object 20( +\\d\\.\\d{3}){12} *")), out);
         assertTrue(out.replaceAll("\\s+", " ").contains("All together: p ="), out);
         // a count of 4 proves nothing, and says so: all four regions may hold the truth, or three or two
-        assertTrue(out.endsWith("A stated 95 % is right 95 times in 100 here, within chance. So few simulated cells would not "
-                + "tell it\nfrom 50 times in 100: give more --simulations.\n"), out);
+        assertTrue(out.endsWith("A stated 95 % is right 95 times in 100 here, within chance. So few simulated cells "
+                + "would not tell it\nfrom 50 times in 100: give more --simulations.\n"), out);
     }
 
     @Test
@@ -231,7 +233,8 @@ class ValidateCommandTest {
         assertEquals(0, call.code());
         assertFalse(call.out().contains("%%"), call.out());
         assertTrue(call.out().contains("cellgauge validate --cell cell.yaml"), call.out());
-        assertTrue(call.out().contains("Exit codes: 0 all 95 % regions hold the truth as often as they claim"), call.out());
+        assertTrue(call.out().contains("Exit codes: 0 all 95 % regions hold the truth as often as they claim"),
+                call.out());
         assertTrue(CommandCall.of("--help").out().contains("validate"));
     }
 
@@ -274,7 +277,8 @@ class ValidateCommandTest {
         all.addAll(List.of(args.split(" ")));
         CommandCall call = quick(all.toArray(new String[0]));
         assertEquals("", call.err().replaceAll("\\[.*\\n", ""));
-        assertEquals(-3, json(call).getAsJsonObject("settings").getAsJsonArray("camera_pose").get(0).getAsDouble(), 1e-9);
+        assertEquals(-3, json(call).getAsJsonObject("settings").getAsJsonArray("camera_pose").get(0).getAsDouble(),
+                1e-9);
     }
 
     @Test
@@ -332,6 +336,7 @@ class ValidateCommandTest {
     void aCameraThatDoesNotSeeTheMarkersIsRefusedByName() {
         CommandCall call = quick("--camera-pose", "2000,150,900,3.1rad,0.05rad,0.02rad");
         assertEquals(3, call.code());
-        assertTrue(call.err().matches("(?s)reference \\d+ is not seen from the camera pose.*--camera-pose.*"), call.err());
+        assertTrue(call.err().matches("(?s)reference \\d+ is not seen from the camera pose.*--camera-pose.*"),
+                call.err());
     }
 }
