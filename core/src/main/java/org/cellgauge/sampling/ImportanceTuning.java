@@ -22,6 +22,11 @@ public final class ImportanceTuning {
     private static final double LEAST_EFFICIENCY_PER_ROUND = 0.1;
     /** Share of what a Gaussian target gives at which the rounds end. */
     private static final double GOOD_SHARE = 0.985;
+    /** Factor by which a round must better the efficiency to count as progress. */
+    private static final double GAIN = 1.01;
+    /** Rounds without progress at which a fair fit ends; a poor one goes on, since its tails may yet be met. */
+    private static final int MOST_IDLE_ROUNDS = 2;
+    private static final double FAIR_SHARE = 0.93;
     private static final double SMALLEST_WEIGHT = 1e-3;
     /** Share of what a Gaussian target gives below which a component per mode is not enough. */
     private static final double ENOUGH_SHARE = 0.95;
@@ -253,6 +258,7 @@ public final class ImportanceTuning {
         StudentTMixture mixture = start;
         StudentTMixture best = start;
         double bestEfficiency = -1;
+        int idle = 0;
         double good = GOOD_SHARE * efficiencyOfGaussian(n);
         double[][] draws = new double[drawsPerRound][n];
         double[][] shares = new double[drawsPerRound][start.components()];
@@ -260,11 +266,12 @@ public final class ImportanceTuning {
         for (int round = 0; round <= rounds; round++) {
             weigh(density, mixture, draws, shares, logWeights, random);
             double efficiency = efficiency(logWeights, 1);
+            idle = efficiency > GAIN * bestEfficiency ? 0 : Math.min(idle + 1, MOST_IDLE_ROUNDS);
             if (efficiency > bestEfficiency) {
                 bestEfficiency = efficiency;
                 best = mixture;
             }
-            if (round == rounds || efficiency > good) {
+            if (round == rounds || efficiency > good || (idle == MOST_IDLE_ROUNDS && efficiency > FAIR_SHARE * good)) {
                 break;
             }
             double power = 1;

@@ -6,16 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.cellgauge.statistics.ChainDiagnostics;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/**
- * Converged deviations of the thesis' set-ups against long chains of an independent implementation, and how many draws
- * they take.
- */
+/** Converged deviations of the thesis' set-ups against long chains of an independent implementation. */
 class ConvergedFiguresTest {
     /** Figures of the independent implementation, worst (worst lateral): 2, 3, 4, 5, 6 references in plane, then raised. */
     private static final Object[][] TABLE = {
@@ -103,25 +99,5 @@ class ConvergedFiguresTest {
         if (references > 2) {
             assertFalse(warned, result.warnings().toString());
         }
-    }
-
-    @ParameterizedTest
-    @CsvSource({"RIGID_MARKER, 5, 500", "CORNER_CUBE, 20, 30"})
-    void independenceGivesManyEffectiveDrawsPerThousandEvaluations(LikelihoodModel model, double stdMm, double atLeast) {
-        ThesisScene scene = scene(3, false, stdMm);
-        int iterations = 10_200;
-        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
-                cameraPart(model).iterations(iterations).warmup(200).build());
-        assertEquals(SamplerKind.INDEPENDENCE, result.samplerUsed());
-        double evaluations = 4 * (iterations - 200);
-        double least = Double.POSITIVE_INFINITY;
-        for (int id : new int[] {5, 20, 30}) {
-            for (String axis : new String[] {"x", "y", "z"}) {
-                ChainDiagnostics d = result.diagnostics().parameters().get("object_" + id + "_" + axis + "_mm");
-                assertEquals(evaluations, d.chainCount() * d.drawsPerChain());
-                least = Math.min(least, 1000 * d.essSquaredDeviation() / evaluations);
-            }
-        }
-        assertTrue(least >= atLeast, least + " effective draws per 1000 evaluations");
     }
 }

@@ -42,6 +42,11 @@ public final class ThesisScene {
         return of(places, count);
     }
 
+    /** The other pair of a reference in the plane and the raised one: 944 in place of 1234. */
+    public static ThesisScene otherRaisedPair() {
+        return of(new double[][] {{944, 492, 380, 0}, {22, 0, -36, 165}}, 2);
+    }
+
     public static ThesisScene oneRaised(int count) {
         double[][] two = {{1234, 0, 380, 0}, {22, 0, -36, 165}};
         double[][] three = {{1234, 0, 380, 0}, {911, 492, 0, 0}, {22, 0, -36, 165}};
