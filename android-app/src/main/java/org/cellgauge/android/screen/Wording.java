@@ -91,30 +91,11 @@ final class Wording {
                         percent(reason.share().getAsDouble()));
             case OBJECT_NOT_SEEN:
                 return plural(R.plurals.not_seen, reason.missingObjects().size(), ids(reason.missingObjects())) + " "
-                        + deviation(reason) + misplacement(reason);
+                        + deviation(reason) + misplacement(reason, " ");
             default:
                 return (reason.targetMm().isPresent() ? "" : get(R.string.no_target) + " ") + deviation(reason)
-                        + misplacement(reason);
+                        + misplacement(reason, " ");
         }
-    }
-
-    /** What misplaced references add to a reason; empty where there are none. */
-    private String misplacement(Reason reason) {
-        Reason.Misplacement misplacement = reason.misplacement();
-        if (misplacement == null) {
-            return "";
-        }
-        int count = misplacement.references().size();
-        String ids = ids(misplacement.references());
-        String met = misplacement.targetMet() ? " " + get(R.string.target_met_even_so) : "";
-        if (misplacement.objectId().isPresent()) {
-            String of = get(misplacement.grip() ? R.string.of_grip : R.string.of_object,
-                    misplacement.objectId().getAsInt());
-            return met + " " + plural(R.plurals.misplaced_error, count, ids, mm(misplacement.errorMm()),
-                    axis(misplacement.axis()), of);
-        }
-        return met + " " + plural(misplacement.errorMm() == 0 ? R.plurals.misplaced : R.plurals.misplaced_no_pose,
-                count, ids);
     }
 
     private String deviation(Reason reason) {
@@ -138,6 +119,22 @@ final class Wording {
         }
         return get(reason.grip() ? R.string.cause_grip : R.string.cause, percent(reason.share().getAsDouble()),
                 axis(reason), source(reason));
+    }
+
+    /** What misplaced references add, after what stands before it; empty where none seems misplaced. */
+    String misplacement(Reason reason, String before) {
+        Reason.Misplacement m = reason == null ? null : reason.misplacement();
+        if (m == null) {
+            return "";
+        }
+        String text = before + plural(R.plurals.misplaced, m.references().size(), ids(m.references()));
+        if (m.objectId().isPresent()) {
+            text += " " + get(R.string.misplaced_error, mm(m.errorMm()), axis(m.axis()),
+                    get(m.grip() ? R.string.of_grip : R.string.of_object, m.objectId().getAsInt()));
+        } else if (m.errorMm() > 0) {
+            text += " " + get(R.string.misplaced_no_pose);
+        }
+        return m.targetMet() ? text + " " + get(R.string.misplaced_met) : text;
     }
 
     private static String axis(Reason reason) {

@@ -28,6 +28,7 @@ import android.widget.TextView;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -41,11 +42,16 @@ import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.android.state.CheckSession;
 import org.cellgauge.android.state.ImageSource;
+import org.cellgauge.android.state.ObjectRow;
+import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckSettings;
+import org.cellgauge.check.Reason;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.overlay.Overlay;
@@ -285,6 +291,35 @@ public class MainActivityTest {
             screen.until("result", () -> screen.state().verdict() != null);
             assertEquals("No target set", screen.text(R.id.banner_headline));
             assertTrue(rows(screen), rows(screen).contains("Object 5 – no target"));
+        }
+    }
+
+    @Test
+    public void misplacedReferenceIsNamedAndItsErrorIsHeldAgainstTheTarget() {
+        Cell cell = FIXTURE.cell();
+        List<Reference> references = new ArrayList<>();
+        for (Reference r : cell.references()) {
+            double[] p = r.worldFromMarker().translationMm();
+            // the cell file has 911 where it does not stand
+            references.add(r.id() != 911 ? r : new Reference(911, r.sizeMm(),
+                    RigidTransform.ofEuler(p[0] + 12, p[1], p[2], 0, 0, 0), r.placement()));
+        }
+        Cell wrong = new Cell(cell.camera(), cell.family(), references, cell.objects(), cell.pixelStdPx(),
+                cell.targetStdMm());
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(FIXTURE.document(wrong));
+            screen.openPhoto(FIXTURE.photo());
+            screen.until("result", () -> screen.state().verdict() != null);
+            Reason reason = screen.state().reason();
+            assertTrue(reason.english(), reason.misplacement() != null);
+            String said = screen.text(R.id.reason);
+            assertTrue(said, said.contains("Reference 911 seems misplaced. If so, the largest error is "));
+            boolean met = screen.state().verdict() == Verdict.PASS;
+            assertEquals(said, met, said.contains("The target is met even so."));
+            assertTrue(rows(screen), rows(screen).contains("Reference 911 seems misplaced."));
+            for (ObjectRow row : screen.state().objects()) {
+                assertEquals(screen.state().result().verdict(row.id()) == Verdict.PASS, row.mark() == ObjectRow.Mark.OK);
+            }
         }
     }
 
