@@ -54,12 +54,9 @@ public final class CornerCubeNoise implements ReferenceNoise {
         }
         Arrays.fill(placementPx2, 0);
         Arrays.fill(pixelPx2, 0);
-        double[] centre = new double[2];
-        double[] vertex = new double[2];
-        for (int k = 0; k < 4; k++) {
-            if (!cornerStdPx(state, view.points(), 12 * marker + 3 * k, half, 0, centre, vertex, stdPx, 2 * k)) {
-                return false;
-            }
+        double[] centres = new double[8];
+        if (!markerStdPx(state, view.points(), 12 * marker, half, 0, centres, stdPx)) {
+            return false;
         }
         for (int i = 0; i < 8; i++) {
             placementPx2[9 * i] = stdPx[i] * stdPx[i];
@@ -68,74 +65,26 @@ public final class CornerCubeNoise implements ReferenceNoise {
     }
 
     /**
-     * Projects one corner and the box around it. Allocates nothing.
+     * Projects the four corners of a marker and the boxes around them. Allocates nothing.
      *
      * @param state pose and intrinsics
      * @param points corners relative to the centre of the set, world axes, mm
-     * @param at index of the corner's x in {@code points}
+     * @param at index of the first corner's x in {@code points}
      * @param half half extents of the box along the world axes, mm
      * @param halfAt index of the x extent in {@code half}
-     * @param centrePx receives the projected corner, 2 values
-     * @param vertexPx scratch, 2 values
-     * @param stdPx receives the deviations in u and v
-     * @param stdAt index of the deviation in u in {@code stdPx}
-     * @return false if the corner or a vertex is not in front of the camera
+     * @param centresPx receives the projected corners, 8 values
+     * @param stdPx receives the deviations in u and v of each corner, 8 values
+     * @return false if a corner or a vertex is not in front of the camera
      */
-    public static boolean cornerStdPx(CameraState state, double[] points, int at, double[] half, int halfAt,
-            double[] centrePx, double[] vertexPx, double[] stdPx, int stdAt) {
+    public static boolean markerStdPx(CameraState state, double[] points, int at, double[] half, int halfAt,
+            double[] centresPx, double[] stdPx) {
         double[] r = state.rotation;
         double[] intrinsics = state.intrinsics;
-        double x = points[at];
-        double y = points[at + 1];
-        double z = points[at + 2];
-        double cx = r[0] * x + r[1] * y + r[2] * z + state.offset[0];
-        double cy = r[3] * x + r[4] * y + r[5] * z + state.offset[1];
-        double cz = r[6] * x + r[7] * y + r[8] * z + state.offset[2];
-        if (!Projection.project(intrinsics, cx, cy, cz, centrePx, 0)) {
-            return false;
-        }
+        boolean ideal = isIdeal(intrinsics);
         double hx = half[halfAt];
         double hy = half[halfAt + 1];
         double hz = half[halfAt + 2];
-        if (isIdeal(intrinsics)) {
-            return idealStdPx(r, cx, cy, cz, hx, hy, hz, intrinsics, stdPx, stdAt);
-        }
-        double largestU = 0;
-        double largestV = 0;
-        for (int i = -1; i <= 1; i += 2) {
-            double ax = cx + i * hx * r[0];
-            double ay = cy + i * hx * r[3];
-            double az = cz + i * hx * r[6];
-            for (int j = -1; j <= 1; j += 2) {
-                double bx = ax + j * hy * r[1];
-                double by = ay + j * hy * r[4];
-                double bz = az + j * hy * r[7];
-                for (int k = -1; k <= 1; k += 2) {
-                    if (!Projection.project(intrinsics, bx + k * hz * r[2], by + k * hz * r[5], bz + k * hz * r[8],
-                            vertexPx, 0)) {
-                        return false;
-                    }
-                    largestU = Math.max(largestU, Math.abs(vertexPx[0] - centrePx[0]));
-                    largestV = Math.max(largestV, Math.abs(vertexPx[1] - centrePx[1]));
-                }
-            }
-        }
-        stdPx[stdAt] = largestU;
-        stdPx[stdAt + 1] = largestV;
-        return true;
-    }
-
-    private static boolean isIdeal(double[] intrinsics) {
-        return intrinsics[PinholeCamera.K1] == 0 && intrinsics[PinholeCamera.K2] == 0
-                && intrinsics[PinholeCamera.K3] == 0 && intrinsics[PinholeCamera.P1] == 0
-                && intrinsics[PinholeCamera.P2] == 0 && intrinsics[PinholeCamera.SKEW] == 0;
-    }
-
-    /** The same without distortion, where a vertex takes one division: most of the time of this likelihood goes here. */
-    private static boolean idealStdPx(double[] r, double cx, double cy, double cz, double hx, double hy, double hz,
-            double[] intrinsics, double[] stdPx, int stdAt) {
-        double u0 = cx / cz;
-        double v0 = cy / cz;
+        // half edges of the box in the camera frame
         double xx = hx * r[0];
         double xy = hx * r[3];
         double xz = hx * r[6];
@@ -145,26 +94,76 @@ public final class CornerCubeNoise implements ReferenceNoise {
         double zx = hz * r[2];
         double zy = hz * r[5];
         double zz = hz * r[8];
-        // the vertex nearest to the camera decides whether all are in front of it
-        if (!(cz - Math.abs(xz) - Math.abs(yz) - Math.abs(zz) > 0)) {
-            return false;
+        // depths of the vertices of one half from the corner; the other half is opposite
+        double d0 = Math.abs(xz + yz + zz);
+        double d1 = Math.abs(xz - yz + zz);
+        double d2 = Math.abs(xz + yz - zz);
+        double d3 = Math.abs(xz - yz - zz);
+        double deepest = Math.max(Math.max(d0, d1), Math.max(d2, d3));
+        for (int k = 0, p = at; k < 8; k += 2, p += 3) {
+            double x = points[p];
+            double y = points[p + 1];
+            double z = points[p + 2];
+            double cx = r[0] * x + r[1] * y + r[2] * z + state.offset[0];
+            double cy = r[3] * x + r[4] * y + r[5] * z + state.offset[1];
+            double cz = r[6] * x + r[7] * y + r[8] * z + state.offset[2];
+            // the vertex nearest to the camera decides whether all are in front of it
+            if (!(cz - deepest > 0)) {
+                return false;
+            }
+            if (!ideal) {
+                Projection.project(intrinsics, cx, cy, cz, centresPx, k);
+                stdPx[k] = 0;
+                stdPx[k + 1] = 0;
+                for (int i = -1; i <= 1; i += 2) {
+                    for (int j = -1; j <= 1; j += 2) {
+                        widen(intrinsics, cx + xx + i * yx + j * zx, cy + xy + i * yy + j * zy,
+                                cz + xz + i * yz + j * zz, centresPx, stdPx, k);
+                        widen(intrinsics, cx - xx - i * yx - j * zx, cy - xy - i * yy - j * zy,
+                                cz - xz - i * yz - j * zz, centresPx, stdPx, k);
+                    }
+                }
+                continue;
+            }
+            double inverse = 1 / cz;
+            double u = cx * inverse;
+            double v = cy * inverse;
+            // with (dx, dy, dz) from corner to vertex: (cx + dx) / (cz + dz) - u = (dx - u dz) / (cz + dz); of two
+            // opposite vertices the nearer one is farther off in the image, so that each pair takes one division
+            double n0 = 1 / (cz - d0);
+            double n1 = 1 / (cz - d1);
+            double n2 = 1 / (cz - d2);
+            double n3 = 1 / (cz - d3);
+            stdPx[k] = intrinsics[PinholeCamera.FX] * largest(xx - u * xz, yx - u * yz, zx - u * zz, n0, n1, n2, n3);
+            stdPx[k + 1] = intrinsics[PinholeCamera.FY] * largest(xy - v * xz, yy - v * yz, zy - v * zz, n0, n1, n2, n3);
+            centresPx[k] = intrinsics[PinholeCamera.FX] * u + intrinsics[PinholeCamera.CX];
+            centresPx[k + 1] = intrinsics[PinholeCamera.FY] * v + intrinsics[PinholeCamera.CY];
         }
-        double largestU = 0;
-        double largestV = 0;
-        // four pairs of opposite vertices
-        for (int pair = 0; pair < 4; pair++) {
-            double signY = (pair & 1) == 0 ? 1 : -1;
-            double signZ = (pair & 2) == 0 ? 1 : -1;
-            double dx = xx + signY * yx + signZ * zx;
-            double dy = xy + signY * yy + signZ * zy;
-            double dz = xz + signY * yz + signZ * zz;
-            double near = 1 / (cz + dz);
-            double far = 1 / (cz - dz);
-            largestU = Math.max(largestU, Math.max(Math.abs((cx + dx) * near - u0), Math.abs((cx - dx) * far - u0)));
-            largestV = Math.max(largestV, Math.max(Math.abs((cy + dy) * near - v0), Math.abs((cy - dy) * far - v0)));
-        }
-        stdPx[stdAt] = intrinsics[PinholeCamera.FX] * largestU;
-        stdPx[stdAt + 1] = intrinsics[PinholeCamera.FY] * largestV;
         return true;
+    }
+
+    private static double largest(double a, double b, double c, double n0, double n1, double n2, double n3) {
+        double plus = a + c;
+        double minus = a - c;
+        return Math.max(Math.max(Math.abs(plus + b) * n0, Math.abs(plus - b) * n1),
+                Math.max(Math.abs(minus + b) * n2, Math.abs(minus - b) * n3));
+    }
+
+    /** Widens the deviations of a corner to one vertex through a lens with distortion. */
+    private static void widen(double[] intrinsics, double x, double y, double z, double[] centresPx, double[] stdPx,
+            int k) {
+        double u = centresPx[k];
+        double v = centresPx[k + 1];
+        Projection.project(intrinsics, x, y, z, centresPx, k);
+        stdPx[k] = Math.max(stdPx[k], Math.abs(centresPx[k] - u));
+        stdPx[k + 1] = Math.max(stdPx[k + 1], Math.abs(centresPx[k + 1] - v));
+        centresPx[k] = u;
+        centresPx[k + 1] = v;
+    }
+
+    private static boolean isIdeal(double[] intrinsics) {
+        return intrinsics[PinholeCamera.K1] == 0 && intrinsics[PinholeCamera.K2] == 0
+                && intrinsics[PinholeCamera.K3] == 0 && intrinsics[PinholeCamera.P1] == 0
+                && intrinsics[PinholeCamera.P2] == 0 && intrinsics[PinholeCamera.SKEW] == 0;
     }
 }

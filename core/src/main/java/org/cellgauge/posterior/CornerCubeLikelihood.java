@@ -18,9 +18,8 @@ public final class CornerCubeLikelihood implements CameraLikelihood {
     private final double[] points;
     private final double[] observed;
     private final double[] halfMm;
-    private final double[] centrePx = new double[2];
-    private final double[] vertexPx = new double[2];
-    private final double[] stdPx = new double[2];
+    private final double[] centresPx = new double[8];
+    private final double[] stdPx = new double[8];
 
     /**
      * A likelihood.
@@ -54,15 +53,21 @@ public final class CornerCubeLikelihood implements CameraLikelihood {
     @Override
     public double at(CameraState state) {
         double sum = 0;
-        for (int p = 0, o = 0; p < points.length; p += 3, o += 2) {
-            if (!CornerCubeNoise.cornerStdPx(state, points, p, halfMm, p / 12 * 3, centrePx, vertexPx, stdPx, 0)) {
+        for (int p = 0, o = 0; p < points.length; p += 12, o += 8) {
+            if (!CornerCubeNoise.markerStdPx(state, points, p, halfMm, p / 4, centresPx, stdPx)) {
                 return Double.NEGATIVE_INFINITY;
             }
-            double du = (observed[o] - centrePx[0]) / stdPx[0];
-            double dv = (observed[o + 1] - centrePx[1]) / stdPx[1];
-            // one logarithm for both deviations: it is the dearest operation here
-            sum += 0.5 * (du * du + dv * dv) + Math.log(stdPx[0] * stdPx[1]);
+            double squares = 0;
+            double product = 1;
+            for (int i = 0; i < 8; i++) {
+                double d = (observed[o + i] - centresPx[i]) / stdPx[i];
+                squares += d * d;
+                product *= stdPx[i];
+            }
+            // one logarithm for the eight deviations of a marker: it is the dearest operation here
+            sum += 0.5 * squares + Math.log(product);
         }
-        return sum == sum ? -sum : Double.NEGATIVE_INFINITY;
+        // an infinite sum comes of deviations that are 0, or so large or small that their product is none
+        return Math.abs(sum) < Double.POSITIVE_INFINITY ? -sum : Double.NEGATIVE_INFINITY;
     }
 }
