@@ -22,16 +22,17 @@ import org.cellgauge.vision.GreyImage;
 
 /**
  * A way into the library that shrinking leaves open: detection and a whole check behind types that every Java has, so
- * that shrunk and unshrunk code can be asked the same. It is kept in the class files made for tests and is no part of an
- * APK.
+ * that shrunk and unshrunk code can be asked the same. It is kept in the class files made for tests and is no part of
+ * an APK.
  */
 public final class CheckProbe implements Function<Map<String, Object>, String> {
 
     /**
      * Detects, checks and draws.
      *
-     * @param input {@code cell} and {@code camera}, the texts of the two files; {@code luminance}, the image's bytes, row by
-     *     row; {@code width} and {@code height} in px; {@code preset}, {@code default}, {@code focal} or {@code thesis}
+     * @param input {@code cell} and {@code camera}, the texts of the two files; {@code luminance}, the image's bytes,
+     *     row by row; {@code width} and {@code height} in px; {@code preset}, {@code default}, {@code focal} or
+     *     {@code thesis}
      * @return every figure in every digit: detections file, result file, overlay; or what was refused and why
      */
     @Override

@@ -128,7 +128,8 @@ class ApkTest {
     void manifestSaysWhatTheAppIs(String variant) throws Exception {
         String text = run(0, "aapt2", "dump", "badging", apk(variant));
         assertEquals(Set.of(PACKAGE), found("^package: name='([^']*)'", text));
-        assertEquals(Set.of(System.getProperty("cellgauge.version")), found("^package: .* versionName='([^']*)'", text));
+        assertEquals(Set.of(System.getProperty("cellgauge.version")),
+                found("^package: .* versionName='([^']*)'", text));
         assertEquals(Set.of("26"), found("^sdkVersion:'([^']*)'", text));
         assertEquals(Set.of("34"), found("^targetSdkVersion:'([^']*)'", text));
         assertEquals(Set.of("CellGauge"), found("^application-label:'([^']*)'", text));
@@ -141,8 +142,10 @@ class ApkTest {
     @ValueSource(strings = {"debug", "release"})
     void cameraIsAllThatIsAskedFor(String variant) throws Exception {
         String text = run(0, "aapt2", "dump", "badging", apk(variant));
-        assertEquals(Set.of("android.permission.CAMERA"), found("^uses-permission(?:-sdk-\\d+)?: name='([^']*)'", text));
-        assertTrue(found("^ *uses-feature-not-required: name='([^']*)'", text).contains("android.hardware.camera"), text);
+        assertEquals(Set.of("android.permission.CAMERA"),
+                found("^uses-permission(?:-sdk-\\d+)?: name='([^']*)'", text));
+        assertTrue(found("^ *uses-feature-not-required: name='([^']*)'", text).contains("android.hardware.camera"),
+                text);
         assertFalse(found("^ *uses-feature: name='([^']*)'", text).stream().anyMatch(f -> f.contains("camera")), text);
     }
 
@@ -161,8 +164,8 @@ class ApkTest {
     @ParameterizedTest
     @ValueSource(strings = {"debug", "release"})
     void nothingIsInsideThatTheAppDoesNotUse(String variant) throws IOException {
-        List<String> known = List.of("AndroidManifest\\.xml", "resources\\.arsc", "res/.+", "assets/.+", "classes\\d*\\.dex",
-                "org/cellgauge/.+\\.properties", "boofcv/factory/fiducial/.+\\.txt");
+        List<String> known = List.of("AndroidManifest\\.xml", "resources\\.arsc", "res/.+", "assets/.+",
+                "classes\\d*\\.dex", "org/cellgauge/.+\\.properties", "boofcv/factory/fiducial/.+\\.txt");
         List<String> strange = inside(variant, zip -> zip.stream().map(ZipEntry::getName)
                 .filter(name -> known.stream().noneMatch(name::matches)).collect(Collectors.toList()));
         assertEquals(List.of(), strange);
@@ -180,7 +183,8 @@ class ApkTest {
             for (String name : names) {
                 try (InputStream expected = ApkTest.class.getResourceAsStream("/" + name)) {
                     assertTrue(zip.getEntry(name) != null, name);
-                    assertArrayEquals(expected.readAllBytes(), zip.getInputStream(zip.getEntry(name)).readAllBytes(), name);
+                    byte[] found = zip.getInputStream(zip.getEntry(name)).readAllBytes();
+                    assertArrayEquals(expected.readAllBytes(), found, name);
                 }
             }
             return null;
@@ -203,7 +207,7 @@ class ApkTest {
         });
     }
 
-    /** What the manifest names must be there under that name, in one of the dex files, and no class may be there twice. */
+    /** What the manifest names must be there under that name, in any of the dex files, and no class twice. */
     @ParameterizedTest
     @ValueSource(strings = {"debug", "release"})
     void componentsOfTheManifestAreClassesInside(String variant) throws Exception {

@@ -24,9 +24,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Shrinking leaves every figure as it is: R8's class files, with D8's replacements for Android 8, run on this JVM beside
- * the code that went into them. The dex file of the release comes from the same rules, but from another run of R8, and
- * needs a device to run.
+ * Shrinking leaves every figure as it is: R8's class files, with D8's replacements for Android 8, run on this JVM
+ * beside the code that went into them. The dex file of the release comes from the same rules, but from another run of
+ * R8, and needs a device to run.
  */
 class ShrunkCodeTest {
     private static final Path ROOT = Path.of(System.getProperty("cellgauge.root", "."));
