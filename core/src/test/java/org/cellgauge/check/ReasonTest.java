@@ -13,7 +13,6 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.sampling.RandomStreams;
-import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.api.Test;
@@ -130,14 +129,6 @@ class ReasonTest {
         assertEquals(Reason.Kind.NEVER_MOVED, reason.kind());
         assertEquals("The chains have not converged (" + reason.worstParameter() + " never moved in at least one of them): "
                 + "no accuracy can be read off them.", reason.english());
-    }
-
-    @Test
-    void chainsTooShortToBeJudgedAreCalledThat() {
-        Reason reason = reasonOfChains(CheckSettings.builder().iterations(101).warmup(100));
-        assertEquals(Reason.Kind.TOO_SHORT, reason.kind());
-        assertEquals("The chains have not converged (fewer than " + ChainDiagnostics.MIN_DRAWS + " draws each): no accuracy "
-                + "can be read off them.", reason.english());
     }
 
     private static Reason reasonOfChains(CheckSettings.Builder settings) {
