@@ -12,6 +12,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.overlay.ImageOrientation;
 import org.cellgauge.overlay.Overlay;
+import org.cellgauge.overlay.OverlayStyle;
 import org.cellgauge.pose.CameraModeFinder;
 import org.cellgauge.pose.InitialPose;
 import org.cellgauge.pose.IntrinsicsPrior;
@@ -49,7 +50,8 @@ import org.openjdk.jmh.annotations.Warmup;
 public class FrameBenchmark {
     private static final PinholeCamera CAMERA = ThesisScene.CAMERA;
     private static final double PIXEL_STD = 0.1;
-    private static final ImageOrientation PORTRAIT = ImageOrientation.of(1, false);
+    private static final OverlayStyle PORTRAIT =
+            OverlayStyle.PHOTO.withOrientation(ImageOrientation.of(1, false)).withoutPanels();
 
     private final CheckSettings settings = CheckSettings.builder().threads(1).build();
     private Cell cell;
@@ -185,7 +187,7 @@ public class FrameBenchmark {
     /** The overlay for a tablet held upright, without panels. */
     @Benchmark
     public Overlay overlayOfTurnedDisplay() {
-        return CellOverlay.of(cell, detections, quickLook.update(), PORTRAIT, false);
+        return CellOverlay.of(cell, detections, quickLook.update(), PORTRAIT);
     }
 
     /** A frame of a moving camera: markers, figures from the last mode, overlay. */
@@ -193,6 +195,6 @@ public class FrameBenchmark {
     public Overlay wholeFrame() {
         Detections seen = detection();
         CheckUpdate update = CellCheck.quickLook(cell, seen, settings, lastFrame).update();
-        return CellOverlay.of(cell, seen, update, PORTRAIT, false);
+        return CellOverlay.of(cell, seen, update, PORTRAIT);
     }
 }

@@ -70,6 +70,8 @@ final class CellDrawing {
     private final double width;
     private final double height;
     private final double unit;
+    /** The unit of letters beside the markers, and of what goes with them: larger where the image is shown small. */
+    private final double letter;
     private final List<Shape> shapes = new ArrayList<>();
     private final LabelPlacer placer;
     private WorldView view;
@@ -87,16 +89,14 @@ final class CellDrawing {
      * @param estimate poses, or null where there are none
      * @param references what was found of the references, or null: nothing yet
      * @param stage how far the figures have come
-     * @param orientation how the photo is turned and mirrored where the overlay is shown
-     * @param panels whether banner and legend are drawn
-     * @param words what the labels say
+     * @param style how it is shown
      */
     CellDrawing(Cell cell, Detections photo, CellEstimate estimate, ReferenceCheck references, Stage stage,
-            ImageOrientation orientation, boolean panels, LabelWords words) {
+            OverlayStyle style) {
         this.cell = cell;
-        this.words = words;
-        this.orientation = orientation;
-        this.panels = panels;
+        this.words = style.words();
+        this.orientation = style.orientation();
+        this.panels = style.panels();
         this.photoWidth = photo.widthPx();
         this.photoHeight = photo.heightPx();
         this.detections = upright(photo, orientation);
@@ -106,7 +106,13 @@ final class CellDrawing {
         this.width = detections.widthPx();
         this.height = detections.heightPx();
         this.unit = Overlay.unitPx(detections.widthPx(), detections.heightPx());
+        this.letter = unit * style.letterScale();
         this.placer = new LabelPlacer(width, height, unit);
+    }
+
+    /** How high capital letters of labels are in an image, px, where nothing else is wanted. */
+    static double labelCapPx(int widthPx, int heightPx) {
+        return LABEL_CAP_U * Overlay.unitPx(widthPx, heightPx);
     }
 
     private static Detections upright(Detections photo, ImageOrientation orientation) {
@@ -245,13 +251,13 @@ final class CellDrawing {
                     end[1] - head * (dv - 0.5 * du), end[0], end[1], end[0] - head * (du - 0.5 * dv),
                     end[1] - head * (dv + 0.5 * du));
             String name = "xyz".substring(axis, axis + 1);
-            double cap = LABEL_CAP_U * unit;
+            double cap = LABEL_CAP_U * letter;
             double half = StrokeFont.widthInCapHeights(name) * cap / 2;
-            TextShape letter = new TextShape(roles[axis], Status.NEUTRAL, BOLD, end[0] + 1.1 * cap * du - half,
+            TextShape axisName = new TextShape(roles[axis], Status.NEUTRAL, BOLD, end[0] + 1.1 * cap * du - half,
                     end[1] + 1.1 * cap * dv + cap / 3, cap, name);
-            if (placer.area().contains(letter.bounds())) {
-                shapes.add(letter);
-                placer.keepOff(letter.bounds());
+            if (placer.area().contains(axisName.bounds())) {
+                shapes.add(axisName);
+                placer.keepOff(axisName.bounds());
             }
         }
     }
@@ -739,7 +745,7 @@ final class CellDrawing {
 
     /** A label on a panel of its own, with the mark of its status. */
     private void label(Box target, Status status, List<String> lines) {
-        double pad = 3.5 * unit;
+        double pad = 3.5 * letter;
         double inCaps = 0;
         for (String line : lines) {
             inCaps = Math.max(inCaps, StrokeFont.widthInCapHeights(line));
@@ -770,7 +776,7 @@ final class CellDrawing {
             return;
         }
         double inCaps = StrokeFont.widthInCapHeights(text);
-        double cap = Math.min(fitting(inCaps, 0), SMALL_CAP_U * unit);
+        double cap = Math.min(fitting(inCaps, 0), SMALL_CAP_U * letter);
         Box box = placer.place(inCaps * cap, (StrokeFont.ASCENT + StrokeFont.DESCENT) * cap, target);
         leader(box, target, status);
         shapes.add(new TextShape(Role.LABEL, status, BOLD, box.left(), box.top() + StrokeFont.ASCENT * cap, cap, text));
@@ -778,7 +784,7 @@ final class CellDrawing {
 
     /** The height of letters in which a line fits into the image. */
     private double fitting(double widthInCaps, double padding) {
-        return Math.min(LABEL_CAP_U * unit, Math.max(1, placer.area().width() - padding) / widthInCaps);
+        return Math.min(LABEL_CAP_U * letter, Math.max(1, placer.area().width() - padding) / widthInCaps);
     }
 
     private void leader(Box label, Box target, Status status) {

@@ -10,10 +10,9 @@ import org.cellgauge.vision.Detections;
 /**
  * The overlay of a check at whatever stage: detected, at the quick look, running, finished.
  *
- * <p>Each comes in two forms: over the photo as it is, with its panels, and for a display on which the image is turned
- * or mirrored. The latter is laid out in the upright image: its shapes are turned and mirrored with the image, its
- * texts stay upright and are never mirrored. Without panels, for programs that say in their own way what banner and
- * legend say, labels may use the whole area.
+ * <p>Each comes in two forms: over the photo as it is, and in a given {@link OverlayStyle}, for a display on which the
+ * image is turned or mirrored, say. It is laid out in the upright image: its shapes are turned and mirrored with the
+ * image, its texts stay upright and are never mirrored. Without panels labels may use the whole area.
  */
 public final class CellOverlay {
     private CellOverlay() {
@@ -26,31 +25,17 @@ public final class CellOverlay {
      * @return what to draw over its photo
      */
     public static Overlay of(CheckResult result) {
-        return of(result, ImageOrientation.IDENTITY, true);
+        return of(result, OverlayStyle.PHOTO);
     }
 
     /**
-     * The overlay of a finished check for a display.
+     * The overlay of a finished check in a style.
      *
      * @param result the result
-     * @param orientation how the photo is turned and mirrored there
-     * @param panels whether there is a banner and a legend
+     * @param style how it is shown; banner and legend are in English
      * @return what to draw over the upright photo
      */
-    public static Overlay of(CheckResult result, ImageOrientation orientation, boolean panels) {
-        return of(result, orientation, panels, LabelWords.ENGLISH);
-    }
-
-    /**
-     * The overlay of a finished check for a display, its labels in another language.
-     *
-     * @param result the result
-     * @param orientation how the photo is turned and mirrored there
-     * @param panels whether there is a banner and a legend, in English
-     * @param words what the labels say
-     * @return what to draw over the upright photo
-     */
-    public static Overlay of(CheckResult result, ImageOrientation orientation, boolean panels, LabelWords words) {
+    public static Overlay of(CheckResult result, OverlayStyle style) {
         Status status;
         String headline;
         switch (result.verdict()) {
@@ -78,7 +63,7 @@ public final class CellOverlay {
         CellDrawing.Stage stage = status == Status.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
                 : CellDrawing.Stage.FINAL;
         return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referenceCheck(), stage,
-                orientation, panels, words).draw(status, headline, result.reason());
+                style).draw(status, headline, result.reason());
     }
 
     /**
@@ -90,43 +75,25 @@ public final class CellOverlay {
      * @return what to draw over the photo
      */
     public static Overlay of(Cell cell, Detections detections, CheckUpdate update) {
-        return of(cell, detections, update, ImageOrientation.IDENTITY, true);
+        return of(cell, detections, update, OverlayStyle.PHOTO);
     }
 
     /**
-     * The overlay of a running check for a display.
+     * The overlay of a running check in a style.
      *
      * @param cell the cell
      * @param detections the markers of the photo
      * @param update the newest item of the check's stream
-     * @param orientation how the photo is turned and mirrored there
-     * @param panels whether there is a banner and a legend
+     * @param style how it is shown; banner and legend are in English
      * @return what to draw over the upright photo
      */
-    public static Overlay of(Cell cell, Detections detections, CheckUpdate update, ImageOrientation orientation,
-            boolean panels) {
-        return of(cell, detections, update, orientation, panels, LabelWords.ENGLISH);
-    }
-
-    /**
-     * The overlay of a running check for a display, its labels in another language.
-     *
-     * @param cell the cell
-     * @param detections the markers of the photo
-     * @param update the newest item of the check's stream
-     * @param orientation how the photo is turned and mirrored there
-     * @param panels whether there is a banner and a legend, in English
-     * @param words what the labels say
-     * @return what to draw over the upright photo
-     */
-    public static Overlay of(Cell cell, Detections detections, CheckUpdate update, ImageOrientation orientation,
-            boolean panels, LabelWords words) {
+    public static Overlay of(Cell cell, Detections detections, CheckUpdate update, OverlayStyle style) {
         if (update.result() != null) {
-            return of(update.result(), orientation, panels, words);
+            return of(update.result(), style);
         }
         String headline = update.phase() == CheckUpdate.Phase.QUICK_LOOK ? "QUICK LOOK"
                 : String.format(Locale.ROOT, "SAMPLING \u2013 %d iterations per chain", update.iterationsPerChain());
-        return preliminary(cell, detections, update.estimate(), headline, orientation, panels, words);
+        return preliminary(cell, detections, update.estimate(), headline, style);
     }
 
     /**
@@ -138,28 +105,26 @@ public final class CellOverlay {
      * @return what to draw over the photo; its figures are marked as not converged yet
      */
     public static Overlay of(Cell cell, Detections detections, CellEstimate estimate) {
-        return of(cell, detections, estimate, ImageOrientation.IDENTITY, true);
+        return of(cell, detections, estimate, OverlayStyle.PHOTO);
     }
 
     /**
-     * The overlay of an estimate that no chain has confirmed for a display.
+     * The overlay of an estimate that no chain has confirmed, in a style.
      *
      * @param cell the cell
      * @param detections the markers of the photo
      * @param estimate poses and their uncertainties
-     * @param orientation how the photo is turned and mirrored there
-     * @param panels whether there is a banner and a legend
+     * @param style how it is shown; banner and legend are in English
      * @return what to draw over the upright photo; its figures are marked as not converged yet
      */
-    public static Overlay of(Cell cell, Detections detections, CellEstimate estimate, ImageOrientation orientation,
-            boolean panels) {
-        return preliminary(cell, detections, estimate, "QUICK LOOK", orientation, panels, LabelWords.ENGLISH);
+    public static Overlay of(Cell cell, Detections detections, CellEstimate estimate, OverlayStyle style) {
+        return preliminary(cell, detections, estimate, "QUICK LOOK", style);
     }
 
     private static Overlay preliminary(Cell cell, Detections detections, CellEstimate estimate, String headline,
-            ImageOrientation orientation, boolean panels, LabelWords words) {
-        return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY, orientation, panels,
-                words).draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
+            OverlayStyle style) {
+        return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY, style)
+                .draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
     }
 
     /**
@@ -174,42 +139,23 @@ public final class CellOverlay {
      */
     public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
             String reason) {
-        return ofDetections(cell, detections, status, headline, reason, ImageOrientation.IDENTITY, true);
+        return ofDetections(cell, detections, status, headline, reason, OverlayStyle.PHOTO);
     }
 
     /**
-     * The overlay of a photo that was not, or could not be, checked, for a display.
+     * The overlay of a photo that was not, or could not be, checked, in a style.
      *
      * @param cell the cell
      * @param detections the markers of the photo
      * @param status {@link Status#FAIL} where the photo was refused, {@link Status#NEUTRAL} where it only waits
      * @param headline a few words
      * @param reason a sentence
-     * @param orientation how the photo is turned and mirrored there
-     * @param panels whether there is a banner and a legend; without them headline and reason are not drawn
+     * @param style how it is shown; without panels headline and reason are not drawn
      * @return what to draw over the upright photo
      */
     public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
-            String reason, ImageOrientation orientation, boolean panels) {
-        return ofDetections(cell, detections, status, headline, reason, orientation, panels, LabelWords.ENGLISH);
-    }
-
-    /**
-     * The overlay of a photo that was not, or could not be, checked, for a display, its labels in another language.
-     *
-     * @param cell the cell
-     * @param detections the markers of the photo
-     * @param status {@link Status#FAIL} where the photo was refused, {@link Status#NEUTRAL} where it only waits
-     * @param headline a few words
-     * @param reason a sentence
-     * @param orientation how the photo is turned and mirrored there
-     * @param panels whether there is a banner and a legend; without them headline and reason are not drawn
-     * @param words what the labels say
-     * @return what to draw over the upright photo
-     */
-    public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
-            String reason, ImageOrientation orientation, boolean panels, LabelWords words) {
-        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY, orientation, panels, words)
+            String reason, OverlayStyle style) {
+        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY, style)
                 .draw(status, headline, reason);
     }
 }

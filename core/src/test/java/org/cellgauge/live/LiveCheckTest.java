@@ -192,6 +192,23 @@ class LiveCheckTest {
     }
 
     @Test
+    void theSearchForAMovedCamerasModeStartsAtTheLastOne() {
+        TestSubscriber<LiveState> states = start();
+        send(noisy(0, 1));
+        RigidTransform lastMode = last(states).update().estimate().camera().meanTransform();
+        Detections moved = noisy(12, 2);
+        send(moved);
+        assertEquals(2, last(states).keyFrameNumber());
+        double[] found = last(states).update().estimate().camera().mean();
+        assertArrayEquals(CellCheck.quickLook(CELL, moved, SETTINGS, lastMode).update().estimate().camera().mean(),
+                found);
+        // the same mode to what the search stops at, and not to the last digit, which tells one start from the other
+        double[] anew = CellCheck.quickLook(CELL, moved, SETTINGS, null).update().estimate().camera().mean();
+        assertArrayEquals(anew, found, 1e-3);
+        assertFalse(Arrays.equals(anew, found));
+    }
+
+    @Test
     void aCameraThatMovesFromFrameToFrameGetsQuickLooksOnly() {
         TestSubscriber<LiveState> states = start();
         for (int i = 0; i < 12; i++) {

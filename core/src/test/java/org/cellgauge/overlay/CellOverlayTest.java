@@ -70,9 +70,9 @@ class CellOverlayTest {
         LabelWords german = new LabelWords(Locale.GERMAN, "ausgelassen", "steht falsch", "nicht gesehen", "nicht in der Zelldatei",
                 "nicht konvergiert", "noch nicht konvergiert", "mehrdeutig", "Greifpunkt");
         CheckUpdate update = quickLook(cell, detections);
-        ImageOrientation asItIs = ImageOrientation.IDENTITY;
-        List<String> english = texts(CellOverlay.of(cell, detections, update, asItIs, false), Role.LABEL);
-        List<String> translated = texts(CellOverlay.of(cell, detections, update, asItIs, false, german), Role.LABEL);
+        OverlayStyle bare = OverlayStyle.PHOTO.withoutPanels();
+        List<String> english = texts(CellOverlay.of(cell, detections, update, bare), Role.LABEL);
+        List<String> translated = texts(CellOverlay.of(cell, detections, update, bare.withWords(german)), Role.LABEL);
         assertEquals(english.size(), translated.size());
         assertTrue(translated.contains("noch nicht konvergiert"));
         assertFalse(translated.contains("not converged yet"));

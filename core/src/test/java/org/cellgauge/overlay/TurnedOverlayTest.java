@@ -56,6 +56,10 @@ class TurnedOverlayTest {
         return Stream.of(false, true).flatMap(m -> Stream.of(0, 1, 2, 3).map(q -> ImageOrientation.of(q, m)));
     }
 
+    private static OverlayStyle bare(ImageOrientation orientation) {
+        return OverlayStyle.PHOTO.withoutPanels().withOrientation(orientation);
+    }
+
     private static List<double[]> strokes(Overlay overlay, Role role) {
         List<double[]> strokes = new ArrayList<>();
         for (Shape s : overlay.shapes(role)) {
@@ -67,8 +71,8 @@ class TurnedOverlayTest {
     @ParameterizedTest
     @MethodSource("orientations")
     void whatIsPartOfTheImageIsTurnedWithIt(ImageOrientation orientation) {
-        Overlay plain = CellOverlay.of(RESULT, ImageOrientation.IDENTITY, false);
-        Overlay turned = CellOverlay.of(RESULT, orientation, false);
+        Overlay plain = CellOverlay.of(RESULT, bare(ImageOrientation.IDENTITY));
+        Overlay turned = CellOverlay.of(RESULT, bare(orientation));
         assertEquals(orientation.uprightWidthPx(1280, 720), turned.widthPx());
         assertEquals(orientation.uprightHeightPx(1280, 720), turned.heightPx());
         assertEquals(plain.status(), turned.status());
@@ -92,8 +96,8 @@ class TurnedOverlayTest {
     @ParameterizedTest
     @MethodSource("orientations")
     void ellipsesAreTurnedWithTheImage(ImageOrientation orientation) {
-        Overlay plain = CellOverlay.of(RESULT, ImageOrientation.IDENTITY, false);
-        Overlay turned = CellOverlay.of(RESULT, orientation, false);
+        Overlay plain = CellOverlay.of(RESULT, bare(ImageOrientation.IDENTITY));
+        Overlay turned = CellOverlay.of(RESULT, bare(orientation));
         double ratio = turned.magnification() / plain.magnification();
         for (Role role : EnumSet.of(Role.OBJECT_ELLIPSE, Role.GRIP_ELLIPSE)) {
             for (int i = 0; i < plain.shapes(role).size(); i++) {
@@ -119,27 +123,35 @@ class TurnedOverlayTest {
     @MethodSource("orientations")
     void everythingLiesInTheUprightImageAndLabelsCoverNothing(ImageOrientation orientation) {
         for (boolean panels : new boolean[] {true, false}) {
-            Overlay overlay = CellOverlay.of(RESULT, orientation, panels);
-            Box image = new Box(-1e-9, -1e-9, overlay.widthPx() + 1e-9, overlay.heightPx() + 1e-9);
-            List<Box> labels = new ArrayList<>();
-            List<Box> others = new ArrayList<>();
-            for (Shape s : overlay.shapes()) {
-                assertTrue(image.contains(s.bounds()), s.role() + " " + s.bounds() + " in " + image);
-                boolean panel = s instanceof PanelShape;
-                if (s.role() == Role.LABEL && panel) {
-                    labels.add(s.bounds());
-                } else if (panel || s.role() == Role.OBJECT_OUTLINE) {
-                    others.add(s.bounds());
-                }
+            OverlayStyle style = panels ? OverlayStyle.PHOTO.withOrientation(orientation) : bare(orientation);
+            assertNothingIsCovered(CellOverlay.of(RESULT, style), orientation.toString());
+        }
+        // as on a phone held upright
+        OverlayStyle large = bare(orientation).legible(720, 1280, ViewFit.fit(720, 1280, 240, 1280 / 3.0), 8.5);
+        assertEquals(2, large.letterScale(), 1e-9);
+        assertNothingIsCovered(CellOverlay.of(RESULT, large), orientation + ", large letters");
+    }
+
+    private static void assertNothingIsCovered(Overlay overlay, String what) {
+        Box image = new Box(-1e-9, -1e-9, overlay.widthPx() + 1e-9, overlay.heightPx() + 1e-9);
+        List<Box> labels = new ArrayList<>();
+        List<Box> others = new ArrayList<>();
+        for (Shape s : overlay.shapes()) {
+            assertTrue(image.contains(s.bounds()), s.role() + " " + s.bounds() + " in " + image);
+            boolean panel = s instanceof PanelShape;
+            if (s.role() == Role.LABEL && panel) {
+                labels.add(s.bounds());
+            } else if (panel || s.role() == Role.OBJECT_OUTLINE) {
+                others.add(s.bounds());
             }
-            assertEquals(3, labels.size());
-            for (int i = 0; i < 3; i++) {
-                for (int k = 0; k < i; k++) {
-                    assertEquals(0, labels.get(i).overlap(labels.get(k)));
-                }
-                for (Box other : others) {
-                    assertEquals(0, labels.get(i).overlap(other), orientation + ": " + labels.get(i) + " and " + other);
-                }
+        }
+        assertEquals(3, labels.size());
+        for (int i = 0; i < 3; i++) {
+            for (int k = 0; k < i; k++) {
+                assertEquals(0, labels.get(i).overlap(labels.get(k)));
+            }
+            for (Box other : others) {
+                assertEquals(0, labels.get(i).overlap(other), what + ": " + labels.get(i) + " and " + other);
             }
         }
     }
@@ -147,8 +159,8 @@ class TurnedOverlayTest {
     @ParameterizedTest
     @MethodSource("orientations")
     void textsAreTheSameHoweverTheImageIsTurned(ImageOrientation orientation) {
-        List<String> expected = texts(CellOverlay.of(RESULT, ImageOrientation.IDENTITY, false));
-        assertEquals(expected, texts(CellOverlay.of(RESULT, orientation, false)));
+        List<String> expected = texts(CellOverlay.of(RESULT, bare(ImageOrientation.IDENTITY)));
+        assertEquals(expected, texts(CellOverlay.of(RESULT, bare(orientation))));
         assertTrue(expected.stream().anyMatch(t -> t.startsWith("5: ")), expected.toString());
     }
 
@@ -165,17 +177,17 @@ class TurnedOverlayTest {
     @Test
     void withoutPanelsThereIsNeitherBannerNorLegend() {
         CheckUpdate first = CellCheck.stream(CELL, RESULT.detections(), SETTINGS).blockingFirst();
-        for (Overlay overlay : List.of(CellOverlay.of(RESULT, ImageOrientation.of(1, false), false),
-                CellOverlay.of(CELL, RESULT.detections(), first, ImageOrientation.IDENTITY, false),
-                CellOverlay.of(CELL, RESULT.detections(), first.estimate(), ImageOrientation.of(3, true), false),
+        for (Overlay overlay : List.of(CellOverlay.of(RESULT, bare(ImageOrientation.of(1, false))),
+                CellOverlay.of(CELL, RESULT.detections(), first, bare(ImageOrientation.IDENTITY)),
+                CellOverlay.of(CELL, RESULT.detections(), first.estimate(), bare(ImageOrientation.of(3, true))),
                 CellOverlay.ofDetections(CELL, RESULT.detections(), Status.FAIL, "REFUSED", "Why.",
-                        ImageOrientation.of(2, false), false))) {
+                        bare(ImageOrientation.of(2, false))))) {
             assertEquals(List.of(), overlay.shapes(Role.BANNER));
             assertEquals(List.of(), overlay.shapes(Role.LEGEND));
             assertEquals(4, overlay.shapes(Role.REFERENCE_OUTLINE).size());
             assertEquals(1, overlay.shapes(Role.FOREIGN_OUTLINE).size());
         }
-        Overlay with = CellOverlay.of(RESULT, ImageOrientation.of(1, false), true);
+        Overlay with = CellOverlay.of(RESULT, OverlayStyle.PHOTO.withOrientation(ImageOrientation.of(1, false)));
         assertTrue(!with.shapes(Role.BANNER).isEmpty() && !with.shapes(Role.LEGEND).isEmpty());
     }
 }

@@ -14,6 +14,7 @@ import android.os.Bundle;
 import android.os.Handler;
 import android.os.Looper;
 import android.provider.Settings;
+import android.util.TypedValue;
 import android.view.Display;
 import android.view.Surface;
 import android.view.TextureView;
@@ -39,6 +40,7 @@ import org.cellgauge.android.state.CheckScreenState;
 import org.cellgauge.android.state.CheckSession;
 import org.cellgauge.android.state.FrozenFrameFile;
 import org.cellgauge.android.state.ImageSource;
+import org.cellgauge.android.state.PictureDisplay;
 import org.cellgauge.android.state.SessionMemory;
 
 /** The screen: shows states, hands on what the user does, and opens and closes the camera. It decides nothing else. */
@@ -49,6 +51,8 @@ public final class MainActivity extends Activity {
     private static final int REQUEST_PERMISSION = 4;
     private static final String TARGET_TEXT = "target-text";
     private static final int QUARTER_DEG = 90;
+    /** Capital letters of a text of 12 sp, the smallest of the screen, are as high. */
+    private static final float LABEL_CAP_SP = 8.5f;
 
     private final Handler handler = new Handler(Looper.getMainLooper());
     private final Scheduler mainThread = Schedulers.from(handler::post);
@@ -74,6 +78,7 @@ public final class MainActivity extends Activity {
     private TextView reason;
     private TextView caption;
     private RowList rows;
+    private View viewArea;
     private ViewportLayout viewport;
     private PreviewView preview;
     private StillView still;
@@ -105,6 +110,11 @@ public final class MainActivity extends Activity {
         wireBar();
         rows.onAction(this::perform);
         preview.setSurfaceTextureListener(new PreviewSurface());
+        viewArea.addOnLayoutChangeListener((view, left, top, right, bottom, oldLeft, oldTop, oldRight, oldBottom) -> {
+            if (right - left != oldRight - oldLeft || bottom - top != oldBottom - oldTop) {
+                tellDisplay();
+            }
+        });
         if (saved != null && saved.containsKey(TARGET_TEXT)) {
             targetDialog = new TargetDialog(this, session, saved.getString(TARGET_TEXT));
         }
@@ -117,6 +127,7 @@ public final class MainActivity extends Activity {
         reason = findViewById(R.id.reason);
         caption = findViewById(R.id.caption);
         rows = findViewById(R.id.rows);
+        viewArea = findViewById(R.id.view_area);
         viewport = findViewById(R.id.viewport);
         preview = findViewById(R.id.preview);
         still = findViewById(R.id.still);
@@ -145,7 +156,7 @@ public final class MainActivity extends Activity {
     @Override
     protected void onStart() {
         super.onStart();
-        session.display(rotationDeg(), words.labels());
+        tellDisplay();
         displays.registerDisplayListener(turns, handler);
         show();
         states = session.states().observeOn(mainThread, false, 1).subscribe(s -> show());
@@ -239,9 +250,17 @@ public final class MainActivity extends Activity {
         @Override
         public void onDisplayChanged(int id) {
             if (id == Display.DEFAULT_DISPLAY) {
-                session.display(rotationDeg(), words.labels());
+                tellDisplay();
             }
         }
+    }
+
+    /** Labels in the picture are drawn for the display as it is. */
+    private void tellDisplay() {
+        float letters = TypedValue.applyDimension(TypedValue.COMPLEX_UNIT_SP, LABEL_CAP_SP,
+                getResources().getDisplayMetrics());
+        session.display(new PictureDisplay(rotationDeg(), words.labels(), viewArea.getWidth(), viewArea.getHeight(),
+                letters));
     }
 
     private int rotationDeg() {

@@ -10,9 +10,8 @@ import org.cellgauge.check.ObjectEstimate;
 import org.cellgauge.check.Reason;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.overlay.CellOverlay;
-import org.cellgauge.overlay.ImageOrientation;
-import org.cellgauge.overlay.LabelWords;
 import org.cellgauge.overlay.Overlay;
+import org.cellgauge.overlay.OverlayStyle;
 import org.cellgauge.overlay.Status;
 
 /** What the screen shows of a check: rows of the list, and the overlay. Every judgement is core's. */
@@ -66,15 +65,14 @@ final class CheckFigures {
                 object.grip() == null ? null : object.grip().stdMm(), object.ellipse95Px(), reason);
     }
 
-    /** The overlay without panels: the screen says in its own way what banner and legend would say. */
-    static Overlay overlay(Cell cell, LiveState live, CheckResult result, ImageOrientation orientation,
-            LabelWords words) {
+    /** What is drawn over the picture. */
+    static Overlay overlay(Cell cell, LiveState live, CheckResult result, OverlayStyle style) {
         if (result != null) {
-            return CellOverlay.of(result, orientation, false, words);
+            return CellOverlay.of(result, style);
         }
         if (live.update() != null) {
-            return CellOverlay.of(cell, live.keyFrame(), live.update(), orientation, false, words);
+            return CellOverlay.of(cell, live.keyFrame(), live.update(), style);
         }
-        return CellOverlay.ofDetections(cell, live.detections(), Status.NEUTRAL, "", "", orientation, false, words);
+        return CellOverlay.ofDetections(cell, live.detections(), Status.NEUTRAL, "", "", style);
     }
 }

@@ -17,7 +17,6 @@ import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.overlay.ImageOrientation;
-import org.cellgauge.overlay.LabelWords;
 import org.cellgauge.overlay.Overlay;
 
 /** All that the screen shows; immutable. The screen knows nothing else, and changes nothing but through a session. */
@@ -92,7 +91,7 @@ public final class CheckScreenState {
      */
     public ImageOrientation orientation() {
         if (v.source == ImageSource.LIVE && v.setup != null) {
-            return ImageOrientation.of(v.setup.sensorOrientationDeg(), v.displayRotationDeg, v.setup.frontFacing());
+            return ImageOrientation.of(v.setup.sensorOrientationDeg(), v.display.rotationDeg(), v.setup.frontFacing());
         }
         return v.source == ImageSource.FROZEN && v.stillOrientation != null ? v.stillOrientation
                 : ImageOrientation.IDENTITY;
@@ -176,7 +175,7 @@ public final class CheckScreenState {
      * @return 0, 90, 180 or 270 degrees
      */
     public int displayRotationDeg() {
-        return v.displayRotationDeg;
+        return v.display.rotationDeg();
     }
 
     /**
@@ -394,9 +393,9 @@ public final class CheckScreenState {
         return v.calibrationUri;
     }
 
-    /** What labels in the picture say. */
-    LabelWords words() {
-        return v.words;
+    /** How the display shows the picture. */
+    PictureDisplay display() {
+        return v.display;
     }
 
     /**
@@ -427,7 +426,7 @@ public final class CheckScreenState {
         private CameraFault fault;
         private CameraPermission permission = CameraPermission.UNKNOWN;
         private ThermalLevel heat = ThermalLevel.NORMAL;
-        private int displayRotationDeg;
+        private PictureDisplay display = PictureDisplay.UNKNOWN;
         private OptionalInt run = OptionalInt.empty();
         private LiveState live;
         private CheckResult result;
@@ -439,7 +438,6 @@ public final class CheckScreenState {
         private CheckResult savedResult;
         private Problem saveProblem;
         private Problem checkProblem;
-        private LabelWords words = LabelWords.ENGLISH;
         private String calibrationUri;
         private boolean targetChosen;
         private String photoUri;
@@ -463,7 +461,7 @@ public final class CheckScreenState {
             fault = o.fault;
             permission = o.permission;
             heat = o.heat;
-            displayRotationDeg = o.displayRotationDeg;
+            display = o.display;
             run = o.run;
             live = o.live;
             result = o.result;
@@ -475,7 +473,6 @@ public final class CheckScreenState {
             savedResult = o.savedResult;
             saveProblem = o.saveProblem;
             checkProblem = o.checkProblem;
-            words = o.words;
             calibrationUri = o.calibrationUri;
             targetChosen = o.targetChosen;
             photoUri = o.photoUri;
@@ -506,11 +503,6 @@ public final class CheckScreenState {
 
         Builder calibrationUri(String value) {
             calibrationUri = value;
-            return this;
-        }
-
-        Builder words(LabelWords value) {
-            words = value;
             return this;
         }
 
@@ -562,8 +554,8 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder displayRotationDeg(int value) {
-            displayRotationDeg = value;
+        Builder display(PictureDisplay value) {
+            display = value;
             return this;
         }
 

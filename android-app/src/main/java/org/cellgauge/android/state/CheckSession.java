@@ -33,7 +33,6 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.overlay.ImageOrientation;
-import org.cellgauge.overlay.LabelWords;
 import org.cellgauge.vision.GreyImage;
 
 /**
@@ -352,13 +351,12 @@ public final class CheckSession {
     // ---- what the device does
 
     /**
-     * The display was turned, or its language changed.
+     * The display was turned, its language changed, or the room for the picture.
      *
-     * @param rotationDeg rotation of what is drawn from the device's natural orientation: 0, 90, 180 or 270
-     * @param words what labels in the picture say
+     * @param display how it shows the picture
      */
-    public void display(int rotationDeg, LabelWords words) {
-        change(s -> redrawn(s.change().displayRotationDeg(rotationDeg).words(words).build()));
+    public void display(PictureDisplay display) {
+        change(s -> redrawn(s.change().display(display).build()));
     }
 
     /**
@@ -487,8 +485,9 @@ public final class CheckSession {
         if (s.live() == null || current == null || !belongs(s, current)) {
             return s;
         }
-        return s.change().overlay(
-                CheckFigures.overlay(current.cell(), s.live(), s.result(), s.orientation(), s.words())).build();
+        PinholeCamera camera = current.cell().camera();
+        return s.change().overlay(CheckFigures.overlay(current.cell(), s.live(), s.result(),
+                s.display().style(s.orientation(), camera.widthPx(), camera.heightPx()))).build();
     }
 
     // ---- the camera

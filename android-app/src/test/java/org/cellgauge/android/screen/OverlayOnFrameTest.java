@@ -18,10 +18,11 @@ import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.ObjectEstimate;
 import org.cellgauge.overlay.Box;
 import org.cellgauge.overlay.CellOverlay;
-import org.cellgauge.overlay.ImageOrientation;
 import org.cellgauge.overlay.Overlay;
+import org.cellgauge.overlay.OverlayStyle;
 import org.cellgauge.overlay.Role;
 import org.cellgauge.overlay.Shape;
+import org.cellgauge.overlay.TextShape;
 import org.cellgauge.statistics.Ellipse;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.MarkerObservation;
@@ -40,6 +41,8 @@ import org.robolectric.annotation.Config;
 public class OverlayOnFrameTest {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 720;
+    /** A capital letter of 12 sp, but for the pixel that may be lost where the view is laid out. */
+    private static final double SMALLEST_CAP_DP = 8.4;
     private static final int SENSOR_DEG = 90;
     private static final int POINTS = 60;
     /** Share of an ellipse's points that labels and axes may lie over. */
@@ -88,7 +91,7 @@ public class OverlayOnFrameTest {
     @Test
     public void shapesLieOnTheirPixelsInEveryRotationAndMirrored() {
         CheckResult expected = checkOfTheFrame();
-        Overlay desktop = CellOverlay.of(expected, ImageOrientation.IDENTITY, false);
+        Overlay desktop = CellOverlay.of(expected, OverlayStyle.PHOTO.withoutPanels());
         for (int rotation : new int[] {Surface.ROTATION_0, Surface.ROTATION_90, Surface.ROTATION_180,
             Surface.ROTATION_270}) {
             for (boolean front : new boolean[] {false, true}) {
@@ -100,6 +103,31 @@ public class OverlayOnFrameTest {
                     screen.tap(R.id.freeze);
                     assertHeldFrameBelow(screen, turns, front);
                 }
+            }
+        }
+    }
+
+    @Test
+    public void figuresInThePictureAreAsLargeAsTheSmallestTextOfTheScreenHoweverSmallThePictureIs() {
+        for (String qualifiers : new String[] {Screen.TABLET_LANDSCAPE, Screen.TABLET_PORTRAIT,
+            Screen.PHONE_LANDSCAPE, Screen.PHONE_PORTRAIT}) {
+            RuntimeEnvironment.setQualifiers(qualifiers);
+            Screen.turnDisplay(qualifiers.contains("-land") ? Surface.ROTATION_90 : Surface.ROTATION_0);
+            try (Screen screen = Screen.live(Fixture.LIFTED.document(), SENSOR_DEG, false)) {
+                screen.holdStillUntilResult(Fixture.LIFTED);
+                OverlayView view = screen.find(R.id.overlay);
+                Overlay overlay = screen.state().overlay();
+                double density = view.getResources().getDisplayMetrics().density;
+                double dpPerPx = view.getWidth() / density / overlay.widthPx();
+                int figures = 0;
+                for (Shape shape : overlay.shapes(Role.LABEL)) {
+                    if (shape instanceof TextShape && ((TextShape) shape).text().contains("\u03c3")) {
+                        figures++;
+                        double capDp = ((TextShape) shape).capHeightPx() * dpPerPx;
+                        assertTrue(qualifiers + ": " + capDp + " dp", capDp >= SMALLEST_CAP_DP);
+                    }
+                }
+                assertEquals(qualifiers, 4, figures);
             }
         }
     }

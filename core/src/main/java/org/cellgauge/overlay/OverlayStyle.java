@@ -1,0 +1,114 @@
+package org.cellgauge.overlay;
+
+/** How an overlay is shown: how its image is turned, with what panels, words and size of letters; immutable. */
+public final class OverlayStyle {
+    /** Over the photo as it is: with banner and legend, in English, letters in proportion to the image. */
+    public static final OverlayStyle PHOTO =
+            new OverlayStyle(ImageOrientation.IDENTITY, true, LabelWords.ENGLISH, 1);
+
+    /** So many letters' heights the image is wide at least, so that figures of an object fit into a line. */
+    private static final double LEAST_WIDTH_IN_CAPS = 24;
+
+    private final ImageOrientation orientation;
+    private final boolean panels;
+    private final LabelWords words;
+    private final double letterScale;
+
+    private OverlayStyle(ImageOrientation orientation, boolean panels, LabelWords words, double letterScale) {
+        this.orientation = orientation;
+        this.panels = panels;
+        this.words = words;
+        this.letterScale = letterScale;
+    }
+
+    /**
+     * How the image is turned and mirrored.
+     *
+     * @return from the image as it comes to the upright image, which the overlay lies over
+     */
+    public ImageOrientation orientation() {
+        return orientation;
+    }
+
+    /**
+     * Whether there is a banner and a legend.
+     *
+     * @return false where the program says in its own way what they would say
+     */
+    public boolean panels() {
+        return panels;
+    }
+
+    /**
+     * What the labels say.
+     *
+     * @return the words
+     */
+    public LabelWords words() {
+        return words;
+    }
+
+    /**
+     * How large letters beside the markers are.
+     *
+     * @return 1 for the size in proportion to the image, positive
+     */
+    public double letterScale() {
+        return letterScale;
+    }
+
+    /**
+     * This style for an image that is turned or mirrored.
+     *
+     * @param turned how
+     * @return a style
+     */
+    public OverlayStyle withOrientation(ImageOrientation turned) {
+        return new OverlayStyle(turned, panels, words, letterScale);
+    }
+
+    /**
+     * This style without banner and legend.
+     *
+     * @return a style
+     */
+    public OverlayStyle withoutPanels() {
+        return new OverlayStyle(orientation, false, words, letterScale);
+    }
+
+    /**
+     * This style in another language.
+     *
+     * @param said what the labels say
+     * @return a style
+     */
+    public OverlayStyle withWords(LabelWords said) {
+        return new OverlayStyle(orientation, panels, said, letterScale);
+    }
+
+    /**
+     * This style with letters that can be read where the image is shown, however small it is shown there: at least as
+     * large as wanted, but so that the figures of an object still fit into the image's width; never smaller than in
+     * proportion to the image.
+     *
+     * @param widthPx width of the upright image
+     * @param heightPx its height
+     * @param fit where it lies in the view
+     * @param capHeight wanted height of a capital letter, view px, at least 0
+     * @return a style
+     * @throws IllegalArgumentException if the height is negative or not finite
+     */
+    public OverlayStyle legible(int widthPx, int heightPx, ViewFit fit, double capHeight) {
+        if (!(capHeight >= 0) || Double.isInfinite(capHeight)) {
+            throw new IllegalArgumentException("letters cannot be " + capHeight + " px high");
+        }
+        double proportionalPx = CellDrawing.labelCapPx(widthPx, heightPx);
+        double wantedPx = Math.min(capHeight / fit.scale(), widthPx / LEAST_WIDTH_IN_CAPS);
+        return new OverlayStyle(orientation, panels, words, Math.max(1, wantedPx / proportionalPx));
+    }
+
+    @Override
+    public String toString() {
+        return orientation + (panels ? ", with panels" : ", without panels") + ", letters x " + letterScale;
+    }
+}
