@@ -10,34 +10,14 @@ import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import org.cellgauge.overlay.Box;
-import org.cellgauge.overlay.EllipseShape;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.PanelShape;
-import org.cellgauge.overlay.Role;
 import org.cellgauge.overlay.Shape;
-import org.cellgauge.overlay.Status;
-import org.cellgauge.overlay.TextShape;
+import org.cellgauge.overlay.ShapePaint;
 import org.cellgauge.vision.GreyImage;
 
-/**
- * Paints an overlay over its photo, without a window system and without fonts.
- *
- * <p>Colours are those of Okabe and Ito ("Color Universal Design", 2008), which people with any of the common colour
- * vision deficiencies tell apart, the green and the blue a little lighter for dark photos. Every line lies on a dark
- * rim, so that it shows on bright and on dark photos.
- */
+/** Paints an overlay over its photo, without a window system and without fonts. */
 public final class OverlayPainter {
-    private static final Color ORANGE = new Color(0xE69F00);
-    private static final Color SKY_BLUE = new Color(0x56B4E9);
-    private static final Color GREEN = new Color(0x14B98A);
-    private static final Color YELLOW = new Color(0xF0E442);
-    private static final Color VERMILLION = new Color(0xD55E00);
-    private static final Color PURPLE = new Color(0xCC79A7);
-    private static final Color BLUE = new Color(0x2E93D8);
-    private static final Color GRID = new Color(255, 255, 255, 110);
-    private static final Color GRID_RIM = new Color(0, 0, 0, 35);
-    private static final Color RIM = new Color(0, 0, 0, 190);
-    private static final Color PANEL = new Color(16, 18, 22, 205);
     private static final Color CANVAS = new Color(58, 60, 64);
 
     private OverlayPainter() {
@@ -111,38 +91,25 @@ public final class OverlayPainter {
     }
 
     private static void draw(Graphics2D g, Shape shape, double unit) {
-        Color colour = colour(shape);
-        if (shape instanceof PanelShape) {
-            Box b = shape.bounds();
-            double round = 6 * unit;
-            RoundRectangle2D panel = new RoundRectangle2D.Double(b.left(), b.top(), b.width(), b.height(), round,
-                    round);
-            g.setColor(PANEL);
-            g.fill(panel);
-            g.setColor(colour);
-            g.setStroke(new BasicStroke((float) shape.strokePx()));
-            g.draw(panel);
-            return;
-        }
-        Path2D path = path(shape.strokes());
-        if (shape instanceof EllipseShape) {
-            g.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), shape.dashed() ? 25 : 60));
+        ShapePaint paint = ShapePaint.of(shape, unit);
+        java.awt.Shape path = shape instanceof PanelShape ? panel(shape.bounds(), unit) : path(shape.strokes());
+        if (paint.fillArgb() != 0) {
+            g.setColor(new Color(paint.fillArgb(), true));
             g.fill(path);
         }
-        g.setColor(shape.role() == Role.WORLD_GRID ? GRID_RIM : RIM);
-        g.setStroke(stroke(shape, shape.strokePx() + rim(shape) * unit, unit));
-        g.draw(path);
-        g.setColor(colour);
-        g.setStroke(stroke(shape, shape.strokePx(), unit));
+        if (paint.rimArgb() != 0) {
+            g.setColor(new Color(paint.rimArgb(), true));
+            g.setStroke(stroke(shape, paint.rimPx(), unit));
+            g.draw(path);
+        }
+        g.setColor(new Color(paint.lineArgb(), true));
+        g.setStroke(stroke(shape, paint.linePx(), unit));
         g.draw(path);
     }
 
-    /** By how much the dark rim is wider than the line, in units. */
-    private static double rim(Shape shape) {
-        if (shape.role() == Role.REFERENCE_EXPECTED) {
-            return 0.6;     // narrow, so as not to hide the detected outline that it is to be compared with
-        }
-        return shape instanceof TextShape ? 2.6 : 2;
+    private static java.awt.Shape panel(Box b, double unit) {
+        double diameter = 2 * ShapePaint.panelRadiusPx(unit);
+        return new RoundRectangle2D.Double(b.left(), b.top(), b.width(), b.height(), diameter, diameter);
     }
 
     private static BasicStroke stroke(Shape shape, double width, double unit) {
@@ -150,7 +117,7 @@ public final class OverlayPainter {
             return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
         }
         return new BasicStroke((float) width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10,
-                new float[] {(float) (4 * unit), (float) (3 * unit)}, 0);
+                ShapePaint.dashesPx(unit), 0);
     }
 
     private static Path2D path(List<double[]> strokes) {
@@ -162,44 +129,5 @@ public final class OverlayPainter {
             }
         }
         return path;
-    }
-
-    private static Color colour(Shape shape) {
-        switch (shape.role()) {
-            case WORLD_GRID:
-                return GRID;
-            case WORLD_AXIS_X:
-            case OBJECT_AXIS_X:
-                return VERMILLION;
-            case WORLD_AXIS_Y:
-            case OBJECT_AXIS_Y:
-                return GREEN;
-            case WORLD_AXIS_Z:
-            case OBJECT_AXIS_Z:
-                return BLUE;
-            case REFERENCE_OUTLINE:
-                return shape.status() == Status.FAIL ? VERMILLION : Color.WHITE;
-            case REFERENCE_EXPECTED:
-                return YELLOW;
-            default:
-                break;
-        }
-        boolean plainText = shape instanceof TextShape && shape.status() == Status.NEUTRAL;
-        return plainText ? Color.WHITE : colour(shape.status());
-    }
-
-    private static Color colour(Status status) {
-        switch (status) {
-            case PASS:
-                return GREEN;
-            case FAIL:
-                return VERMILLION;
-            case NOT_CONVERGED:
-                return PURPLE;
-            case AMBIGUOUS:
-                return ORANGE;
-            default:
-                return SKY_BLUE;
-        }
     }
 }

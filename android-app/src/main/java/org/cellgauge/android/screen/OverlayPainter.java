@@ -9,42 +9,20 @@ import android.graphics.PathEffect;
 import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.overlay.Box;
-import org.cellgauge.overlay.EllipseShape;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.PanelShape;
-import org.cellgauge.overlay.Role;
 import org.cellgauge.overlay.Shape;
-import org.cellgauge.overlay.Status;
-import org.cellgauge.overlay.TextShape;
+import org.cellgauge.overlay.ShapePaint;
 import org.cellgauge.vision.GreyImage;
 
 /**
- * Paints an overlay with Android's graphics, in the colours, strokes, rims and dashes of the command line's pictures.
- *
- * <p>Colours are those of Okabe and Ito ("Color Universal Design", 2008), which people with any of the common colour
- * vision deficiencies tell apart, the green and the blue a little lighter for dark photos. Every line lies on a dark
- * rim, so that it shows on bright and on dark photos.
+ * Paints an overlay with Android's graphics, as the command line's pictures are.
  *
  * <p>{@link #prepare(Overlay)} turns shapes into paths once; {@link #draw(Canvas)} then allocates nothing. One painter
  * belongs to one thread.
  */
 public final class OverlayPainter {
-    static final int ORANGE = 0xFFE69F00;
-    static final int SKY_BLUE = 0xFF56B4E9;
-    static final int GREEN = 0xFF14B98A;
-    static final int YELLOW = 0xFFF0E442;
-    static final int VERMILLION = 0xFFD55E00;
-    static final int PURPLE = 0xFFCC79A7;
-    static final int BLUE = 0xFF2E93D8;
-    static final int WHITE = 0xFFFFFFFF;
-    private static final int GRID = 0x6EFFFFFF;
-    private static final int GRID_RIM = 0x23000000;
-    private static final int RIM = 0xBE000000;
-    private static final int PANEL = 0xCD101216;
     private static final int OPAQUE = 0xFF000000;
-    private static final int RGB = 0x00FFFFFF;
-    private static final int FILL_ALPHA = 60;
-    private static final int DASHED_FILL_ALPHA = 25;
 
     private final Paint fill = new Paint(Paint.ANTI_ALIAS_FLAG);
     private final Paint line = new Paint(Paint.ANTI_ALIAS_FLAG);
@@ -56,11 +34,7 @@ public final class OverlayPainter {
     /** One shape as it is drawn; used again for the next overlay. */
     private static final class Item {
         private final Path path = new Path();
-        private int fillColour;
-        private int rimColour;
-        private float rimPx;
-        private int colour;
-        private float strokePx;
+        private ShapePaint paint;
         private boolean dashed;
     }
 
@@ -126,7 +100,7 @@ public final class OverlayPainter {
         }
         double unit = overlay.unitPx();
         if (unit != dashesUnitPx) {
-            dashes = new DashPathEffect(new float[] {(float) (4 * unit), (float) (3 * unit)}, 0);
+            dashes = new DashPathEffect(ShapePaint.dashesPx(unit), 0);
             dashesUnitPx = unit;
         }
         for (Shape shape : overlay.shapes()) {
@@ -139,16 +113,13 @@ public final class OverlayPainter {
 
     private static void prepare(Item item, Shape shape, double unit) {
         item.path.rewind();
-        item.colour = colour(shape);
-        item.strokePx = (float) shape.strokePx();
+        item.paint = ShapePaint.of(shape, unit);
         item.dashed = shape.dashed();
         if (shape instanceof PanelShape) {
             Box b = shape.bounds();
-            float round = (float) (3 * unit);
-            item.path.addRoundRect((float) b.left(), (float) b.top(), (float) b.right(), (float) b.bottom(), round,
-                    round, Path.Direction.CW);
-            item.fillColour = PANEL;
-            item.rimColour = 0;
+            float radius = (float) ShapePaint.panelRadiusPx(unit);
+            item.path.addRoundRect((float) b.left(), (float) b.top(), (float) b.right(), (float) b.bottom(), radius,
+                    radius, Path.Direction.CW);
             return;
         }
         for (double[] s : shape.strokes()) {
@@ -157,10 +128,6 @@ public final class OverlayPainter {
                 item.path.lineTo((float) s[i], (float) s[i + 1]);
             }
         }
-        int alpha = shape.dashed() ? DASHED_FILL_ALPHA : FILL_ALPHA;
-        item.fillColour = shape instanceof EllipseShape ? alpha << 24 | item.colour & RGB : 0;
-        item.rimColour = shape.role() == Role.WORLD_GRID ? GRID_RIM : RIM;
-        item.rimPx = (float) (shape.strokePx() + rim(shape) * unit);
     }
 
     /**
@@ -171,67 +138,23 @@ public final class OverlayPainter {
     public void draw(Canvas canvas) {
         for (int i = 0; i < count; i++) {
             Item item = items.get(i);
-            if (item.fillColour != 0) {
-                fill.setColor(item.fillColour);
+            ShapePaint paint = item.paint;
+            if (paint.fillArgb() != 0) {
+                fill.setColor(paint.fillArgb());
                 canvas.drawPath(item.path, fill);
             }
             line.setPathEffect(item.dashed ? dashes : null);
             line.setStrokeCap(item.dashed ? Paint.Cap.BUTT : Paint.Cap.ROUND);
-            if (item.rimColour != 0) {
-                line.setColor(item.rimColour);
-                line.setStrokeWidth(item.rimPx);
-                canvas.drawPath(item.path, line);
+            if (paint.rimArgb() != 0) {
+                drawLine(canvas, item.path, paint.rimArgb(), paint.rimPx());
             }
-            line.setColor(item.colour);
-            line.setStrokeWidth(item.strokePx);
-            canvas.drawPath(item.path, line);
+            drawLine(canvas, item.path, paint.lineArgb(), paint.linePx());
         }
     }
 
-    /** By how much the dark rim is wider than the line, in units. */
-    private static double rim(Shape shape) {
-        if (shape.role() == Role.REFERENCE_EXPECTED) {
-            return 0.6;     // narrow, so as not to hide the detected outline that it is to be compared with
-        }
-        return shape instanceof TextShape ? 2.6 : 2;
-    }
-
-    private static int colour(Shape shape) {
-        switch (shape.role()) {
-            case WORLD_GRID:
-                return GRID;
-            case WORLD_AXIS_X:
-            case OBJECT_AXIS_X:
-                return VERMILLION;
-            case WORLD_AXIS_Y:
-            case OBJECT_AXIS_Y:
-                return GREEN;
-            case WORLD_AXIS_Z:
-            case OBJECT_AXIS_Z:
-                return BLUE;
-            case REFERENCE_OUTLINE:
-                return shape.status() == Status.FAIL ? VERMILLION : WHITE;
-            case REFERENCE_EXPECTED:
-                return YELLOW;
-            default:
-                break;
-        }
-        boolean plainText = shape instanceof TextShape && shape.status() == Status.NEUTRAL;
-        return plainText ? WHITE : colour(shape.status());
-    }
-
-    private static int colour(Status status) {
-        switch (status) {
-            case PASS:
-                return GREEN;
-            case FAIL:
-                return VERMILLION;
-            case NOT_CONVERGED:
-                return PURPLE;
-            case AMBIGUOUS:
-                return ORANGE;
-            default:
-                return SKY_BLUE;
-        }
+    private void drawLine(Canvas canvas, Path path, int argb, double widthPx) {
+        line.setColor(argb);
+        line.setStrokeWidth((float) widthPx);
+        canvas.drawPath(path, line);
     }
 }
