@@ -5,6 +5,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckUpdate;
+import org.cellgauge.check.Verdict;
 import org.cellgauge.vision.Detections;
 
 /**
@@ -51,34 +52,65 @@ public final class CellOverlay {
      * @return what to draw over the upright photo
      */
     public static Overlay of(CheckResult result, ImageOrientation orientation, boolean panels, LabelWords words) {
-        Status status;
         String headline;
         switch (result.verdict()) {
             case PASS:
-                status = Status.PASS;
                 headline = "PASS";
                 break;
             case FAIL:
-                status = Status.FAIL;
                 headline = "TARGET MISSED";
                 break;
             case NOT_CONVERGED:
-                status = Status.NOT_CONVERGED;
                 headline = "NOT CONVERGED \u2013 no figure to trust";
                 break;
             case AMBIGUOUS:
-                status = Status.AMBIGUOUS;
                 headline = "AMBIGUOUS \u2013 two poses explain the photo";
                 break;
             default:
-                status = Status.NEUTRAL;
                 headline = "NO TARGET SET";
                 break;
         }
-        CellDrawing.Stage stage = status == Status.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
+        return drawing(result, orientation, panels, words, LegendWords.ENGLISH)
+                .draw(status(result.verdict()), headline, result.reason());
+    }
+
+    /**
+     * The overlay of a finished check for a display with banner and legend, all of it in another language.
+     *
+     * @param result the result
+     * @param orientation how the photo is turned and mirrored there
+     * @param labels what the labels say
+     * @param legend what the legend says
+     * @param headline a few words: the verdict
+     * @param reason a sentence or two: why
+     * @return what to draw over the upright photo
+     */
+    public static Overlay of(CheckResult result, ImageOrientation orientation, LabelWords labels, LegendWords legend,
+            String headline, String reason) {
+        return drawing(result, orientation, true, labels, legend).draw(status(result.verdict()), headline, reason);
+    }
+
+    private static CellDrawing drawing(CheckResult result, ImageOrientation orientation, boolean panels,
+            LabelWords labels, LegendWords legend) {
+        CellDrawing.Stage stage = result.verdict() == Verdict.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
                 : CellDrawing.Stage.FINAL;
         return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referenceCheck(), stage,
-                orientation, panels, words).draw(status, headline, result.reason());
+                orientation, panels, labels, legend);
+    }
+
+    private static Status status(Verdict verdict) {
+        switch (verdict) {
+            case PASS:
+                return Status.PASS;
+            case FAIL:
+                return Status.FAIL;
+            case NOT_CONVERGED:
+                return Status.NOT_CONVERGED;
+            case AMBIGUOUS:
+                return Status.AMBIGUOUS;
+            default:
+                return Status.NEUTRAL;
+        }
     }
 
     /**
@@ -159,7 +191,7 @@ public final class CellOverlay {
     private static Overlay preliminary(Cell cell, Detections detections, CellEstimate estimate, String headline,
             ImageOrientation orientation, boolean panels, LabelWords words) {
         return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY, orientation, panels,
-                words).draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
+                words, LegendWords.ENGLISH).draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
     }
 
     /**
@@ -209,7 +241,7 @@ public final class CellOverlay {
      */
     public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
             String reason, ImageOrientation orientation, boolean panels, LabelWords words) {
-        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY, orientation, panels, words)
-                .draw(status, headline, reason);
+        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY, orientation, panels, words,
+                LegendWords.ENGLISH).draw(status, headline, reason);
     }
 }
