@@ -28,8 +28,8 @@ import org.cellgauge.vision.GreyImage;
  * user sees, copies, shares and deletes them in the system's Files app, to which {@link ResultProvider} shows them.
  *
  * <p>A result is a folder of its own, named after the time: {@code NAME.png} (the photo, grey, without loss),
- * {@code NAME.result.json} (as the command line writes it), {@code NAME.overlay.png} (in the app's language) and {@code NAME.cell.yaml} (with
- * the camera that was used, and the command that makes the figures again).
+ * {@code NAME.result.json} (as the command line writes it), {@code NAME.overlay.png} (in the language of the app) and
+ * {@code NAME.cell.yaml} (with the camera that was used, and the command that makes the figures again).
  */
 public final class FolderArchive implements ResultArchive {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss", Locale.ROOT);
