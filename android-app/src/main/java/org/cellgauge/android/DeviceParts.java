@@ -14,6 +14,7 @@ import org.cellgauge.android.files.DocumentLibrary;
 import org.cellgauge.android.files.FolderArchive;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.screen.OverlayPainter;
+import org.cellgauge.android.screen.ScreenWords;
 import org.cellgauge.android.state.SessionThreads;
 import org.cellgauge.check.CheckSettings;
 
@@ -33,7 +34,8 @@ final class DeviceParts implements AppParts {
         this.context = context;
         this.thermal = new ThermalWatch(context);
         this.library = new DocumentLibrary(context);
-        this.archive = new FolderArchive(context, OverlayPainter::paint, Clock.systemDefaultZone(), version(context));
+        this.archive = new FolderArchive(context, OverlayPainter::paint, new ScreenWords(context),
+                Clock.systemDefaultZone(), version(context));
     }
 
     private static String version(Context context) {

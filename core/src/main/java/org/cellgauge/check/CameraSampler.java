@@ -3,6 +3,7 @@ package org.cellgauge.check;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.posterior.CameraChart;
 import org.cellgauge.sampling.MetropolisChain;
+import org.cellgauge.warning.Warning;
 
 /** A way to sample the camera posterior: tuned once, then it makes the chains. */
 interface CameraSampler {
@@ -28,9 +29,9 @@ interface CameraSampler {
         /**
          * Whether the chains would hardly move, judged by what the tuning saw.
          *
-         * @return in words why, or null where nothing speaks against this sampler
+         * @return why, or null where nothing speaks against this sampler
          */
-        default String misfit() {
+        default Warning misfit() {
             return null;
         }
 

@@ -4,7 +4,6 @@ import io.reactivex.rxjava3.core.Flowable;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.IntSupplier;
 import org.cellgauge.cell.Cell;
@@ -30,6 +29,9 @@ import org.cellgauge.sampling.RunLength;
 import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Warning;
 
 /**
  * The check of one photo: from its detections to camera and object poses with uncertainties and a verdict.
@@ -68,7 +70,7 @@ public final class CellCheck {
     private final Detections detections;
     private final CheckSettings settings;
     private final RigidTransform worldFromCameraStart;
-    private final List<String> warnings = new ArrayList<>();
+    private final List<Warning> warnings = new ArrayList<>();
     private double pixelStdPx;
     private CameraTarget camera;
     private ReferenceNoise noise;
@@ -200,8 +202,7 @@ public final class CellCheck {
         samplerUsed = settings.sampler();
         CameraSampler.Tuned tuned = tuned(samplerUsed);
         if (tuned.misfit() != null && settings.sampler() == SamplerKind.INDEPENDENCE) {
-            warnings.add("the posterior is far from Gaussian (" + tuned.misfit() + "): adaptive Metropolis was used "
-                    + "instead of independence");
+            warnings.add(Warning.of(CheckWarning.FAR_FROM_GAUSSIAN, tuned.misfit()));
             samplerUsed = SamplerKind.ADAPTIVE;
             return tuned(samplerUsed);
         }
@@ -260,7 +261,7 @@ public final class CellCheck {
             objects.add(objectTarget(marker, observation, atMode));
         }
         if (!missing.isEmpty()) {
-            warnings.add("not seen in the photo: object " + Reason.join(ids(missing)));
+            warnings.add(Warning.of(CheckWarning.OBJECTS_NOT_SEEN, Listing.and(ids(missing))));
         }
         warnOfSmallMarkers();
     }
@@ -273,30 +274,28 @@ public final class CellCheck {
             }
         }
         if (unseen.size() == cell.references().size()) {
-            throw new InputRefusedException(detections.imageName() + ": none of the references " + Reason.join(unseen)
+            throw new InputRefusedException(detections.imageName() + ": none of the references " + Listing.and(unseen)
                     + " is in the photo; check the marker family of the cell file, the light and the focus");
         }
         if (!unseen.isEmpty()) {
-            warnings.add("not seen in the photo: reference " + Reason.join(unseen));
+            warnings.add(Warning.of(CheckWarning.REFERENCES_NOT_SEEN, Listing.and(unseen)));
         }
         return ReferenceView.of(cell.references(), detections);
     }
 
     /** One warning for all markers of the cell that the image shows too small. */
     private void warnOfSmallMarkers() {
-        StringBuilder small = new StringBuilder();
+        List<Warning> small = new ArrayList<>();
         for (MarkerObservation m : detections.markers()) {
             boolean ofCell = cell.references().stream().anyMatch(r -> r.id() == m.id())
                     || cell.objects().stream().anyMatch(o -> o.id() == m.id());
             if (ofCell && m.shortestSidePx() < SMALLEST_SIDE_PX) {
-                small.append(small.length() == 0 ? "" : ", ")
-                        .append(String.format(Locale.ROOT, "%d (%.1f px)", m.id(), m.shortestSidePx()));
+                small.add(Warning.of(CheckPhrase.SMALL_MARKER, m.id(), Decimal.of(m.shortestSidePx(), 1)));
             }
         }
-        if (small.length() > 0) {
-            warnings.add(String.format(Locale.ROOT, "small in the image: marker %s; below %.0f px of side corners get "
-                    + "imprecise and markers are missed, plan for %.0f px: larger markers or a closer camera", small,
-                    SMALLEST_SIDE_PX, ADVISED_SIDE_PX));
+        if (!small.isEmpty()) {
+            warnings.add(Warning.of(CheckWarning.SMALL_MARKERS, Listing.comma(small), Decimal.of(SMALLEST_SIDE_PX, 0),
+                    Decimal.of(ADVISED_SIDE_PX, 0)));
         }
     }
 
@@ -318,8 +317,7 @@ public final class CellCheck {
             if (foreign < 0 || view.size() < 3) {
                 return target;
             }
-            warnings.add("reference " + view.references().get(foreign).id() + " is left out: its corners are nowhere near "
-                    + "where the other references put it; check its id and position in the cell file");
+            warnings.add(Warning.of(CheckWarning.REFERENCE_LEFT_OUT, view.references().get(foreign).id()));
             List<Integer> kept = new ArrayList<>();
             for (int m = 0; m < view.size(); m++) {
                 if (m != foreign) {
@@ -344,14 +342,13 @@ public final class CellCheck {
             if (initial == null) {
                 throw noPose();
             }
-            warnings.add("the " + settings.initial().optionName() + " estimate found no camera pose; pnp was used instead");
+            warnings.add(Warning.of(CheckWarning.INITIAL_ESTIMATE_FAILED, settings.initial().optionName()));
         }
         PosePrior posePrior = null;
         if (needsPosePrior) {
             posePrior = new PosePrior(CameraState.of(view.cameraFromSet(initial), cell.camera()), PRIOR_STD_MM,
                     PRIOR_STD_RAD);
-            posePriorText = String.format(Locale.ROOT, "N(initial estimate, %.0f mm, %.1f rad)", PRIOR_STD_MM,
-                    PRIOR_STD_RAD);
+            posePriorText = weakPrior().toString();
         }
         Function<ReferenceView, CameraModeFinder> finders = finders(intrinsics, posePrior);
         CameraModeFinder finder = finders.apply(view);
@@ -363,6 +360,10 @@ public final class CellCheck {
             throw noPose();
         }
         return new CameraTarget(view, settings, intrinsics, posePrior, notNegligible(modes), initial, finders);
+    }
+
+    private static Warning weakPrior() {
+        return Warning.of(CheckPhrase.WEAK_PRIOR, Decimal.of(PRIOR_STD_MM, 0), Decimal.of(PRIOR_STD_RAD, 1));
     }
 
     private Function<ReferenceView, CameraModeFinder> finders(IntrinsicsPrior intrinsics, PosePrior posePrior) {
@@ -483,15 +484,13 @@ public final class CellCheck {
         if (camera.posePrior != null) {
             double share = LinearModel.priorShare(camera.modes.get(0), PRIOR_STD_MM, PRIOR_STD_RAD);
             if (!(share < LEANING_SHARE)) {
-                warnings.add(String.format(Locale.ROOT, "the references leave a direction of the camera pose open: %.0f %% of "
-                        + "what is known there is the weak prior %s; add a reference", 100 * share, posePriorText));
+                warnings.add(Warning.of(CheckWarning.DIRECTION_OPEN, Decimal.of(100 * share, 0), weakPrior()));
             }
         }
         if (diagnostics.converged() && !settings.iterations().isPresent() && !preciseEnough(diagnostics)) {
-            warnings.add(String.format(Locale.ROOT, "the chains reached their cap of %d iterations before the precision "
-                    + "asked for: the standard deviation of %s has a Monte Carlo error of %.1f %% in place of %s %%; "
-                    + "allow more with --max-iterations", last.iterationsPerChain(), diagnostics.leastPreciseParameter(),
-                    100 * diagnostics.mcseStdRelMax(), Reason.plain(1e-9 * Math.rint(1e11 * settings.targetMcseStdRel()))));
+            warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(last.iterationsPerChain(), 0),
+                    diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
+                    Decimal.shortest(Math.rint(1e11 * settings.targetMcseStdRel()) / 1e9)));
         }
         return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx, diagnostics,
                 last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(), posePriorText,

@@ -11,6 +11,7 @@ import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.Warning;
 
 /** What a check found; immutable. */
 public final class CheckResult {
@@ -26,7 +27,7 @@ public final class CheckResult {
     private final double pixelStdPx;
     private final Diagnostics diagnostics;
     private final List<AcceptanceCount> acceptance;
-    private final List<String> warnings;
+    private final List<Warning> warnings;
     private final List<Draws> draws;
     private final QuantityLayout layout;
     private final int iterationsPerChain;
@@ -38,7 +39,7 @@ public final class CheckResult {
 
     CheckResult(Cell cell, Detections detections, CheckSettings settings, CellEstimate estimate,
             CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx, Diagnostics diagnostics,
-            List<AcceptanceCount> acceptance, List<String> warnings, List<Draws> draws,
+            List<AcceptanceCount> acceptance, List<Warning> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
             long tuningEvaluations, CameraTarget camera, ReferenceCheck referenceCheck) {
         this.cell = cell;
@@ -219,9 +220,9 @@ public final class CheckResult {
     /**
      * What the user should know besides.
      *
-     * @return sentences; may be empty
+     * @return unmodifiable; may be empty
      */
-    public List<String> warnings() {
+    public List<Warning> warnings() {
         return warnings;
     }
 

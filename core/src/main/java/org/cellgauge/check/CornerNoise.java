@@ -2,7 +2,6 @@ package org.cellgauge.check;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
@@ -10,6 +9,8 @@ import org.cellgauge.pose.MarkerPoseFinder;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Warning;
 
 /**
  * Corner noise estimated from how well each marker alone is a square: 8 coordinates, 6 unknowns, so 2 degrees of
@@ -124,8 +125,8 @@ final class CornerNoise {
     }
 
     /** What to tell the user. */
-    String warning() {
-        return String.format(Locale.ROOT, "pixel_std_px is estimated as %.3f px from %d degrees of freedom, good to "
-                + "about %.0f %%", stdPx, 2 * markers, 100 * relativeStd);
+    Warning warning() {
+        return Warning.of(CheckWarning.CORNER_NOISE_ESTIMATED, Decimal.of(stdPx, 3), 2 * markers,
+                Decimal.of(100 * relativeStd, 0));
     }
 }

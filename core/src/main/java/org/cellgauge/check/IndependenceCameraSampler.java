@@ -1,12 +1,13 @@
 package org.cellgauge.check;
 
 import java.util.List;
-import java.util.Locale;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.sampling.ImportanceTuning;
 import org.cellgauge.sampling.MetropolisChain;
 import org.cellgauge.sampling.StudentTMixture;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Warning;
 
 /** Independence Metropolis in the centred chart with a t mixture that importance sampling has fitted. */
 final class IndependenceCameraSampler implements CameraSampler {
@@ -31,10 +32,10 @@ final class IndependenceCameraSampler implements CameraSampler {
             }
 
             @Override
-            public String misfit() {
+            public Warning misfit() {
                 return tuning.efficiency() < POOR_EFFICIENCY || acceptance < POOR_ACCEPTANCE
-                        ? String.format(Locale.ROOT, "importance efficiency %.0f %%, acceptance %.0f %%",
-                                100 * tuning.efficiency(), 100 * acceptance) : null;
+                        ? Warning.of(CheckPhrase.MISFIT, Decimal.of(100 * tuning.efficiency(), 0),
+                                Decimal.of(100 * acceptance, 0)) : null;
             }
 
             @Override

@@ -3,9 +3,11 @@ package org.cellgauge.check;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Warning;
 
 /** A reference that stands farther off than its stated precision allows; immutable. */
 public final class MisplacedReference {
@@ -73,32 +75,33 @@ public final class MisplacedReference {
     /**
      * What to tell the user.
      *
-     * @return one sentence without a full stop
+     * @return one sentence
      */
-    public String warning() {
+    public Warning warning() {
         Placement placement = reference.placement();
-        StringBuilder by = new StringBuilder();
-        StringBuilder stated = new StringBuilder();
+        List<Warning> by = new ArrayList<>();
+        List<Warning> stated = new ArrayList<>();
         boolean turned = false;
         for (int c = 0; c < offset.length; c++) {
             if (offset[c] == 0) {
                 continue;
             }
-            by.append(by.length() == 0 ? "" : " and ");
+            String axis = "xyz".substring(c % 3, c % 3 + 1);
+            Warning std;
             if (c < 3) {
-                by.append(String.format(Locale.ROOT, "%.1f mm along %s", offset[c], "xyz".charAt(c)));
-                String std = String.format(Locale.ROOT, "%.1f mm", placement.stdMm(c));
-                stated.append(stated.length() == 0 ? std : stated.toString().equals(std) ? "" : " and " + std);
+                by.add(Warning.of(CheckPhrase.SHIFT, Decimal.of(offset[c], 1), axis));
+                std = Warning.of(CheckPhrase.STD_MM, Decimal.of(placement.stdMm(c), 1));
             } else {
                 turned = true;
-                by.append(String.format(Locale.ROOT, "%.1f degrees about %s", Math.toDegrees(offset[c]),
-                        "xyz".charAt(c - 3)));
-                stated.append(String.format(Locale.ROOT, "%.2f degrees", Math.toDegrees(placement.stdRad())));
+                by.add(Warning.of(CheckPhrase.TURN, Decimal.of(Math.toDegrees(offset[c]), 1), axis));
+                std = Warning.of(CheckPhrase.STD_DEGREES, Decimal.of(Math.toDegrees(placement.stdRad()), 2));
+            }
+            if (!stated.contains(std)) {
+                stated.add(std);
             }
         }
-        return "reference " + id() + " seems " + (turned ? "turned" : "off") + " by about " + by
-                + ", which its stated precision (" + stated + ") does not allow: "
-                + (turned ? "check how it is mounted" : "measure its position again")
-                + (orInstead.isEmpty() ? "" : "; it may be reference " + Reason.joined(orInstead, " or ") + " instead");
+        return Warning.of(turned ? CheckWarning.REFERENCE_TURNED : CheckWarning.REFERENCE_OFF, id(), Listing.and(by),
+                Listing.and(stated),
+                orInstead.isEmpty() ? "" : Warning.of(CheckPhrase.OR_INSTEAD, Listing.or(orInstead)));
     }
 }

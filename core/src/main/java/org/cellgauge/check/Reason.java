@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.statistics.ChainDiagnostics;
+import org.cellgauge.warning.Listing;
 
 /**
  * Why a check ended as it did, in parts that any language can make a sentence of; immutable.
@@ -135,7 +136,7 @@ public final class Reason {
         }
 
         private String english() {
-            String who = "reference " + Reason.join(references) + (references.size() == 1 ? " seems" : " seem")
+            String who = "reference " + Listing.and(references) + (references.size() == 1 ? " seems" : " seem")
                     + " misplaced";
             String start = targetMet ? " The target is met although " : " But ";
             if (!objectId.isPresent()) {
@@ -416,7 +417,8 @@ public final class Reason {
                         + "%%): use a larger marker, come closer or look at it from the side.", p.objectId.getAsInt(),
                         100 * p.share.getAsDouble());
             case OBJECT_NOT_SEEN:
-                return "Object " + join(p.missingObjects) + " was not seen in the photo. " + deviation() + besides();
+                return "Object " + Listing.and(p.missingObjects) + " was not seen in the photo. " + deviation()
+                        + besides();
             default:
                 return (p.targetMm.isPresent() ? "" : "No target is set. ") + deviation() + besides();
         }
@@ -457,26 +459,12 @@ public final class Reason {
         }
     }
 
-    static String plain(double value) {
+    private static String plain(double value) {
         return value == Math.rint(value) ? String.format(Locale.ROOT, "%.0f", value) : Double.toString(value);
     }
 
     private static String number(double value, int digits) {
         return Double.isNaN(value) ? "undefined" : String.format(Locale.ROOT, "%." + digits + "f", value);
-    }
-
-    /** Ids as in "5, 20 and 30". */
-    static String join(List<Integer> ids) {
-        return joined(ids, " and ");
-    }
-
-    /** Words with commas between them, and a word before the last. */
-    static String joined(List<?> words, String beforeLast) {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < words.size(); i++) {
-            text.append(i == 0 ? "" : i == words.size() - 1 ? beforeLast : ", ").append(words.get(i));
-        }
-        return text.toString();
     }
 
     @Override

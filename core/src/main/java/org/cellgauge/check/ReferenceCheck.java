@@ -9,6 +9,9 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Warning;
 
 /**
  * Whether the references fit together, which of them does not, and what hangs on it; immutable.
@@ -225,61 +228,57 @@ public final class ReferenceCheck {
         }
         String text = sizes.isEmpty() ? ""
                 : "To be noticed in 19 of 20 photos a reference would have to be off by up to "
-                + Reason.joined(sizes, " or ") + ".";
+                + Listing.or(sizes) + ".";
         text += never.isEmpty() ? "" : (text.isEmpty() ? "" : " ") + "A reference that is off in "
-                + Reason.joined(never, " or ") + " would not be noticed.";
+                + Listing.or(never) + " would not be noticed.";
         return text + (most > PlacementTest.LOOKED_FOR ? String.format(Locale.ROOT, " That is more than %.0f times "
                 + "what is stated: more references would show less.", PlacementTest.LOOKED_FOR) : "");
     }
 
     /** Warnings to the user. */
-    List<String> warnings() {
-        List<String> texts = new ArrayList<>();
+    List<Warning> warnings() {
+        List<Warning> warnings = new ArrayList<>();
         for (MisplacedReference reference : misplaced) {
-            texts.add(reference.warning());
+            warnings.add(reference.warning());
         }
         if (!misplaced.isEmpty()) {
-            texts.add(hangsOnIt());
+            warnings.add(hangsOnIt());
         }
-        return texts;
+        return warnings;
     }
 
-    /** What leaving out the misplaced references changes, largest change first; a sentence without a full stop. */
-    private String hangsOnIt() {
-        String them = misplaced.size() == 1 ? "it" : "them";
+    /** What leaving out the misplaced references changes, largest change first. */
+    private Warning hangsOnIt() {
+        boolean one = misplaced.size() == 1;
         if (without == null) {
-            return "without " + them + " the other references lead to no camera pose";
+            return Warning.of(one ? CheckWarning.NO_POSE_WITHOUT_IT : CheckWarning.NO_POSE_WITHOUT_THEM);
         }
-        String moved = "the camera";
+        Warning moved = Warning.of(CheckPhrase.CAMERA);
         double[] move = without.cameraMoveMm();
         double most = -1;
         for (WithoutMisplaced.ObjectWithout object : without.objects()) {
             if (length(object.moveMm()) > most) {
                 most = length(object.moveMm());
                 move = object.moveMm();
-                moved = "object " + object.id();
+                moved = Warning.of(CheckPhrase.OBJECT, object.id());
             }
             if (object.grip() != null && length(object.gripMoveMm()) > most) {
                 most = length(object.gripMoveMm());
                 move = object.gripMoveMm();
-                moved = "the gripping point of object " + object.id();
+                moved = Warning.of(CheckPhrase.GRIP, object.id());
             }
         }
-        String text = String.format(Locale.ROOT, "figures rest on reference %s all the same: without %s %s moves by "
-                + "(%.1f, %.1f, %.1f) mm%s", list(), them, moved, move[0], move[1], move[2],
-                without.objects().size() > 1 ? ", more than any other" : "");
-        return without.objects().isEmpty() ? text : text + String.format(Locale.ROOT, ", and the largest deviation is "
-                + "%.2f mm instead of %.2f mm", without.worstStdMm(), without.worstStdWithAllMm());
+        List<Integer> ids = new ArrayList<>();
+        misplaced.forEach(reference -> ids.add(reference.id()));
+        return Warning.of(one ? CheckWarning.FIGURES_REST_ON_IT : CheckWarning.FIGURES_REST_ON_THEM, Listing.and(ids),
+                moved, Decimal.of(move[0], 1), Decimal.of(move[1], 1), Decimal.of(move[2], 1),
+                without.objects().size() > 1 ? Warning.of(CheckPhrase.MORE_THAN_ANY_OTHER) : "",
+                without.objects().isEmpty() ? "" : Warning.of(CheckPhrase.LARGEST_DEVIATION,
+                        Decimal.of(without.worstStdMm(), 2), Decimal.of(without.worstStdWithAllMm(), 2)));
     }
 
     private static double length(double[] v) {
         return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-
-    private String list() {
-        List<Integer> ids = new ArrayList<>();
-        misplaced.forEach(reference -> ids.add(reference.id()));
-        return Reason.joined(ids, " and ");
     }
 
     /**

@@ -17,6 +17,7 @@ import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.statistics.Angles;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Ellipse;
+import org.cellgauge.warning.Warning;
 
 /**
  * The result file of a check, {@code NAME.result.json}.
@@ -140,8 +141,8 @@ public final class ResultJson {
         }
         json.endObject();
         json.name("warnings").beginArray();
-        for (String warning : result.warnings()) {
-            json.value(warning);
+        for (Warning warning : result.warnings()) {
+            json.value(warning.toString());
         }
         json.endArray();
         json.name("version").value(version);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
@@ -65,6 +64,7 @@ final class CellDrawing {
     private final ImageOrientation orientation;
     private final boolean panels;
     private final LabelWords words;
+    private final LegendWords legend;
     private final int photoWidth;
     private final int photoHeight;
     private final double width;
@@ -94,7 +94,8 @@ final class CellDrawing {
     CellDrawing(Cell cell, Detections photo, CellEstimate estimate, ReferenceCheck references, Stage stage,
             OverlayStyle style) {
         this.cell = cell;
-        this.words = style.words();
+        this.words = style.labels();
+        this.legend = style.legend();
         this.orientation = style.orientation();
         this.panels = style.panels();
         this.photoWidth = photo.widthPx();
@@ -598,34 +599,31 @@ final class CellDrawing {
     private List<Entry> entries() {
         List<Entry> entries = new ArrayList<>();
         if (drawn(Role.REFERENCE_OUTLINE)) {
-            entries.add(new Entry(Role.REFERENCE_OUTLINE, Status.NEUTRAL, false, "reference"));
+            entries.add(new Entry(Role.REFERENCE_OUTLINE, Status.NEUTRAL, false, legend.reference()));
         }
         if (drawn(Role.REFERENCE_EXPECTED)) {
-            entries.add(new Entry(Role.REFERENCE_EXPECTED, Status.NEUTRAL, false, "where the camera pose puts it"));
+            entries.add(new Entry(Role.REFERENCE_EXPECTED, Status.NEUTRAL, false, legend.expected()));
         }
         Shape ellipse = first(Role.OBJECT_ELLIPSE);
         if (ellipse != null) {
-            String size = magnification == 1 ? "true size"
-                    : "magnified " + plain(magnification) + "\u00d7";
             entries.add(new Entry(Role.OBJECT_ELLIPSE, ellipse.status(), ellipse.dashed(),
-                    "95 % of positions, " + size + (stage == Stage.NOT_CONVERGED ? ", not converged" : "")));
+                    legend.ellipse(magnification, stage != Stage.NOT_CONVERGED)));
         }
         Shape grip = first(Role.GRIP_POINT);
         if (grip != null) {
-            entries.add(new Entry(Role.GRIP_POINT, grip.status(), false, "gripping point"));
+            entries.add(new Entry(Role.GRIP_POINT, grip.status(), false, legend.grip()));
         }
         if (drawn(Role.OBJECT_MODE)) {
-            entries.add(new Entry(Role.OBJECT_MODE, Status.AMBIGUOUS, true, "second pose"));
+            entries.add(new Entry(Role.OBJECT_MODE, Status.AMBIGUOUS, true, legend.secondPose()));
         }
         if (showsFigures()) {
-            entries.add(new Entry(null, Status.NEUTRAL, false, "\u03c3 = standard deviation in x, y, z"));
+            entries.add(new Entry(null, Status.NEUTRAL, false, legend.deviations()));
         }
         if (drawn(Role.WORLD_GRID)) {
-            entries.add(new Entry(Role.WORLD_GRID, Status.NEUTRAL, false, "grid " + plain(gridMm) + " mm on z = 0"
-                    + (axesVisible ? ", axes " + plain(gridMm) + " mm" : "")));
+            entries.add(new Entry(Role.WORLD_GRID, Status.NEUTRAL, false, legend.grid(gridMm, axesVisible)));
         }
         if (entries.isEmpty()) {
-            entries.add(new Entry(null, Status.NEUTRAL, false, "no marker was found"));
+            entries.add(new Entry(null, Status.NEUTRAL, false, legend.nothing()));
         }
         return entries;
     }
@@ -737,10 +735,6 @@ final class CellDrawing {
         List<Double> shares = new ArrayList<>();
         modes.forEach(mode -> shares.add(mode.weight()));
         return shares;
-    }
-
-    private static String plain(double value) {
-        return value == Math.rint(value) ? String.format(Locale.ROOT, "%.0f", value) : Double.toString(value);
     }
 
     /** A label on a panel of its own, with the mark of its status. */

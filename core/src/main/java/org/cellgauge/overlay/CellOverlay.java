@@ -5,6 +5,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckUpdate;
+import org.cellgauge.check.Verdict;
 import org.cellgauge.vision.Detections;
 
 /**
@@ -32,38 +33,60 @@ public final class CellOverlay {
      * The overlay of a finished check in a style.
      *
      * @param result the result
-     * @param style how it is shown; banner and legend are in English
+     * @param style how it is shown; its banner is in English
      * @return what to draw over the upright photo
      */
     public static Overlay of(CheckResult result, OverlayStyle style) {
-        Status status;
         String headline;
         switch (result.verdict()) {
             case PASS:
-                status = Status.PASS;
                 headline = "PASS";
                 break;
             case FAIL:
-                status = Status.FAIL;
                 headline = "TARGET MISSED";
                 break;
             case NOT_CONVERGED:
-                status = Status.NOT_CONVERGED;
                 headline = "NOT CONVERGED \u2013 no figure to trust";
                 break;
             case AMBIGUOUS:
-                status = Status.AMBIGUOUS;
                 headline = "AMBIGUOUS \u2013 two poses explain the photo";
                 break;
             default:
-                status = Status.NEUTRAL;
                 headline = "NO TARGET SET";
                 break;
         }
-        CellDrawing.Stage stage = status == Status.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
+        return of(result, style, headline, result.reason());
+    }
+
+    /**
+     * The overlay of a finished check in a style, its banner in another language.
+     *
+     * @param result the result
+     * @param style how it is shown; without panels headline and reason are not drawn
+     * @param headline a few words: the verdict
+     * @param reason a sentence or two: why
+     * @return what to draw over the upright photo
+     */
+    public static Overlay of(CheckResult result, OverlayStyle style, String headline, String reason) {
+        CellDrawing.Stage stage = result.verdict() == Verdict.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
                 : CellDrawing.Stage.FINAL;
         return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referenceCheck(), stage,
-                style).draw(status, headline, result.reason());
+                style).draw(status(result.verdict()), headline, reason);
+    }
+
+    private static Status status(Verdict verdict) {
+        switch (verdict) {
+            case PASS:
+                return Status.PASS;
+            case FAIL:
+                return Status.FAIL;
+            case NOT_CONVERGED:
+                return Status.NOT_CONVERGED;
+            case AMBIGUOUS:
+                return Status.AMBIGUOUS;
+            default:
+                return Status.NEUTRAL;
+        }
     }
 
     /**
@@ -84,7 +107,7 @@ public final class CellOverlay {
      * @param cell the cell
      * @param detections the markers of the photo
      * @param update the newest item of the check's stream
-     * @param style how it is shown; banner and legend are in English
+     * @param style how it is shown; its banner is in English
      * @return what to draw over the upright photo
      */
     public static Overlay of(Cell cell, Detections detections, CheckUpdate update, OverlayStyle style) {
@@ -114,7 +137,7 @@ public final class CellOverlay {
      * @param cell the cell
      * @param detections the markers of the photo
      * @param estimate poses and their uncertainties
-     * @param style how it is shown; banner and legend are in English
+     * @param style how it is shown; its banner is in English
      * @return what to draw over the upright photo; its figures are marked as not converged yet
      */
     public static Overlay of(Cell cell, Detections detections, CellEstimate estimate, OverlayStyle style) {

@@ -4,20 +4,23 @@ package org.cellgauge.overlay;
 public final class OverlayStyle {
     /** Over the photo as it is: with banner and legend, in English, letters in proportion to the image. */
     public static final OverlayStyle PHOTO =
-            new OverlayStyle(ImageOrientation.IDENTITY, true, LabelWords.ENGLISH, 1);
+            new OverlayStyle(ImageOrientation.IDENTITY, true, LabelWords.ENGLISH, LegendWords.ENGLISH, 1);
 
     /** So many letters' heights the image is wide at least, so that figures of an object fit into a line. */
     private static final double LEAST_WIDTH_IN_CAPS = 24;
 
     private final ImageOrientation orientation;
     private final boolean panels;
-    private final LabelWords words;
+    private final LabelWords labels;
+    private final LegendWords legend;
     private final double letterScale;
 
-    private OverlayStyle(ImageOrientation orientation, boolean panels, LabelWords words, double letterScale) {
+    private OverlayStyle(ImageOrientation orientation, boolean panels, LabelWords labels, LegendWords legend,
+            double letterScale) {
         this.orientation = orientation;
         this.panels = panels;
-        this.words = words;
+        this.labels = labels;
+        this.legend = legend;
         this.letterScale = letterScale;
     }
 
@@ -44,8 +47,17 @@ public final class OverlayStyle {
      *
      * @return the words
      */
-    public LabelWords words() {
-        return words;
+    public LabelWords labels() {
+        return labels;
+    }
+
+    /**
+     * What the legend says.
+     *
+     * @return the words
+     */
+    public LegendWords legend() {
+        return legend;
     }
 
     /**
@@ -64,7 +76,7 @@ public final class OverlayStyle {
      * @return a style
      */
     public OverlayStyle withOrientation(ImageOrientation turned) {
-        return new OverlayStyle(turned, panels, words, letterScale);
+        return new OverlayStyle(turned, panels, labels, legend, letterScale);
     }
 
     /**
@@ -73,17 +85,27 @@ public final class OverlayStyle {
      * @return a style
      */
     public OverlayStyle withoutPanels() {
-        return new OverlayStyle(orientation, false, words, letterScale);
+        return new OverlayStyle(orientation, false, labels, legend, letterScale);
     }
 
     /**
-     * This style in another language.
+     * This style with other labels.
      *
-     * @param said what the labels say
+     * @param words what the labels say
      * @return a style
      */
-    public OverlayStyle withWords(LabelWords said) {
-        return new OverlayStyle(orientation, panels, said, letterScale);
+    public OverlayStyle withLabels(LabelWords words) {
+        return new OverlayStyle(orientation, panels, words, legend, letterScale);
+    }
+
+    /**
+     * This style with another legend.
+     *
+     * @param words what the legend says
+     * @return a style
+     */
+    public OverlayStyle withLegend(LegendWords words) {
+        return new OverlayStyle(orientation, panels, labels, words, letterScale);
     }
 
     /**
@@ -104,7 +126,8 @@ public final class OverlayStyle {
         }
         double proportionalPx = CellDrawing.labelCapPx(widthPx, heightPx);
         double wantedPx = Math.min(capHeight / fit.scale(), widthPx / LEAST_WIDTH_IN_CAPS);
-        return new OverlayStyle(orientation, panels, words, Math.max(1, wantedPx / proportionalPx));
+        return new OverlayStyle(orientation, panels, labels, legend,
+                Math.max(1, wantedPx / proportionalPx));
     }
 
     @Override

@@ -41,7 +41,7 @@ public final class StrokeFont {
      * @return false if an empty box is drawn in its place
      */
     public static boolean has(char c) {
-        return c == ' ' || GLYPHS.containsKey(c);
+        return isSpace(c) || GLYPHS.containsKey(c);
     }
 
     /**
@@ -73,7 +73,7 @@ public final class StrokeFont {
         double x = 0;
         for (int i = 0; i < text.length(); i++) {
             char c = text.charAt(i);
-            if (c != ' ') {
+            if (!isSpace(c)) {
                 for (double[] line : glyph(c).lines) {
                     double[] points = new double[line.length];
                     for (int k = 0; k < line.length; k += 2) {
@@ -89,7 +89,7 @@ public final class StrokeFont {
     }
 
     /**
-     * Breaks a text into lines at its spaces. A word that is wider than a line is broken within.
+     * Breaks a text into lines at its spaces, but not at those that bind. A word that is wider than a line is broken within.
      *
      * @param text the text
      * @param widthInCapHeights width of a line, positive
@@ -98,7 +98,7 @@ public final class StrokeFont {
     public static List<String> wrap(String text, double widthInCapHeights) {
         List<String> lines = new ArrayList<>();
         StringBuilder line = new StringBuilder();
-        for (String word : text.trim().split("\\s+")) {
+        for (String word : text.trim().split("[ \\t\\n\\r]+")) {
             String rest = word;
             String joined = line.length() == 0 ? rest : line + " " + rest;
             if (widthInCapHeights(joined) <= widthInCapHeights) {
@@ -127,7 +127,12 @@ public final class StrokeFont {
     }
 
     private static double advance(char c) {
-        return c == ' ' ? 6.5 : glyph(c).width + GAP;
+        return isSpace(c) ? 6.5 : glyph(c).width + GAP;
+    }
+
+    /** A space, also one where no line may break. */
+    private static boolean isSpace(char c) {
+        return c == ' ' || c == '\u00a0' || c == '\u202f';
     }
 
     private static Glyph glyph(char c) {
@@ -205,6 +210,7 @@ public final class StrokeFont {
         Map<Character, Glyph> t = new HashMap<>();
         digitsAndCapitals(t);
         smallLetters(t);
+        germanLetters(t);
         signs(t);
         return Collections.unmodifiableMap(t);
     }
@@ -277,6 +283,20 @@ public final class StrokeFont {
         t.put('x', new Glyph(7.2, "M 0 10 L 7.2 0 M 7.2 10 L 0 0"));
         t.put('y', new Glyph(7.6, "M 0 10 L 3.8 0 M 7.6 10 L 2.5 -4 L 0.6 -4"));
         t.put('z', new Glyph(7, "M 0 10 L 7 10 L 0 0 L 7 0"));
+    }
+
+    /** Capitals with dots are lower by what the dots take, so that a line is no higher for them. */
+    private static void germanLetters(Map<Character, Glyph> t) {
+        t.put('\u00c4', new Glyph(10, "M 0 0 L 5 12 L 10 0 M 1.9 4.6 L 8.1 4.6 M 2 14 L 2 14.8 M 8 14 L 8 14.8"));
+        t.put('\u00d6', new Glyph(11, "E 5.5 5.9 5.5 5.9 M 3.3 14 L 3.3 14.8 M 7.7 14 L 7.7 14.8"));
+        t.put('\u00dc', new Glyph(9, "M 0 11.8 L 0 4.5 A 4.5 4.5 4.5 4.5 180 360 L 9 11.8 M 2.3 14 L 2.3 14.8 "
+                + "M 6.7 14 L 6.7 14.8"));
+        t.put('\u00e4', new Glyph(7.8, "E 3.9 5 3.9 5 M 7.8 10 L 7.8 0 M 1.9 13.4 L 1.9 14.2 M 5.9 13.4 L 5.9 14.2"));
+        t.put('\u00f6', new Glyph(8, "E 4 5 4 5 M 2 13.4 L 2 14.2 M 6 13.4 L 6 14.2"));
+        t.put('\u00fc', new Glyph(7.2, "M 0 10 L 0 3.8 A 3.6 3.8 3.6 3.8 180 360 M 7.2 10 L 7.2 0 "
+                + "M 1.6 13.4 L 1.6 14.2 M 5.6 13.4 L 5.6 14.2"));
+        t.put('\u00df', new Glyph(7.6, "M 0 0 L 0 11.2 A 3.3 11.2 3.3 3.3 180 -60 L 3.5 7.9 "
+                + "A 3.5 3.95 4.1 3.95 90 -125"));
     }
 
     private static void signs(Map<Character, Glyph> t) {

@@ -28,6 +28,8 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Warning;
 
 /**
  * Finds markers with BoofCV's square detectors, sharpens their corners and judges what was found.
@@ -168,7 +170,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         view.width = image.widthPx();
         view.height = image.heightPx();
         Map<Integer, List<Candidate>> byId = new TreeMap<>();
-        List<String> warnings = new ArrayList<>();
+        List<Warning> warnings = new ArrayList<>();
         try {
             squares.process(view);
             for (int i = 0; i < squares.getFound().size(); i++) {
@@ -187,7 +189,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /** One square that BoofCV has read; null where it is no marker of the cell. */
-    private Candidate candidate(GreyImage image, int idRead, Quadrilateral_F64 q, List<String> warnings) {
+    private Candidate candidate(GreyImage image, int idRead, Quadrilateral_F64 q, List<Warning> warnings) {
         double[] corners = new double[8];
         put(q.a, corners, 0);
         put(q.b, corners, 2);
@@ -214,10 +216,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
         // without its edges a reading rests on BoofCV's alone, and only a code with a checksum can stand on that
         if (!patterns.containsKey(id) || !refined && !hasChecksum) {
             if (patterns.containsKey(idRead)) {
-                warnings.add(String.format(Locale.ROOT, "what looks like marker %d at (%.0f, %.0f) px is left out: its "
-                        + (refined ? "cells do not match" : "edges cannot be measured") + "; if it is that marker, use "
-                        + "a larger one, a closer camera, a sharper image or more light", idRead, mean(corners, 0),
-                        mean(corners, 1)));
+                warnings.add(Warning.of(
+                        refined ? DetectionWarning.CELLS_DO_NOT_MATCH : DetectionWarning.EDGES_NOT_MEASURED, idRead,
+                        pixel(mean(corners, 0)), pixel(mean(corners, 1))));
             }
             return null;
         }
@@ -237,6 +238,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
         return (corners[axis] + corners[2 + axis] + corners[4 + axis] + corners[6 + axis]) / 4;
     }
 
+    /** A place as warnings name it. */
+    private static int pixel(double px) {
+        return (int) Math.round(px);
+    }
+
     private static double[] turned(double[] corners, int turns) {
         double[] out = new double[8];
         for (int i = 0; i < 8; i++) {
@@ -251,26 +257,24 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     private void judge(int id, List<Candidate> candidates, List<MarkerObservation> accepted,
-            List<String> warnings) {
+            List<Warning> warnings) {
         List<Candidate> squares = new ArrayList<>();
         for (Candidate c : candidates) {
             double limit = RESIDUAL_LIMIT_PX + residualLimitPerSide * c.observation.shortestSidePx();
             if (c.impliedStdPx <= limit) {
                 squares.add(c);
             } else {
-                warnings.add(String.format(Locale.ROOT, "marker %d at (%.0f, %.0f) px is left out: its corners miss "
-                        + "those of a square by %.1f px (limit %.1f); look for something that covers or bends it, or "
-                        + "for another pattern taken for it", id, c.centre(0), c.centre(1), c.impliedStdPx, limit));
+                warnings.add(Warning.of(DetectionWarning.NOT_SQUARE, id, pixel(c.centre(0)), pixel(c.centre(1)),
+                        Decimal.of(c.impliedStdPx, 1), Decimal.of(limit, 1)));
             }
         }
         squares.sort(Comparator.comparingDouble(c -> c.impliedStdPx));
         for (int i = 1; i < squares.size(); i++) {
             // outline and inner edge of one marker may both be followed: the same marker twice, not two markers
             if (!squares.get(i).isSamePlaceAs(squares.get(0))) {
-                warnings.add(String.format(Locale.ROOT, "marker %d is seen at (%.0f, %.0f) px and at (%.0f, %.0f) px "
-                        + "and is left out at both; an id may stand only once in view: remove or cover the other",
-                        id, squares.get(0).centre(0), squares.get(0).centre(1), squares.get(i).centre(0),
-                        squares.get(i).centre(1)));
+                warnings.add(Warning.of(DetectionWarning.SEEN_TWICE, id, pixel(squares.get(0).centre(0)),
+                        pixel(squares.get(0).centre(1)), pixel(squares.get(i).centre(0)),
+                        pixel(squares.get(i).centre(1))));
                 return;
             }
         }
@@ -280,8 +284,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         Candidate best = squares.get(0);
         accepted.add(best.observation);
         if (!best.refined) {
-            warnings.add(String.format(Locale.ROOT, "marker %d: its edges are too blurred, short or covered to be "
-                    + "measured finely; its corners are coarse", id));
+            warnings.add(Warning.of(DetectionWarning.COARSE_CORNERS, id));
         }
     }
 

@@ -3,6 +3,7 @@ package org.cellgauge.vision;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.cellgauge.warning.Warning;
 
 /** All markers seen in one image, with the image's name and size and what the detector has to say; immutable. */
 public final class Detections {
@@ -10,7 +11,7 @@ public final class Detections {
     private final int widthPx;
     private final int heightPx;
     private final List<MarkerObservation> markers;
-    private final List<String> warnings;
+    private final List<Warning> warnings;
 
     /**
      * Detections of one image without warnings.
@@ -31,10 +32,10 @@ public final class Detections {
      * @param widthPx image width
      * @param heightPx image height
      * @param markers one observation per marker id
-     * @param warnings one sentence or two each, for the user
+     * @param warnings for the user
      */
     public Detections(String imageName, int widthPx, int heightPx, List<MarkerObservation> markers,
-            List<String> warnings) {
+            List<Warning> warnings) {
         this.imageName = imageName;
         this.widthPx = widthPx;
         this.heightPx = heightPx;
@@ -83,7 +84,7 @@ public final class Detections {
      *
      * @return unmodifiable; empty where there is nothing to say
      */
-    public List<String> warnings() {
+    public List<Warning> warnings() {
         return warnings;
     }
 

@@ -92,7 +92,8 @@ class ConvergedFiguresTest {
         double[] found = rms(result.estimate());
         assertEquals(Double.parseDouble(worst), found[0], rounding(worst) + share * Double.parseDouble(worst));
         assertEquals(Double.parseDouble(lateral), found[1], rounding(lateral) + share * Double.parseDouble(lateral));
-        boolean warned = result.warnings().stream().anyMatch(w -> w.contains("weak prior N(initial estimate, 1000 mm"));
+        boolean warned = result.warnings().stream().anyMatch(
+                w -> w.toString().contains("weak prior N(initial estimate, 1000 mm"));
         if (leans) {
             assertTrue(warned, result.warnings().toString());
         }

@@ -36,7 +36,7 @@ class ConvergenceTest {
     }
 
     private static boolean warns(CheckResult result, String of) {
-        return result.warnings().stream().anyMatch(w -> w.contains(of));
+        return result.warnings().stream().anyMatch(w -> w.toString().contains(of));
     }
 
     /** Corners and placement with errors of the stated size, another draw of them and another seed for each. */

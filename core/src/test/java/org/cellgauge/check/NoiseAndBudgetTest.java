@@ -44,8 +44,8 @@ class NoiseAndBudgetTest {
             errors += (relative - 1) * (relative - 1);
             stated += noise.relativeStd() * noise.relativeStd();
             assertTrue(noise.relativeStd() >= 1 / Math.sqrt(28) - 1e-6, "never better than with one pose each");
-            assertTrue(noise.warning().matches("pixel_std_px is estimated as 0\\.\\d+ px from 14 degrees of freedom, "
-                    + "good to about [12]\\d %"), noise.warning());
+            assertTrue(noise.warning().toString().matches("pixel_std_px is estimated as 0\\.\\d+ px from 14 degrees "
+                    + "of freedom, good to about [12]\\d %"), noise.warning().toString());
         }
         // chi-square of 14 degrees of freedom: mean 14, deviation sqrt(28)
         assertEquals(14, squares / cells, 4 * Math.sqrt(28.0 / cells));

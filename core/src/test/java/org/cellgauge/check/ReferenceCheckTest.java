@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
@@ -24,6 +25,7 @@ import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.statistics.RankHistogram;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.Warning;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -209,9 +211,9 @@ class ReferenceCheckTest {
             assertEquals(shift, first.offset()[1], 4 * 1.2);
             assertEquals(0.0, first.offset()[0]);
             assertEquals(0.0, first.offset()[5]);
-            assertTrue(first.warning().matches("reference 22 seems off by about " + (shift < 0 ? "-" : "")
+            assertTrue(first.warning().toString().matches("reference 22 seems off by about " + (shift < 0 ? "-" : "")
                     + "1[0-9]\\.[0-9] mm along y, which its stated precision \\(1.0 mm\\) does not allow: measure its "
-                    + "position again"), first.warning());
+                    + "position again"), first.warning().toString());
         }
     }
 
@@ -223,8 +225,8 @@ class ReferenceCheckTest {
         assertEquals(8, first.id());
         assertEquals(15, first.offset()[0], 4);
         assertEquals(-15, first.offset()[1], 4);
-        assertTrue(first.warning().matches("reference 8 seems off by about [0-9.]+ mm along x and -[0-9.]+ mm along y, "
-                + "which its stated precision \\(1.0 mm\\).*"), first.warning());
+        assertTrue(first.warning().toString().matches("reference 8 seems off by about [0-9.]+ mm along x and "
+                + "-[0-9.]+ mm along y, which its stated precision \\(1.0 mm\\).*"), first.warning().toString());
     }
 
     /** Two references cannot tell which of them is off. */
@@ -236,8 +238,8 @@ class ReferenceCheckTest {
         assertEquals(1, found.size());
         int other = found.get(0).id() == 911 ? 1234 : 911;
         assertEquals(Collections.singletonList(other), found.get(0).orInstead());
-        assertTrue(found.get(0).warning().endsWith("; it may be reference " + other + " instead"),
-                found.get(0).warning());
+        assertTrue(found.get(0).warning().toString().endsWith("; it may be reference " + other + " instead"),
+                found.get(0).warning().toString());
     }
 
     @Test
@@ -309,7 +311,7 @@ class ReferenceCheckTest {
         assertTrue(all > 3, "with it an object is off by " + all + " stated deviations");
         assertTrue(left < 3, "without it by " + left);
         assertTrue(without.worstStdMm() > without.worstStdWithAllMm());
-        String warnings = String.join("\n", result.warnings());
+        String warnings = result.warnings().stream().map(Warning::toString).collect(Collectors.joining("\n"));
         assertTrue(warnings.contains("reference 22 seems off by about"), warnings);
         assertTrue(warnings.matches("(?s).*figures rest on reference 22 all the same: without it object [0-9]+ moves "
                 + "by \\([-0-9., ]+\\) mm, more than any other, and the largest deviation is [0-9.]+ mm instead of "

@@ -72,7 +72,7 @@ class CellOverlayTest {
         CheckUpdate update = quickLook(cell, detections);
         OverlayStyle bare = OverlayStyle.PHOTO.withoutPanels();
         List<String> english = texts(CellOverlay.of(cell, detections, update, bare), Role.LABEL);
-        List<String> translated = texts(CellOverlay.of(cell, detections, update, bare.withWords(german)), Role.LABEL);
+        List<String> translated = texts(CellOverlay.of(cell, detections, update, bare.withLabels(german)), Role.LABEL);
         assertEquals(english.size(), translated.size());
         assertTrue(translated.contains("noch nicht konvergiert"));
         assertFalse(translated.contains("not converged yet"));
@@ -322,6 +322,40 @@ class CellOverlayTest {
         CheckResult missed = CellCheck.run(scene.target(0.01).cell(), detections, SETTINGS);
         assertTrue(texts(CellOverlay.of(missed), Role.BANNER).contains("TARGET MISSED"));
         assertEquals(3, marks(CellOverlay.of(missed), Mark.CROSS));
+    }
+
+    /** Words of no language, so that whatever is not one of them was left in English. */
+    @Test
+    void aKeptPictureSpeaksOneLanguage() {
+        ThesisScene scene = lifted().target(100);
+        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(), SETTINGS);
+        LegendWords legend = new LegendWords(Locale.GERMAN, "<a>", "<b>", "<c>", "<d %s>", "<e>", "<f>", "<g>", "<h>",
+                "<i %s>", "<j %1$s %1$s>", "<k>");
+        LabelWords labels = new LabelWords(Locale.GERMAN, "<l>", "<m>", "<n>", "<o>", "<p>", "<q>", "<r>", "<s>");
+        Overlay english = CellOverlay.of(result);
+        Overlay other = CellOverlay.of(result, OverlayStyle.PHOTO.withLabels(labels).withLegend(legend), "<t>", "<u> <u>");
+        assertEquals(english.status(), other.status());
+        assertEquals(english.shapes(Role.BANNER).stream().filter(s -> s instanceof MarkShape).count(),
+                other.shapes(Role.BANNER).stream().filter(s -> s instanceof MarkShape).count());
+        assertEquals(List.of("<t>", "<u> <u>"), texts(other, Role.BANNER));
+        assertEquals(texts(english, Role.LEGEND).size(), texts(other, Role.LEGEND).size());
+        for (String text : texts(other, Role.LEGEND)) {
+            assertTrue(text.matches("<[a-k]( [0-9,]+)*>"), text);
+        }
+        for (String text : texts(other, Role.LABEL)) {
+            assertTrue(text.matches("\\d+|(\\d+|<s>): \u03c3 [0-9,]+; [0-9,]+; [0-9,]+ mm"), text);
+        }
+        assertEquals(english.shapes(Role.OBJECT_ELLIPSE).size(), other.shapes(Role.OBJECT_ELLIPSE).size());
+    }
+
+    @Test
+    void legendOfTheDesktopIsEnglish() {
+        LegendWords words = LegendWords.ENGLISH;
+        assertEquals("95 % of positions, true size", words.ellipse(1, true));
+        assertEquals("95 % of positions, magnified 20\u00d7", words.ellipse(20, true));
+        assertEquals("95 % of positions, magnified 2.5\u00d7, not converged", words.ellipse(2.5, false));
+        assertEquals("grid 1000 mm on z = 0", words.grid(1000, false));
+        assertEquals("grid 0.5 mm on z = 0, axes 0.5 mm", words.grid(0.5, true));
     }
 
     private static int marks(Overlay overlay, Mark mark) {

@@ -9,7 +9,8 @@ import org.junit.jupiter.api.Test;
 
 class StrokeFontTest {
     private static final String BEYOND_ASCII = "\u03c3\u00b1\u00d7\u00b0\u00b2"
-            + "\u2013\u2014\u2026\u2019\u2264\u2265\u2248\u00b5\u2212";
+            + "\u2013\u2014\u2026\u2019\u2264\u2265\u2248\u00b5\u2212"
+            + "\u00e4\u00f6\u00fc\u00c4\u00d6\u00dc\u00df";
 
     @Test
     void hasAllPrintableCharactersAndTheSignsOfMessages() {
@@ -55,6 +56,42 @@ class StrokeFontTest {
                 assertFalse(same(StrokeFont.strokes(String.valueOf(a), 0, 0, 1),
                         StrokeFont.strokes(String.valueOf(b), 0, 0, 1)), a + " and " + b);
             }
+        }
+    }
+
+    /** Two dots, above the letter, and the letter itself below them as it is elsewhere, or a lower capital. */
+    @Test
+    void dottedLettersAreThoseLettersWithTwoDots() {
+        String dotted = "\u00e4\u00f6\u00fc\u00c4\u00d6\u00dc";
+        String plain = "aouAOU";
+        for (int i = 0; i < dotted.length(); i++) {
+            List<double[]> letter = StrokeFont.strokes(dotted.substring(i, i + 1), 0, 0, 14);
+            List<double[]> without = StrokeFont.strokes(plain.substring(i, i + 1), 0, 0, 14);
+            int body = without.size();
+            assertEquals(body + 2, letter.size(), dotted.substring(i, i + 1));
+            Box left = Box.around(letter.subList(body, body + 1));
+            Box right = Box.around(letter.subList(body + 1, body + 2));
+            Box under = Box.around(letter.subList(0, body));
+            assertTrue(left.bottom() < under.top() - 1.5 && right.bottom() < under.top() - 1.5, "apart from the letter");
+            assertTrue(right.left() - left.right() > 2.5, "apart from each other");
+            assertEquals((left.left() + right.left()) / 2, (under.left() + under.right()) / 2, 0.4, "in the middle");
+            assertEquals(StrokeFont.widthInCapHeights(plain.substring(i, i + 1)),
+                    StrokeFont.widthInCapHeights(dotted.substring(i, i + 1)));
+            assertEquals(i < 3, same(without, letter.subList(0, body)), "capitals are lower");
+        }
+        assertFalse(same(StrokeFont.strokes("B", 0, 0, 14), StrokeFont.strokes("\u00df", 0, 0, 14)));
+    }
+
+    @Test
+    void spacesThatBindAreAsWideAsOthersAndEndNoLine() {
+        for (char space : "\u00a0\u202f".toCharArray()) {
+            assertTrue(StrokeFont.has(space));
+            assertEquals(StrokeFont.widthInCapHeights("2 mm"), StrokeFont.widthInCapHeights("2" + space + "mm"));
+            assertEquals(StrokeFont.strokes("2 mm", 0, 0, 14).size(),
+                    StrokeFont.strokes("2" + space + "mm", 0, 0, 14).size());
+            String bound = "2" + space + "mm";
+            assertEquals(List.of("about", bound, "off"),
+                    StrokeFont.wrap("about " + bound + " off", StrokeFont.widthInCapHeights("about 2")));
         }
     }
 

@@ -126,8 +126,8 @@ class BoofMarkerDetectorTest {
         Detections found = detector(944).detect(picture().draw(BINARY, 944, wedge).image(), "wedge.png");
         assertEquals(List.of(), ids(found));
         assertEquals(1, found.warnings().size());
-        assertTrue(found.warnings().get(0).startsWith("marker 944 at (300, 220) px is left out"),
-                found.warnings().get(0));
+        assertTrue(found.warnings().get(0).toString().startsWith("marker 944 at (300, 220) px is left out"),
+                found.warnings().get(0).toString());
     }
 
     /** The same marker under half its camera's focal length, as when the focal length is yet to be found. */
@@ -147,7 +147,7 @@ class BoofMarkerDetectorTest {
         Detections found = detector(5, 9).detect(image, "twice");
         assertEquals(List.of(9), ids(found));
         assertEquals(1, found.warnings().size());
-        String warning = found.warnings().get(0);
+        String warning = found.warnings().get(0).toString();
         assertTrue(warning.startsWith("marker 5 is seen at") && warning.contains("(150, 201)")
                 && warning.contains("(420, 250)"), warning);
     }

@@ -40,6 +40,9 @@ import org.cellgauge.vision.DetectionsFile;
 import org.cellgauge.vision.GreyImage;
 import org.cellgauge.vision.MarkerDetector;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Warning;
+import org.cellgauge.warning.WarningKind;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -196,23 +199,39 @@ public final class CheckCommand implements Callable<Integer> {
         return new Outcome(result, photo, sha256);
     }
 
+    /** What this command warns of besides the check. */
+    private enum Remark implements WarningKind {
+        /** Markers of a detections file that the cell does not know: ids. */
+        FOREIGN_MARKERS("the detections file names markers that are not in the cell file: %s; they are ignored");
+
+        private final String english;
+
+        Remark(String english) {
+            this.english = english;
+        }
+
+        @Override
+        public String english() {
+            return english;
+        }
+    }
+
     /** Markers that the cell does not know are of no use, and often a sign of the wrong cell file. */
     private Detections withRemarks(Detections detections, Path file) {
         Set<Integer> known = new HashSet<>();
         cell.references().forEach(r -> known.add(r.id()));
         cell.objects().forEach(o -> known.add(o.id()));
-        List<String> foreign = new ArrayList<>();
+        List<Integer> foreign = new ArrayList<>();
         for (MarkerObservation marker : detections.markers()) {
             if (!known.contains(marker.id())) {
-                foreign.add(String.valueOf(marker.id()));
+                foreign.add(marker.id());
             }
         }
         if (foreign.isEmpty()) {
             return detections;
         }
-        List<String> warnings = new ArrayList<>(detections.warnings());
-        warnings.add("the detections file names markers that are not in the cell file: " + String.join(", ", foreign)
-                + "; they are ignored");
+        List<Warning> warnings = new ArrayList<>(detections.warnings());
+        warnings.add(Warning.of(Remark.FOREIGN_MARKERS, Listing.comma(foreign)));
         return new Detections(detections.imageName(), detections.widthPx(), detections.heightPx(), detections.markers(),
                 warnings);
     }

@@ -20,6 +20,7 @@ import org.cellgauge.check.VarianceBudget;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.check.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.warning.Warning;
 
 /** A result in words and aligned columns, for people; ASCII, so that every terminal shows it. */
 final class CheckText {
@@ -81,7 +82,7 @@ final class CheckText {
                 .append(laplaceLine(result)).append('\n');
         if (!result.warnings().isEmpty()) {
             text.append("\nWarnings\n");
-            for (String warning : result.warnings()) {
+            for (Warning warning : result.warnings()) {
                 text.append(wrap("  - " + warning, "    "));
             }
         }

@@ -20,6 +20,7 @@ import org.cellgauge.cell.CellWriter;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.ResultJson;
 import org.cellgauge.overlay.CellOverlay;
+import org.cellgauge.overlay.OverlayStyle;
 import org.cellgauge.vision.GreyImage;
 
 /**
@@ -27,8 +28,8 @@ import org.cellgauge.vision.GreyImage;
  * user sees, copies, shares and deletes them in the system's Files app, to which {@link ResultProvider} shows them.
  *
  * <p>A result is a folder of its own, named after the time: {@code NAME.png} (the photo, grey, without loss),
- * {@code NAME.result.json} (as the command line writes it), {@code NAME.overlay.png} and {@code NAME.cell.yaml} (with
- * the camera that was used, and the command that makes the figures again).
+ * {@code NAME.result.json} (as the command line writes it), {@code NAME.overlay.png} (in the language of the app) and
+ * {@code NAME.cell.yaml} (with the camera that was used, and the command that makes the figures again).
  */
 public final class FolderArchive implements ResultArchive {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss", Locale.ROOT);
@@ -37,6 +38,7 @@ public final class FolderArchive implements ResultArchive {
     private final ResultStore store;
     private final ResultLinks links;
     private final OverlayPicture overlay;
+    private final PictureWords words;
     private final Clock clock;
     private final String version;
 
@@ -45,18 +47,21 @@ public final class FolderArchive implements ResultArchive {
      *
      * @param context of the app
      * @param overlay paints the overlay's picture
+     * @param words what that picture says
      * @param clock tells what results are named after, in its time zone
      * @param version of this program, for the result file
      */
-    public FolderArchive(Context context, OverlayPicture overlay, Clock clock, String version) {
-        this(ResultProvider.store(context), ResultProvider.links(context), overlay, clock, version);
+    public FolderArchive(Context context, OverlayPicture overlay, PictureWords words, Clock clock, String version) {
+        this(ResultProvider.store(context), ResultProvider.links(context), overlay, words, clock, version);
     }
 
     /** An archive on any disk. */
-    FolderArchive(ResultStore store, ResultLinks links, OverlayPicture overlay, Clock clock, String version) {
+    FolderArchive(ResultStore store, ResultLinks links, OverlayPicture overlay, PictureWords words, Clock clock,
+            String version) {
         this.store = store;
         this.links = links;
         this.overlay = overlay;
+        this.words = words;
         this.clock = clock;
         this.version = version;
     }
@@ -103,7 +108,9 @@ public final class FolderArchive implements ResultArchive {
     }
 
     private byte[] overlayPng(GreyImage photo, CheckResult result) throws IOException {
-        Bitmap picture = overlay.paint(photo, CellOverlay.of(result));
+        OverlayStyle style = OverlayStyle.PHOTO.withLabels(words.labels()).withLegend(words.legend());
+        Bitmap picture = overlay.paint(photo, CellOverlay.of(result, style, words.headline(result.verdict()),
+                words.reason(result.finding())));
         ByteArrayOutputStream out = new ByteArrayOutputStream(1 << 20);
         boolean written = picture.compress(Bitmap.CompressFormat.PNG, BEST, out);
         picture.recycle();

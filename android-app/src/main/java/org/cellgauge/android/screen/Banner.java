@@ -4,6 +4,7 @@ import org.cellgauge.android.R;
 import org.cellgauge.android.state.CheckScreenState;
 import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.Problem;
+import org.cellgauge.check.Verdict;
 import org.cellgauge.live.LiveState;
 
 /** The verdict in a word, a sign and a colour, or what stands in its place. */
@@ -98,7 +99,12 @@ enum Banner {
             default:
                 break;
         }
-        switch (s.verdict()) {
+        return of(s.verdict());
+    }
+
+    /** The banner of a finished check. */
+    static Banner of(Verdict verdict) {
+        switch (verdict) {
             case PASS:
                 return PASS;
             case FAIL:

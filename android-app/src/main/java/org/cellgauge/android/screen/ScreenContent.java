@@ -16,6 +16,7 @@ import org.cellgauge.overlay.EllipseShape;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.Role;
 import org.cellgauge.overlay.Shape;
+import org.cellgauge.warning.Warning;
 
 /** What a state says, in the user's language: pure text, so that the activity only has to put it in its places. */
 final class ScreenContent {
@@ -386,11 +387,15 @@ final class ScreenContent {
     }
 
     private void warnings(CheckScreenState s, List<Row> rows) {
-        List<String> warnings = s.result() != null ? s.result().warnings()
+        List<Warning> warnings = s.result() != null ? s.result().warnings()
                 : s.live() != null ? s.live().detections().warnings() : new ArrayList<>();
         if (!warnings.isEmpty()) {
+            List<String> sentences = new ArrayList<>();
+            for (Warning warning : warnings) {
+                sentences.add(words.warning(warning));
+            }
             rows.add(new Row(R.drawable.mark_not_converged, R.color.mark_ambiguous, words.get(R.string.warnings), null,
-                    String.join("\n", warnings), null));
+                    String.join("\n", sentences), null));
         }
     }
 

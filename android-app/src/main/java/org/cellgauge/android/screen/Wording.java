@@ -11,7 +11,11 @@ import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.check.Reason;
 import org.cellgauge.overlay.LabelWords;
+import org.cellgauge.overlay.LegendWords;
 import org.cellgauge.statistics.ChainDiagnostics;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Warning;
 
 /** Sentences in the user's language, with numbers as written there, from what core and camera say in parts. */
 final class Wording {
@@ -62,15 +66,57 @@ final class Wording {
 
     /** Ids as in "5, 20 and 30". */
     String ids(List<Integer> ids) {
+        return listing(Listing.and(ids));
+    }
+
+    private String listing(Listing listing) {
+        int last = listing.join() == Listing.Join.AND ? R.string.list_two
+                : listing.join() == Listing.Join.OR ? R.string.list_or : R.string.list_more;
         String text = "";
-        for (int i = 0; i < ids.size(); i++) {
-            String id = Integer.toString(ids.get(i));
-            text = i == 0 ? id : get(i == ids.size() - 1 ? R.string.list_two : R.string.list_more, text, id);
+        int count = listing.items().size();
+        for (int i = 0; i < count; i++) {
+            String item = argument(listing.items().get(i));
+            text = i == 0 ? item : get(i == count - 1 ? last : R.string.list_more, text, item);
         }
         return text;
     }
 
     // ---- core
+
+    /** What the user should know besides the figures; in English where it is of a kind that only others know. */
+    String warning(Warning warning) {
+        int id = WarningStrings.of(warning.kind());
+        if (id == WarningStrings.NONE) {
+            return warning.toString();
+        }
+        Object[] arguments = new Object[warning.arguments().size()];
+        for (int i = 0; i < arguments.length; i++) {
+            arguments[i] = argument(warning.arguments().get(i));
+        }
+        return get(id, arguments);
+    }
+
+    private String argument(Object argument) {
+        if (argument instanceof Decimal) {
+            return decimal((Decimal) argument);
+        }
+        if (argument instanceof Listing) {
+            return listing((Listing) argument);
+        }
+        return argument instanceof Warning ? warning((Warning) argument) : argument.toString();
+    }
+
+    /** Grouped where it is whole: those with decimals stand in rows, where a comma between thousands would mislead. */
+    private String decimal(Decimal value) {
+        if (Double.isNaN(value.value())) {
+            return get(R.string.undefined);
+        }
+        NumberFormat format = NumberFormat.getNumberInstance(locale);
+        format.setGroupingUsed(value.decimals() == 0);
+        format.setMinimumFractionDigits(value.decimals());
+        format.setMaximumFractionDigits(value.decimals());
+        return format.format(value.value());
+    }
 
     /** Why a check ended as it did. */
     String reason(Reason reason) {
@@ -165,6 +211,15 @@ final class Wording {
         return new LabelWords(locale, get(R.string.label_left_out), get(R.string.label_misplaced),
                 get(R.string.label_not_seen), get(R.string.label_not_in_cell), get(R.string.label_not_converged),
                 get(R.string.label_not_converged_yet), get(R.string.label_ambiguous), get(R.string.label_grip));
+    }
+
+    /** What the legend of a kept picture says. */
+    LegendWords legend() {
+        // patterns go as they are: core puts the numbers in
+        return new LegendWords(locale, get(R.string.legend_reference), get(R.string.legend_expected),
+                get(R.string.legend_true_size), get(R.string.legend_magnified), get(R.string.legend_not_converged),
+                get(R.string.legend_grip), get(R.string.legend_second_pose), get(R.string.legend_deviations),
+                get(R.string.legend_grid), get(R.string.legend_grid_axes), get(R.string.legend_nothing));
     }
 
     // ---- camera

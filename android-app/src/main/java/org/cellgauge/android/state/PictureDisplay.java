@@ -39,7 +39,7 @@ public final class PictureDisplay {
 
     /** The style of an overlay over an image that is shown whole; banner and legend are the screen's own. */
     OverlayStyle style(ImageOrientation orientation, int imageWidthPx, int imageHeightPx) {
-        OverlayStyle style = OverlayStyle.PHOTO.withOrientation(orientation).withoutPanels().withWords(words);
+        OverlayStyle style = OverlayStyle.PHOTO.withOrientation(orientation).withoutPanels().withLabels(words);
         if (roomWidthPx <= 0 || roomHeightPx <= 0) {
             return style;
         }

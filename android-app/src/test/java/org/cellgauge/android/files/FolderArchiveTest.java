@@ -28,18 +28,26 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckSettings;
+import org.cellgauge.check.Reason;
 import org.cellgauge.check.ResultJson;
+import org.cellgauge.check.Verdict;
 import org.cellgauge.cli.ImageFiles;
 import org.cellgauge.live.LiveCheck;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
+import org.cellgauge.overlay.LabelWords;
+import org.cellgauge.overlay.LegendWords;
 import org.cellgauge.overlay.Overlay;
+import org.cellgauge.overlay.Role;
+import org.cellgauge.overlay.Shape;
+import org.cellgauge.overlay.TextShape;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.GreyImage;
 import org.junit.Before;
@@ -67,7 +75,31 @@ public class FolderArchiveTest {
 
     @Before
     public void newArchive() {
-        archive = new FolderArchive(context, this::paint, CLOCK, VERSION);
+        archive = new FolderArchive(context, this::paint, new GermanWords(), CLOCK, VERSION);
+    }
+
+    /** Words that tell where they come from. */
+    private static final class GermanWords implements PictureWords {
+        @Override
+        public String headline(Verdict verdict) {
+            return "Urteil " + verdict;
+        }
+
+        @Override
+        public String reason(Reason reason) {
+            return "weil " + reason.kind();
+        }
+
+        @Override
+        public LabelWords labels() {
+            return new LabelWords(Locale.GERMAN, "", "", "", "", "unsicher", "", "", "");
+        }
+
+        @Override
+        public LegendWords legend() {
+            return new LegendWords(Locale.GERMAN, "Referenz", "dort", "wahr", "%s-fach", "unsicher", "Griff", "zwei", "s",
+                    "Gitter %s", "Gitter %s", "nichts");
+        }
     }
 
     private Bitmap paint(GreyImage photo, Overlay overlay) {
@@ -137,6 +169,9 @@ public class FolderArchiveTest {
         assertEquals(1280, bitmap.getWidth());
         assertEquals(0xFF336699, bitmap.getPixel(100, 100));
         assertEquals(1, painted.size());
+        assertEquals(Arrays.asList("Urteil NOT_CONVERGED", "weil NOT_CONVERGED"), texts(painted.get(0), Role.BANNER));
+        assertTrue(texts(painted.get(0), Role.LABEL).contains("5: unsicher"));
+        assertEquals("Referenz", texts(painted.get(0), Role.LEGEND).get(0));
         String cell = new String(content(saved, ".cell.yaml"), StandardCharsets.UTF_8);
         Cell again = CellReader.read(cell, "cell", name -> {
             throw new IOException("no other file is needed");
@@ -144,6 +179,16 @@ public class FolderArchiveTest {
         assertEquals(result.cell().camera().toString(), again.camera().toString());
         assertTrue(cell, cell.contains("cellgauge check --cell " + NAME + ".cell.yaml --seed 3 --iterations 300 "
                 + NAME + ".png"));
+    }
+
+    private static List<String> texts(Overlay overlay, Role role) {
+        List<String> texts = new ArrayList<>();
+        for (Shape shape : overlay.shapes(role)) {
+            if (shape instanceof TextShape) {
+                texts.add(((TextShape) shape).text());
+            }
+        }
+        return texts;
     }
 
     /** By another way than the product's: the tool of the system. */
@@ -244,7 +289,7 @@ public class FolderArchiveTest {
         CheckResult result = check(photo, quick());
         FolderArchive failing = new FolderArchive(context, (p, o) -> {
             throw new OutOfMemoryError("no room for a bitmap");
-        }, CLOCK, VERSION);
+        }, new GermanWords(), CLOCK, VERSION);
         IOException e = assertThrows(IOException.class, () -> failing.save(photo, result));
         assertFalse(e instanceof StorageFullException);
         assertEquals(Collections.emptyList(), failing.saved());

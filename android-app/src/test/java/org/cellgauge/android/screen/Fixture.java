@@ -5,13 +5,18 @@ import java.awt.image.Raster;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.OptionalDouble;
 import javax.imageio.ImageIO;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.vision.GreyImage;
 
 /** A rendered scene of the project's fixtures: its cell, and its photo read past Android. */
@@ -43,6 +48,24 @@ final class Fixture {
     static Cell with(Cell cell, double pixelStdPx, OptionalDouble targetStdMm) {
         return new Cell(cell.camera(), cell.family(), cell.references(), cell.objects(), OptionalDouble.of(pixelStdPx),
                 targetStdMm);
+    }
+
+    /**
+     * The same cell with reference 22 stated 25 mm off in y, without corner noise, and with an object 77 that is not in the
+     * photo.
+     */
+    Cell doubtful() {
+        Cell cell = cell();
+        List<Reference> references = new ArrayList<>();
+        for (Reference r : cell.references()) {
+            double[] at = r.worldFromMarker().translationMm();
+            at[1] += r.id() == 22 ? 25 : 0;
+            references.add(new Reference(r.id(), r.sizeMm(), RigidTransform.of(r.worldFromMarker().rotation(), at),
+                    r.placement()));
+        }
+        List<ObjectMarker> objects = new ArrayList<>(cell.objects());
+        objects.add(new ObjectMarker(77, 47, null));
+        return new Cell(cell.camera(), cell.family(), references, objects, OptionalDouble.empty(), cell.targetStdMm());
     }
 
     Photo photo() {

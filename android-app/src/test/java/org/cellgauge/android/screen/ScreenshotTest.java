@@ -143,6 +143,21 @@ public class ScreenshotTest {
         verdict("not-converged-german", Banner.NOT_CONVERGED, FIXTURE.cell(), "de-" + Screen.TABLET_PORTRAIT);
     }
 
+    /** A reference measured wrongly, corner noise not stated, an object that is not there: each has its warning. */
+    @Test
+    public void warnings() {
+        for (String qualifiers : new String[] {Screen.TABLET_LANDSCAPE, "de-" + Screen.TABLET_LANDSCAPE,
+            "de-" + Screen.PHONE_PORTRAIT}) {
+            try (Screen screen = live(qualifiers, FIXTURE.doubtful())) {
+                screen.holdStillUntilResult(FIXTURE);
+                screen.find(R.id.panel).scrollTo(0, 10_000);
+                screen.keep("warnings" + (qualifiers.startsWith("de") ? "-german-" + size(qualifiers.substring(3)) : ""),
+                        FIXTURE.photo());
+                assertEquals(4, screen.state().result().warnings().size());
+            }
+        }
+    }
+
     private static void verdict(String name, Banner expected, Cell cell, String qualifiers) {
         try (Screen screen = live(qualifiers, cell)) {
             screen.holdStillUntilResult(FIXTURE);

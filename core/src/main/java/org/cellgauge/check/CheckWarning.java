@@ -1,0 +1,64 @@
+package org.cellgauge.check;
+
+import org.cellgauge.warning.WarningKind;
+
+/** What a check warns of. */
+public enum CheckWarning implements WarningKind {
+    /** Another sampler took over: {@link CheckPhrase#MISFIT}. */
+    FAR_FROM_GAUSSIAN("the posterior is far from Gaussian (%s): adaptive Metropolis was used instead of independence"),
+    /** Objects of the cell that the photo does not show: ids. */
+    OBJECTS_NOT_SEEN("not seen in the photo: object %s"),
+    /** References of the cell that the photo does not show: ids. */
+    REFERENCES_NOT_SEEN("not seen in the photo: reference %s"),
+    /** Small markers: each a {@link CheckPhrase#SMALL_MARKER}, side that is too small, px, advised side, px. */
+    SMALL_MARKERS("small in the image: marker %s; below %s px of side corners get imprecise and markers are missed, "
+            + "plan for %s px: larger markers or a closer camera"),
+    /** The corner noise was not stated: what it is estimated as, px, degrees of freedom, its deviation, %. */
+    CORNER_NOISE_ESTIMATED("pixel_std_px is estimated as %s px from %s degrees of freedom, good to about %s %%"),
+    /** A reference that no pose explains along with the others: id. */
+    REFERENCE_LEFT_OUT("reference %s is left out: its corners are nowhere near where the other references put it; "
+            + "check its id and position in the cell file"),
+    /** The initial estimate failed: its option's name. */
+    INITIAL_ESTIMATE_FAILED("the %s estimate found no camera pose; pnp was used instead"),
+    /** The result leans on the pose prior: its share, %, {@link CheckPhrase#WEAK_PRIOR}. */
+    DIRECTION_OPEN("the references leave a direction of the camera pose open: %s %% of what is known there is the weak "
+            + "prior %s; add a reference"),
+    /** Too few iterations allowed: how many, the parameter's name, its Monte Carlo error, %, what was asked for, %. */
+    CAP_REACHED("the chains reached their cap of %s iterations before the precision asked for: the standard deviation "
+            + "of %s has a Monte Carlo error of %s %% in place of %s %%; allow more with --max-iterations"),
+    /**
+     * A reference stands off: id, by what (each a {@link CheckPhrase#SHIFT}), its stated deviations (each a
+     * {@link CheckPhrase#STD_MM}), {@link CheckPhrase#OR_INSTEAD} or nothing.
+     */
+    REFERENCE_OFF("reference %s seems off by about %s, which its stated precision (%s) does not allow: measure its "
+            + "position again%s"),
+    /**
+     * A reference is turned: id, by what (each a {@link CheckPhrase#TURN}), its stated deviation
+     * ({@link CheckPhrase#STD_DEGREES}), {@link CheckPhrase#OR_INSTEAD} or nothing.
+     */
+    REFERENCE_TURNED("reference %s seems turned by about %s, which its stated precision (%s) does not allow: check how "
+            + "it is mounted%s"),
+    /**
+     * What leaving out the one misplaced reference changes: its id, what moves most ({@link CheckPhrase#CAMERA},
+     * {@link CheckPhrase#OBJECT} or {@link CheckPhrase#GRIP}), by how much in x, y, z, mm,
+     * {@link CheckPhrase#MORE_THAN_ANY_OTHER} or nothing, {@link CheckPhrase#LARGEST_DEVIATION} or nothing.
+     */
+    FIGURES_REST_ON_IT("figures rest on reference %s all the same: without it %s moves by (%s, %s, %s) mm%s%s"),
+    /** The same of several: their ids, and so on. */
+    FIGURES_REST_ON_THEM("figures rest on reference %s all the same: without them %s moves by (%s, %s, %s) mm%s%s"),
+    /** Nothing can be said of what hangs on the one misplaced reference. */
+    NO_POSE_WITHOUT_IT("without it the other references lead to no camera pose"),
+    /** Nothing can be said of what hangs on several misplaced references. */
+    NO_POSE_WITHOUT_THEM("without them the other references lead to no camera pose");
+
+    private final String english;
+
+    CheckWarning(String english) {
+        this.english = english;
+    }
+
+    @Override
+    public String english() {
+        return english;
+    }
+}
