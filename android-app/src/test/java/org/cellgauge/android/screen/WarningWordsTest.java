@@ -77,7 +77,7 @@ public class WarningWordsTest {
             for (Object argument : warning.arguments()) {
                 assertTrue(kind + " says " + argument, german.contains((String) argument));
             }
-            assertFalse(german, german.contains("%"+ "%"));
+            assertFalse(german, german.contains("%%"));
             for (String word : "the its it is are and than left seen off instead against".split(" ")) {
                 assertFalse(german, (" " + german + " ").contains(" " + word + " "));
             }
