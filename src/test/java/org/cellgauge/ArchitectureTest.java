@@ -18,6 +18,7 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.net.URL;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
@@ -76,7 +77,8 @@ class ArchitectureTest {
     void coreRunsOnJava11() throws IOException {
         List<String> tooNew = new ArrayList<>();
         for (JavaClass type : core) {
-            try (DataInputStream in = new DataInputStream(type.getSource().orElseThrow().getUri().toURL().openStream())) {
+            URL file = type.getSource().orElseThrow().getUri().toURL();
+            try (DataInputStream in = new DataInputStream(file.openStream())) {
                 assertEquals(0xCAFEBABE, in.readInt(), type.getName());
                 in.readUnsignedShort();
                 int version = in.readUnsignedShort();
@@ -127,7 +129,8 @@ class ArchitectureTest {
                 .dependOnClassesThat(resideInAPackage("org.cellgauge..").and(not(resideInAPackage(STATISTICS))))
                 .allowEmptyShould(true).check(product);
         noClasses().that().resideInAPackage(STATISTICS).should()
-                .dependOnClassesThat().resideInAnyPackage("boofcv..", "georegression..", "io.reactivex..", "com.google..")
+                .dependOnClassesThat()
+                .resideInAnyPackage("boofcv..", "georegression..", "io.reactivex..", "com.google..")
                 .allowEmptyShould(true).check(product);
     }
 

@@ -30,8 +30,8 @@ class ReadmeTest {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         int code = Main.commandLine().setOut(new PrintWriter(out)).setErr(new PrintWriter(err))
-                .execute("check", "--cell", SCENE.resolve("cell.yaml").toString(), SCENE.resolve("photo.png").toString(), "--out",
-                        folder.toString());
+                .execute("check", "--cell", SCENE.resolve("cell.yaml").toString(),
+                        SCENE.resolve("photo.png").toString(), "--out", folder.toString());
         assertEquals(0, code, err.toString());
         printed = out.toString();
     }

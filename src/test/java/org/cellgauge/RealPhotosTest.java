@@ -21,7 +21,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Real photos (P. Abeles, CC BY 4.0), read from {@code shared/data/boofcv} beside the checkout where they are there. */
+/**
+ * Real photos (P. Abeles, CC BY 4.0), read from {@code shared/data/boofcv} beside the checkout where they are there.
+ */
 class RealPhotosTest {
     private static final double SIZE_MM = 100;
 

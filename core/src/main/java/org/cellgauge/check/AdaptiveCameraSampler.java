@@ -16,7 +16,8 @@ final class AdaptiveCameraSampler implements CameraSampler {
             @Override
             public CameraChain chain(RandomGenerator chainRandom) {
                 CameraPosterior posterior = target.centred();
-                AdaptiveStep step = new AdaptiveStep(tuning.proposal().scale(tuning.proposal().heaviest()), posterior.dimension());
+                AdaptiveStep step = new AdaptiveStep(tuning.proposal().scale(tuning.proposal().heaviest()),
+                        posterior.dimension());
                 double[] start = TunedMixture.start(tuning.proposal().copy(), posterior, chainRandom);
                 return new CameraChain(new MetropolisChain(posterior, List.of(step), start, chainRandom),
                         posterior.chart(), step::freeze);

@@ -17,10 +17,10 @@ import org.cellgauge.sampling.StudentTMixture;
 /**
  * One chain of a check: the camera's, and one for each object's pose before the camera, side by side.
  *
- * <p>References alone inform the camera and the intrinsics; an object's corners inform its own pose given these. That is
- * modular inference (Liu, Bayarri, Berger, "Modularization in Bayesian analysis", Bayesian Analysis 2009): the corners of
- * one small marker say next to nothing of a focal length. Where intrinsics are unknown, each draw solves every object's
- * pose with its own: the object's chain moves in deviations from that solution.
+ * <p>References alone inform the camera and the intrinsics; an object's corners inform its own pose given these. That
+ * is modular inference (Liu, Bayarri, Berger, "Modularization in Bayesian analysis", Bayesian Analysis 2009): the
+ * corners of one small marker say next to nothing of a focal length. Where intrinsics are unknown, each draw solves
+ * every object's pose with its own: the object's chain moves in deviations from that solution.
  */
 final class CellProcess implements ChainProcess {
     private final CellQuantities quantities;
@@ -83,8 +83,9 @@ final class CellProcess implements ChainProcess {
         }
 
         /**
-         * Solves the pose with other intrinsics; the chain goes on around it. Each solution starts at the mode and not at
-         * the last one, which may have slipped into the mirrored pose: a draw is a function of its own intrinsics alone.
+         * Solves the pose with other intrinsics; the chain goes on around it. Each solution starts at the mode and not
+         * at the last one, which may have slipped into the mirrored pose: a draw is a function of its own intrinsics
+         * alone.
          */
         void solveAt(CameraState camera) {
             base.copyFrom(mode);

@@ -7,8 +7,8 @@ import org.cellgauge.pose.CameraState;
 import org.cellgauge.sampling.QuantityLayout;
 
 /**
- * The quantities of a draw: log density, camera pose, unknown intrinsics, and for each object its pose in the world, its
- * gripping point and, where it has two modes, which one the draw is near.
+ * The quantities of a draw: log density, camera pose, unknown intrinsics, and for each object its pose in the world,
+ * its gripping point and, where it has two modes, which one the draw is near.
  *
  * <p>A pose takes 9 columns: x, y, z in mm; psi, theta, phi in rad; the rotation vector from the pose's reference
  * rotation in world axes in rad.
@@ -82,8 +82,8 @@ final class CellQuantities {
     }
 
     /**
-     * Which quantities decide on convergence: all but Euler angles (the rotation vectors stand for them, and are defined
-     * where they are not), the log density and the mode labels.
+     * Which quantities decide on convergence: all but Euler angles (the rotation vectors stand for them, and are
+     * defined where they are not), the log density and the mode labels.
      */
     boolean[] judged() {
         boolean[] judged = new boolean[layout.size()];
@@ -95,8 +95,9 @@ final class CellQuantities {
     }
 
     /**
-     * Which quantities' deviations must be known to the precision asked for: all judged ones, but for the rotation of an
-     * object with a second mode, whose deviation hangs on how often a rare mode is visited.
+     * Which quantities' deviations must be known to the precision asked for: all judged ones, but for the rotation of
+     * an object with a second mode, whose deviation hangs on how often a rare mode is visited. Its gripping point swings
+     * with that rotation and stays in all the same: a target is held against it.
      */
     boolean[] measured() {
         boolean[] measured = judged();

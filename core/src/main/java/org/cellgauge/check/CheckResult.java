@@ -150,8 +150,8 @@ public final class CheckResult {
             return this;
         }
         return new CheckResult(cell.withTarget(targetStdMm), detections, settings, estimate, quickLook, referencesUsed,
-                pixelStdPx, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior, samplerUsed,
-                tuningEvaluations, camera, referenceCheck);
+                pixelStdPx, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior,
+                samplerUsed, tuningEvaluations, camera, referenceCheck);
     }
 
     /**

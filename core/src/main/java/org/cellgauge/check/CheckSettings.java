@@ -76,15 +76,16 @@ public final class CheckSettings {
     }
 
     /**
-     * The settings of the thesis: corner-cube with kappa 0.5, one chain of 10 000 iterations of its mixture of steps from
-     * the average pose, the last 5 000 kept, objects exact in the camera frame, flat in Euler angles.
+     * The settings of the thesis: corner-cube with kappa 0.5, one chain of 10 000 iterations of its mixture of steps
+     * from the average pose, the last 5 000 kept, objects exact in the camera frame, flat in Euler angles.
      *
      * @return a builder, so that single settings can still be changed
      */
     public static Builder thesis() {
         return new Builder().model(LikelihoodModel.CORNER_CUBE).kappa(0.5).sampler(SamplerKind.THESIS_MIXTURE).chains(1)
                 .iterations(10_000).warmup(5_000).initial(InitialPose.AVERAGE).objectNoise(ObjectNoise.NONE)
-                .rotationPrior(RotationPrior.FLAT_IN_EULER_ANGLES).start(Start.INITIAL_ESTIMATE).posePriorAllowed(false);
+                .rotationPrior(RotationPrior.FLAT_IN_EULER_ANGLES).start(Start.INITIAL_ESTIMATE)
+                .posePriorAllowed(false);
     }
 
     /**
@@ -153,7 +154,8 @@ public final class CheckSettings {
     /**
      * Iterations of each chain that are not kept.
      *
-     * @return the user's number, else 200 for independence, 5 000 for adaptive, half of the iterations for thesis-mixture
+     * @return the user's number, else 200 for independence, 5 000 for adaptive, half of the iterations for
+     *     thesis-mixture
      */
     public int warmup() {
         if (v.warmup.isPresent()) {

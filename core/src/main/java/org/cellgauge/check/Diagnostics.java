@@ -149,7 +149,8 @@ public final class Diagnostics {
 
     /**
      * Largest Monte Carlo error of a standard deviation, relative to it. The rotation of an object with a second pose
-     * mode is left out: rare visits to that mode make up its deviation, and {@link #parameters()} has its error.
+     * mode is left out: rare visits to that mode make up its deviation, and {@link #parameters()} has its error. Its
+     * gripping point is not: a target is held against that.
      *
      * @return share; NaN if a quantity has none
      */

@@ -21,8 +21,8 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
  * The model linearised at its modes: Laplace covariances carried to the world, and where the variance of each object
  * comes from (propagation of uncertainty, GUM, JCGM 100:2008, section 5.1).
  *
- * <p>With the references at {@code x_c = R (x_w - g) + p} a step (dp, dw) of the camera's chart and a step (dt, de) of the
- * object's move a point of the object, at v from the centroid in camera axes, by
+ * <p>With the references at {@code x_c = R (x_w - g) + p} a step (dp, dw) of the camera's chart and a step (dt, de) of
+ * the object's move a point of the object, at v from the centroid in camera axes, by
  * {@code dx_w = R^T (dt + de x a - dp + v x dw)}, a being its arm from the marker's centre in camera axes.
  */
 final class LinearModel {
@@ -79,7 +79,9 @@ final class LinearModel {
                 tangent, pose);
     }
 
-    /** Derivative of (position, psi, theta, phi) by (position, rotation vector in world axes); infinite at gimbal lock. */
+    /**
+     * Derivative of (position, psi, theta, phi) by (position, rotation vector in world axes); infinite at gimbal lock.
+     */
     private static double[][] eulerFromTangent(double[] euler) {
         double st = Math.sin(euler[1]);
         double ct = Math.cos(euler[1]);

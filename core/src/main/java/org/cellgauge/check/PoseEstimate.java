@@ -6,8 +6,9 @@ import org.cellgauge.geometry.RigidTransform;
  * A pose with its uncertainty; immutable.
  *
  * <p>Order of the values and of {@link #covariance()}: x, y, z in mm, then psi, theta, phi in rad (see
- * {@link org.cellgauge.geometry.Rotations#fromEuler}). Order of {@link #tangentCovariance()}: x, y, z in mm in the world,
- * then the rotation vector in world axes in rad, {@code R = exp(w) R_mean}; it is well defined where Euler angles are not.
+ * {@link org.cellgauge.geometry.Rotations#fromEuler}). Order of {@link #tangentCovariance()}: x, y, z in mm in the
+ * world, then the rotation vector in world axes in rad, {@code R = exp(w) R_mean}; it is well defined where Euler
+ * angles are not.
  */
 public final class PoseEstimate {
     private final String frame;

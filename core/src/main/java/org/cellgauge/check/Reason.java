@@ -401,8 +401,8 @@ public final class Reason {
     public String english() {
         switch (p.kind) {
             case NOT_CONVERGED:
-                return notConverged(String.format(Locale.ROOT, "worst: %s, R-hat %s, effective draws %s", p.worstParameter,
-                        number(p.rHat, 3), number(p.effectiveDraws, 0)));
+                return notConverged(String.format(Locale.ROOT, "worst: %s, R-hat %s, effective draws %s",
+                        p.worstParameter, number(p.rHat, 3), number(p.effectiveDraws, 0)));
             case NEVER_MOVED:
                 return notConverged(p.worstParameter + " never moved in at least one of them");
             case NON_FINITE:

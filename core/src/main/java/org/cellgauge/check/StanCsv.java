@@ -19,8 +19,8 @@ public final class StanCsv {
     }
 
     /**
-     * Writes one chain. Angles are in (-pi, pi]; numbers keep every digit. Of more than {@value #MOST_DRAWS} draws every
-     * second, third, … is written, as Stan thins; the result's figures rest on all of them.
+     * Writes one chain. Angles are in (-pi, pi]; numbers keep every digit. Of more than {@value #MOST_DRAWS} draws
+     * every second, third, … is written, as Stan thins; the result's figures rest on all of them.
      *
      * @param result what a check found
      * @param chain which chain, from 1

@@ -6,8 +6,8 @@ package org.cellgauge.geometry;
  * <p>Nothing here allocates unless its documentation says so: results go to arrays of the caller.
  *
  * <p>Euler angles are Slabaugh's: {@code R = Rz(phi) Ry(theta) Rx(psi)} (G. G. Slabaugh, "Computing Euler angles from a
- * rotation matrix", 1999), always in the order (psi, theta, phi), that is about x, y, z. Rotation vectors are axis times
- * angle; exponential and logarithm follow Rodrigues' formula.
+ * rotation matrix", 1999), always in the order (psi, theta, phi), that is about x, y, z. Rotation vectors are axis
+ * times angle; exponential and logarithm follow Rodrigues' formula.
  */
 public final class Rotations {
     /** Below this value of cos(theta) psi and phi turn about the same axis and cannot be told apart. */

@@ -135,7 +135,8 @@ public final class CornerCubeNoise implements ReferenceNoise {
             double n2 = 1 / (cz - d2);
             double n3 = 1 / (cz - d3);
             stdPx[k] = intrinsics[PinholeCamera.FX] * largest(xx - u * xz, yx - u * yz, zx - u * zz, n0, n1, n2, n3);
-            stdPx[k + 1] = intrinsics[PinholeCamera.FY] * largest(xy - v * xz, yy - v * yz, zy - v * zz, n0, n1, n2, n3);
+            stdPx[k + 1] = intrinsics[PinholeCamera.FY]
+                    * largest(xy - v * xz, yy - v * yz, zy - v * zz, n0, n1, n2, n3);
             centresPx[k] = intrinsics[PinholeCamera.FX] * u + intrinsics[PinholeCamera.CX];
             centresPx[k + 1] = intrinsics[PinholeCamera.FY] * v + intrinsics[PinholeCamera.CY];
         }

@@ -48,7 +48,8 @@ public final class MarkerPoseFinder {
      * @param sizeMm outer edge of the marker, mm
      * @param camera intrinsics
      * @param pixelStdPx standard deviation of each corner coordinate, px
-     * @return one or two modes, the heavier (by {@link PoseMode#logWeight()}) first; empty if the corners are of no pose
+     * @return one or two modes, the heavier (by {@link PoseMode#logWeight()}) first; empty if the corners are of no
+     *     pose
      */
     public static List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double pixelStdPx) {
         double[] points = MarkerGeometry.cornersMm(sizeMm);

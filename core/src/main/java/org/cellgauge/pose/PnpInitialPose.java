@@ -6,8 +6,9 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 
 /**
- * Perspective-n-point over all references at once: candidates of EPnP and of each reference alone, each refined by least
- * squares with equal weights; the one that most references agree with, then the one with the smallest error, wins.
+ * Perspective-n-point over all references at once: candidates of EPnP and of each reference alone, each refined by
+ * least squares with equal weights; the one that most references agree with, then the one with the smallest error,
+ * wins.
  */
 final class PnpInitialPose implements InitialPose {
     /** A corner farther off than this from where a candidate puts it counts as this far off: a foreign marker, px. */

@@ -7,10 +7,10 @@ import org.cellgauge.geometry.Projection;
 /**
  * Least squares fit of a pose, and of unknown intrinsics, to image corners: damped Gauss-Newton in the centred chart.
  *
- * <p>Minimises {@code |r|²/2}, r stacking per marker {@code W (projected - observed)} with W the whitening matrix (inverse
- * of the Cholesky factor of the residual covariance), one row per unknown intrinsic and six per pose prior. Damping is
- * Marquardt's with Nielsen's update of the factor (Madsen, Nielsen, Tingleff, "Methods for non-linear least squares
- * problems", 2nd ed. 2004, algorithm 3.16).
+ * <p>Minimises {@code |r|²/2}, r stacking per marker {@code W (projected - observed)} with W the whitening matrix
+ * (inverse of the Cholesky factor of the residual covariance), one row per unknown intrinsic and six per pose prior.
+ * Damping is Marquardt's with Nielsen's update of the factor (Madsen, Nielsen, Tingleff, "Methods for non-linear least
+ * squares problems", 2nd ed. 2004, algorithm 3.16).
  *
  * <p>Not thread-safe: it holds scratch arrays, so that a fit repeated for many draws allocates nothing.
  */

@@ -5,10 +5,10 @@ import org.cellgauge.cell.Placement;
 import org.cellgauge.geometry.Projection;
 
 /**
- * Residual covariance of rigidly misplaced references: {@code J S J^T + sigma² I} with S the covariance of the placement
- * error (translation along the world axes, rotation about the marker's own centre) and J the 8x6 derivative of the
- * projected corners by it. It is what remains when six Gaussian nuisance parameters per reference are integrated out of
- * a linearised model (Gelman et al., "Bayesian Data Analysis", 3rd ed. 2013, section 14.2).
+ * Residual covariance of rigidly misplaced references: {@code J S J^T + sigma² I} with S the covariance of the
+ * placement error (translation along the world axes, rotation about the marker's own centre) and J the 8x6 derivative
+ * of the projected corners by it. It is what remains when six Gaussian nuisance parameters per reference are integrated
+ * out of a linearised model (Gelman et al., "Bayesian Data Analysis", 3rd ed. 2013, section 14.2).
  *
  * <p>Not thread-safe: it holds scratch arrays.
  */

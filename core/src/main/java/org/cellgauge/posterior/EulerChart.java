@@ -6,8 +6,8 @@ import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.IntrinsicsPrior;
 
 /**
- * The thesis' coordinates: camera position in the world (mm), Euler angles psi, theta, phi (rad) of worldFromCamera, and
- * the values of unknown intrinsics.
+ * The thesis' coordinates: camera position in the world (mm), Euler angles psi, theta, phi (rad) of worldFromCamera,
+ * and the values of unknown intrinsics.
  */
 public final class EulerChart implements CameraChart {
     private final double[] centroidMm;

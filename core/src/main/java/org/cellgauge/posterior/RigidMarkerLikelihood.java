@@ -96,8 +96,8 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
     }
 
     /**
-     * Squared length of the whitened residuals of the reference whose matrix starts at an index. Written out: with a loop
-     * over rows of growing length the whole likelihood takes twice as long.
+     * Squared length of the whitened residuals of the reference whose matrix starts at an index. Written out: with a
+     * loop over rows of growing length the whole likelihood takes twice as long.
      */
     private double whitenedSquares(int w) {
         double[] m = packed;

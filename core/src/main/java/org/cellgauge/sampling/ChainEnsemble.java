@@ -19,8 +19,8 @@ import java.util.function.Predicate;
 /**
  * Several chains run in parallel, round by round, as a stream of snapshots.
  *
- * <p>In a round every chain takes the same number of steps; chains share nothing, so the draws are the same whatever the
- * number of threads. After each part of a round the running statistics of all chains are merged in the order of the
+ * <p>In a round every chain takes the same number of steps; chains share nothing, so the draws are the same whatever
+ * the number of threads. After each part of a round the running statistics of all chains are merged in the order of the
  * chains and published. At the end of a round, when enough draws are there by the caller's rule or the cap is reached,
  * the stream ends.
  *

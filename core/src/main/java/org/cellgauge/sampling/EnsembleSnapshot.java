@@ -3,7 +3,9 @@ package org.cellgauge.sampling;
 import java.util.Collections;
 import java.util.List;
 
-/** Where an ensemble stands after a round: running statistics over all chains and acceptance; immutable once published. */
+/**
+ * Where an ensemble stands after a round: running statistics over all chains and acceptance; immutable once published.
+ */
 public final class EnsembleSnapshot {
     private final int iterationsPerChain;
     private final RunningSummary summary;

@@ -8,14 +8,15 @@ import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.posterior.LogDensity;
 
 /**
- * Fits a t mixture to a target by adaptive importance sampling (Cappé, Douc, Guillin, Marin, Robert, "Adaptive importance
- * sampling in general mixture classes", Statistics and Computing 2008): draws are weighted by target over mixture, and
- * weights, means and scales of the components become the weighted ones. Where the weights are very uneven they are first
- * flattened by a power below 1, so that a start far from the target is approached in steps.
+ * Fits a t mixture to a target by adaptive importance sampling (Cappé, Douc, Guillin, Marin, Robert, "Adaptive
+ * importance sampling in general mixture classes", Statistics and Computing 2008): draws are weighted by target over
+ * mixture, and weights, means and scales of the components become the weighted ones. Where the weights are very uneven
+ * they are first flattened by a power below 1, so that a start far from the target is approached in steps.
  *
- * <p>Where one component per mode does not fit nearly as well as it would fit a Gaussian, more are spread over the target,
- * and then the tails are searched by a random walk: an independence chain that once gets to where its proposal is far too
- * thin stays there for thousands of steps, and importance draws do not show such places because they hardly reach them.
+ * <p>Where one component per mode does not fit nearly as well as it would fit a Gaussian, more are spread over the
+ * target, and then the tails are searched by a random walk: an independence chain that once gets to where its proposal
+ * is far too thin stays there for thousands of steps, and importance draws do not show such places because they hardly
+ * reach them.
  */
 public final class ImportanceTuning {
     private static final int ROUNDS = 6;
@@ -108,8 +109,8 @@ public final class ImportanceTuning {
     }
 
     /**
-     * Efficiency for a Gaussian target of the t with the same location and its covariance as scale matrix: the inverse of
-     * the integral of target squared over t.
+     * Efficiency for a Gaussian target of the t with the same location and its covariance as scale matrix: the inverse
+     * of the integral of target squared over t.
      *
      * @param dimension of the target
      * @return 0 to 1

@@ -5,8 +5,8 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.posterior.LogDensity;
 
 /**
- * A Metropolis-Hastings chain (Hastings 1970): one of its proposals, each as likely as the others, suggests a point that
- * is accepted with probability {@code min(1, p(to) q(from|to) / (p(from) q(to|from)))}.
+ * A Metropolis-Hastings chain (Hastings 1970): one of its proposals, each as likely as the others, suggests a point
+ * that is accepted with probability {@code min(1, p(to) q(from|to) / (p(from) q(to|from)))}.
  *
  * <p>The density of the current point is kept and never evaluated again. A step allocates nothing. Not thread-safe.
  */

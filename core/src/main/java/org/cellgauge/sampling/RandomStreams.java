@@ -4,8 +4,8 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 
 /**
- * Independent random streams of one seed, told apart by a path of numbers (purpose, chain, object): what a stream yields
- * depends on the seed and its path alone, not on threads or on how many other streams there are.
+ * Independent random streams of one seed, told apart by a path of numbers (purpose, chain, object): what a stream
+ * yields depends on the seed and its path alone, not on threads or on how many other streams there are.
  */
 public final class RandomStreams {
     private RandomStreams() {
@@ -33,7 +33,9 @@ public final class RandomStreams {
         return new Well19937c(words);
     }
 
-    /** The finaliser of SplitMix64 (Steele, Lea, Flood, OOPSLA 2014): every bit of the input changes half the output. */
+    /**
+     * The finaliser of SplitMix64 (Steele, Lea, Flood, OOPSLA 2014): every bit of the input changes half the output.
+     */
     private static long mix(long z) {
         long a = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
         long b = (a ^ (a >>> 27)) * 0x94D049BB133111EBL;

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The thesis' proposals (section 7.2.1), for coordinates of {@link org.cellgauge.posterior.EulerChart}: translation only
- * or rotation only, broad or narrow, and the focal lengths where they are unknown.
+ * The thesis' proposals (section 7.2.1), for coordinates of {@link org.cellgauge.posterior.EulerChart}: translation
+ * only or rotation only, broad or narrow, and the focal lengths where they are unknown.
  */
 public final class ThesisMixture {
     private ThesisMixture() {

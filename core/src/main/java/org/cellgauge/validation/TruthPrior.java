@@ -1,6 +1,7 @@
 package org.cellgauge.validation;
 
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
@@ -39,7 +40,9 @@ public final class TruthPrior {
      *
      * @param cell the cell
      * @param nominal mean poses; of every object of the cell
-     * @param stdMm standard deviation of each component of a place, mm, not negative
+     * @param stdMm standard deviation of each component of a place, mm, not negative and at most the distance from the
+     *     nominal camera to the centroid of the references: with more, one truth in six would have them behind the
+     *     camera, and what truncation leaves would be another cell than the nominal one
      * @param stdRad standard deviation of each component of a rotation vector, rad, not negative and below 1
      * @throws IllegalArgumentException if a deviation is out of range or only one of them is 0, or an object has no
      *     pose
@@ -60,6 +63,13 @@ public final class TruthPrior {
         }
         cameraFromWorld = nominal.worldFromCamera().inverse();
         centroidInCamera = cameraFromWorld.apply(centroid);
+        double distanceMm = Math.sqrt(centroidInCamera[0] * centroidInCamera[0]
+                + centroidInCamera[1] * centroidInCamera[1] + centroidInCamera[2] * centroidInCamera[2]);
+        if (stdMm > distanceMm) {
+            throw new IllegalArgumentException(String.format(Locale.ROOT, "the spread takes at most the distance from "
+                    + "camera to references, %.0f mm here, not %s mm: with more the camera hardly ever sees this cell",
+                    distanceMm, stdMm));
+        }
         for (Reference r : cell.references()) {
             requireSeen("reference " + r.id(), cameraFromWorld.compose(r.worldFromMarker()), r.sizeMm());
         }

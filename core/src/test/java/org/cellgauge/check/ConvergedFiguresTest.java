@@ -13,7 +13,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Converged deviations of the thesis' set-ups against long chains of an independent implementation. */
 class ConvergedFiguresTest {
-    /** Figures of the independent implementation, worst (worst lateral): 2, 3, 4, 5, 6 references in plane, then raised. */
+    /**
+     * Figures of the independent implementation, worst (worst lateral): 2, 3, 4, 5, 6 references in plane, then raised.
+     */
     private static final Object[][] TABLE = {
         {1, LikelihoodModel.CORNER_CUBE, "5.5 .6 2.3 .3 .9 .2 .8 .2 .8 .2", "5.6 2.4 1.5 .3 .9 .2 .9 .2 .8 .2"},
         {1, LikelihoodModel.RIGID_MARKER, "6.1 1.1 4.2 .8 2.5 .7 2.4 .6 2.3 .6", "6.6 2.9 2.8 .9 2.3 .7 2.2 .6 2.1 .6"},
@@ -65,7 +67,8 @@ class ConvergedFiguresTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"RIGID_MARKER, 3, false, 7.4, 3.2", "RIGID_MARKER, 4, true, 5.2, 2.7", "CORNER_CUBE, 4, false, 4.4, 1.1"})
+    @CsvSource({"RIGID_MARKER, 3, false, 7.4, 3.2", "RIGID_MARKER, 4, true, 5.2, 2.7",
+        "CORNER_CUBE, 4, false, 4.4, 1.1"})
     void deviationsAtFiveMillimetresAgreeWithinFivePercent(LikelihoodModel model, int references, boolean raised,
             double worst, double lateral) {
         ThesisScene scene = scene(references, raised, 5);
@@ -87,7 +90,8 @@ class ConvergedFiguresTest {
         assertEquals(Verdict.NO_TARGET, result.verdict());
         // the centre of the prior is the first estimate here and the truth there, its arm another
         boolean leans = references == 2 && stdMm == 20 && model == LikelihoodModel.CORNER_CUBE;
-        // Monte Carlo error below 2 % per object, on either side, and three objects with much in common: three times 2 %
+        // Monte Carlo error below 2 % per object, on either side, and three objects with much in common: three times
+        // 2 %
         double share = leans ? 0.2 : 0.06;
         double[] found = rms(result.estimate());
         assertEquals(Double.parseDouble(worst), found[0], rounding(worst) + share * Double.parseDouble(worst));

@@ -144,7 +144,8 @@ class ConvergenceTest {
         int before = 0;
         for (double share : new double[] {0.1, 0.02, 0.005}) {
             CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
-                    CheckSettings.builder().targetMcseStdRel(share).objectNoise(CheckSettings.ObjectNoise.NONE).build());
+                    CheckSettings.builder().targetMcseStdRel(share).objectNoise(CheckSettings.ObjectNoise.NONE)
+                            .build());
             assertTrue(result.diagnostics().mcseStdRelMax() < share);
             assertTrue(result.iterationsPerChain() >= before);
             before = result.iterationsPerChain();

@@ -42,9 +42,9 @@ class EffectiveDrawsTest {
     }
 
     /**
-     * 576 per thousand are expected for rigid-marker (an independent implementation: 578 to 597). From 40 000 draws with
-     * a window of 10 lags the estimate is good to sqrt(2 * 21 / 40 000) = 3 % (Sokal 1997, section 3), so that 500 is
-     * four such errors below.
+     * 576 per thousand are expected for rigid-marker (an independent implementation: 578 to 597). From 40 000 draws
+     * with a window of 10 lags the estimate is good to sqrt(2 * 21 / 40 000) = 3 % (Sokal 1997, section 3), so that 500
+     * is four such errors below.
      */
     @ParameterizedTest
     @CsvSource({"1", "2", "3"})
@@ -63,13 +63,14 @@ class EffectiveDrawsTest {
         assertTrue(found >= 30, found + " per 1000 steps");
         // and with the evaluations that fitted the proposal and warmed up counted
         double evaluations = result.tuningEvaluations() + 4.0 * result.iterationsPerChain();
-        assertTrue(1000 * least(result) / evaluations >= 5, 1000 * least(result) / evaluations + " per 1000 evaluations");
+        assertTrue(1000 * least(result) / evaluations >= 5,
+                1000 * least(result) / evaluations + " per 1000 evaluations");
     }
 
     /**
      * An independent implementation has 26 and 75. The windows of some 100 lags alone make an estimate good to 7 %, but
-     * where a chain of corner-cube stays in a tail for long one run may have half of that: the median of five seeds. With
-     * corner-cube at 20 mm it has 29 and this one 12 to 23: not claimed here, and told in docs/performance.md.
+     * where a chain of corner-cube stays in a tail for long one run may have half of that: the median of five seeds.
+     * With corner-cube at 20 mm it has 29 and this one 12 to 23: not claimed here, and told in docs/performance.md.
      */
     @ParameterizedTest
     @CsvSource({"CORNER_CUBE, 5, 26", "RIGID_MARKER, 5, 75"})
@@ -84,8 +85,9 @@ class EffectiveDrawsTest {
     }
 
     /**
-     * That implementation has 0.01 to 0.9. So few effective draws are hard to count (a chain that has not converged seems
-     * to have one or two for every half of it, 0.2 per thousand here, and more where it is short): next to nothing it is.
+     * That implementation has 0.01 to 0.9. So few effective draws are hard to count (a chain that has not converged
+     * seems to have one or two for every half of it, 0.2 per thousand here, and more where it is short): next to
+     * nothing it is.
      */
     @ParameterizedTest
     @CsvSource({"CORNER_CUBE, 5", "CORNER_CUBE, 20", "RIGID_MARKER, 5"})

@@ -127,8 +127,8 @@ class ReasonTest {
     void aChainThatNeverMovedIsCalledThat() {
         Reason reason = reasonOfChains(CheckSettings.thesis().iterations(2000).warmup(1000));
         assertEquals(Reason.Kind.NEVER_MOVED, reason.kind());
-        assertEquals("The chains have not converged (" + reason.worstParameter() + " never moved in at least one of them): "
-                + "no accuracy can be read off them.", reason.english());
+        assertEquals("The chains have not converged (" + reason.worstParameter() + " never moved in at least one of "
+                + "them): no accuracy can be read off them.", reason.english());
     }
 
     private static Reason reasonOfChains(CheckSettings.Builder settings) {

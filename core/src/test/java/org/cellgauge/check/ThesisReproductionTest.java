@@ -8,8 +8,8 @@ import org.cellgauge.sampling.AcceptanceCount;
 import org.junit.jupiter.api.Test;
 
 /**
- * Acceptance of the thesis' sampler against an independent implementation of it: three references in the plane placed to
- * 20 mm, exact corners, 10 000 iterations.
+ * Acceptance of the thesis' sampler against an independent implementation of it: three references in the plane placed
+ * to 20 mm, exact corners, 10 000 iterations.
  */
 class ThesisReproductionTest {
     /** Accepted of each proposal, by seed; objects have no part in it and are left out. */
@@ -51,8 +51,8 @@ class ThesisReproductionTest {
         for (int p = 0; p < expected.length; p++) {
             int proposal = p;
             double found = median(Arrays.stream(accepted).mapToDouble(a -> a[proposal]).toArray());
-            // counts of a Markov chain scatter somewhat more than Poisson's; two medians of 24 are compared, each good to
-            // 1.25 / sqrt(24) deviations: 0.36 deviations, times three, and 3 % as above
+            // counts of a Markov chain scatter somewhat more than Poisson's; two medians of 24 are compared, each good
+            // to 1.25 / sqrt(24) deviations: 0.36 deviations, times three, and 3 % as above
             assertEquals(expected[p], found, 0.03 * expected[p] + 1.5 * Math.sqrt(expected[p]), "proposal " + p);
         }
     }

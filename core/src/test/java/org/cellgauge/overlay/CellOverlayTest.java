@@ -67,8 +67,8 @@ class CellOverlayTest {
     void labelsSpeakTheLanguageTheyAreGiven() {
         Cell cell = fine().cell();
         Detections detections = fine().exactDetections();
-        LabelWords german = new LabelWords(Locale.GERMAN, "ausgelassen", "steht falsch", "nicht gesehen", "nicht in der Zelldatei",
-                "nicht konvergiert", "noch nicht konvergiert", "mehrdeutig", "Greifpunkt");
+        LabelWords german = new LabelWords(Locale.GERMAN, "ausgelassen", "steht falsch", "nicht gesehen",
+                "nicht in der Zelldatei", "nicht konvergiert", "noch nicht konvergiert", "mehrdeutig", "Greifpunkt");
         CheckUpdate update = quickLook(cell, detections);
         OverlayStyle bare = OverlayStyle.PHOTO.withoutPanels();
         List<String> english = texts(CellOverlay.of(cell, detections, update, bare), Role.LABEL);

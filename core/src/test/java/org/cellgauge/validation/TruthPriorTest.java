@@ -100,9 +100,18 @@ class TruthPriorTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"-1, 0.1", "5, 0", "0, 0.1", "5, 2", "NaN, 0.1"})
+    @CsvSource({"-1, 0.1", "5, 0", "0, 0.1", "5, 2", "NaN, 0.1", "Infinity, 0.1", "5, NaN", "5, Infinity", "5, -0.1",
+        "1e308, 0.1"})
     void spreadOutOfRangeIsAnError(double mm, double rad) {
         assertThrows(IllegalArgumentException.class, () -> prior(mm, rad));
+    }
+
+    /** The camera at (418, 106, 1070) is 1087.0 mm from the centroid. */
+    @Test
+    void camerasAreNotSpreadFartherThanTheyAreFromTheReferences() {
+        assertEquals(1086, prior(1086, 0.1).stdMm());
+        IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> prior(1088, 0.1));
+        assertTrue(e.getMessage().contains("1087 mm here, not 1088.0 mm"), e.getMessage());
     }
 
     @ParameterizedTest

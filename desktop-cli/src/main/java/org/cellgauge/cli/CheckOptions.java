@@ -16,8 +16,8 @@ import picocli.CommandLine.ParameterException;
 final class CheckOptions {
     @Option(names = "--preset", paramLabel = "thesis",
             description = "Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of "
-                    + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no noise of "
-                    + "the objects' own corners. Options given besides still count.")
+                    + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no noise "
+                    + "of the objects' own corners. Options given besides still count.")
     private String preset;
 
     @Option(names = "--model", paramLabel = "rigid-marker|corner-cube",
@@ -41,8 +41,8 @@ final class CheckOptions {
     private Integer iterations;
 
     @Option(names = "--precision", paramLabel = "SHARE",
-            description = "Chains run until the Monte Carlo error of every standard deviation is below this share of it "
-                    + "(0.02; validate 0.1).")
+            description = "Chains run until the Monte Carlo error of every standard deviation is below this share of "
+                    + "it (0.02; validate 0.1).")
     private Double precision;
 
     @Option(names = "--max-iterations", paramLabel = "N",
@@ -125,8 +125,8 @@ final class CheckOptions {
             b.chains(chains);
         }
         if (iterations != null && (precision != null || maxIterations != null)) {
-            throw new ParameterException(command, "--iterations fixes the length of the chains; leave it out, or leave out "
-                    + (precision != null ? "--precision" : "--max-iterations"));
+            throw new ParameterException(command, "--iterations fixes the length of the chains; leave it out, or leave "
+                    + "out " + (precision != null ? "--precision" : "--max-iterations"));
         }
         if (iterations != null) {
             b.iterations(iterations);

@@ -78,7 +78,8 @@ public final class ValidateCommand implements Callable<Integer> {
             preprocessor = PoseArgument.MayBeNegative.class,
             description = "Standard deviation of the true poses about the nominal ones, from simulation to simulation: "
                     + "the camera swings about the references, objects move before the camera (${DEFAULT-VALUE}). "
-                    + "0,0: the truth is the same in all.")
+                    + "0,0: the truth is the same in all. At most the distance from camera to references, and below "
+                    + "57 degrees.")
     private String spread;
 
     @Option(names = "--pixel-std", paramLabel = "PX",

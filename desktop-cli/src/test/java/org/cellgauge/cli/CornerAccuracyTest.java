@@ -22,7 +22,9 @@ import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Corners that are found against corners that were rendered: 40 markers, 320 coordinates, turned and tilted at random. */
+/**
+ * Corners that are found against corners that were rendered: 40 markers, 320 coordinates, turned and tilted at random.
+ */
 class CornerAccuracyTest {
     private static final double DISTANCE_MM = 1070;
     private static final int COLUMNS = 8;
@@ -92,8 +94,8 @@ class CornerAccuracyTest {
             }
         }
         double rms = Math.sqrt(sum / (8 * markers));
-        System.out.printf("%s %.0f mm, k1 %.1f, blur %.1f px, noise %.0f: %d markers, rms %.4f px, worst %.3f px%n", family,
-                sizeMm, k1, blurPx, noiseGrey, markers, rms, worst);
+        System.out.printf("%s %.0f mm, k1 %.1f, blur %.1f px, noise %.0f: %d markers, rms %.4f px, worst %.3f px%n",
+                family, sizeMm, k1, blurPx, noiseGrey, markers, rms, worst);
         assertTrue(markers >= leastFound, markers + " markers found; " + found.warnings());
         assertEquals(0, rms, rmsPx, "rms");
         // a misread or displaced marker would be off by whole pixels

@@ -129,8 +129,8 @@ class ImageFilesTest {
     @CsvSource({"png, 0.5", "png, 0.95", "png, 0.02", "jpg, 0.5", "jpg, 0.95", "jpg, 0.02", "bmp, 0.5", "bmp, 0.95",
         "tiff, 0.5", "gif, 0.5", "gif, 0.95"})
     void fileCutShortIsRefused(String format, double share) throws IOException {
-        Path file = write(texture(format.equals("gif") ? BufferedImage.TYPE_BYTE_INDEXED : BufferedImage.TYPE_3BYTE_BGR),
-                format);
+        int type = format.equals("gif") ? BufferedImage.TYPE_BYTE_INDEXED : BufferedImage.TYPE_3BYTE_BGR;
+        Path file = write(texture(type), format);
         byte[] whole = Files.readAllBytes(file);
         ImageFiles.read(file);
         Files.write(file, Arrays.copyOf(whole, (int) (whole.length * share)));
