@@ -54,9 +54,11 @@ import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.overlay.CellOverlay;
+import org.cellgauge.overlay.EllipseShape;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.Role;
 import org.cellgauge.overlay.Shape;
+import org.cellgauge.overlay.TextShape;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.GreyImage;
 import org.junit.Test;
@@ -184,6 +186,42 @@ public class MainActivityTest {
     }
 
     // ---- the check
+
+    @Test
+    public void chainsThatDidNotConvergeShowNoFigureAnywhere() {
+        Screen.app().settings = CheckSettings.builder().iterations(300).build();
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            assertEquals("Not converged – no figure to trust", screen.text(R.id.banner_headline));
+            for (int id : new int[] {5, 20, 30}) {
+                assertTrue(rows(screen), rows(screen).contains("Object " + id + " – not converged\nIts figures are not "
+                        + "shown, because they cannot be relied on.\n"));
+            }
+            assertFalse(rows(screen), rows(screen).contains("σ"));
+            for (Shape shape : screen.state().overlay().shapes()) {
+                assertFalse(shape instanceof TextShape && ((TextShape) shape).text().contains("σ"));
+                assertTrue(!(shape instanceof EllipseShape) || shape.dashed());
+            }
+        }
+    }
+
+    @Test
+    public void ambiguousObjectsShowNoFigureAnywhere() {
+        Screen.turnDisplay(Surface.ROTATION_90);
+        try (Screen screen = Screen.live(FIXTURE.document(Fixture.with(FIXTURE.cell(), 0.3, OptionalDouble.of(3))), 90,
+                false)) {
+            screen.holdStillUntilResult(FIXTURE);
+            assertEquals("Ambiguous – two poses fit", screen.text(R.id.banner_headline));
+            for (int id : new int[] {5, 20, 30}) {
+                assertTrue(rows(screen), rows(screen).contains("Object " + id + " – ambiguous\nTwo poses explain the "
+                        + "corners of object " + id + " "));
+            }
+            assertFalse(rows(screen), rows(screen).contains("σ"));
+            for (Shape shape : screen.state().overlay().shapes()) {
+                assertFalse(shape instanceof TextShape && ((TextShape) shape).text().contains("σ"));
+            }
+        }
+    }
 
     @Test
     public void stillCameraEndsInTheResultOfItsKeyFrameAlone() {
