@@ -78,8 +78,8 @@ class LicencesTest {
     void fullTextsAreThereOnce() {
         assertEquals(1, count("Apache License Version 2.0, January 2004"));
         assertEquals(1, count("9. Accepting Warranty or Additional Liability."));
-        assertEquals(1, count("See the License for the specific language governing permissions and limitations under the"
-                + " License. [ MIT No Attribution"));
+        assertEquals(1, count("See the License for the specific language governing permissions and limitations under"
+                + " the License. [ MIT No Attribution"));
         assertEquals(1, count("MIT No Attribution Permission is hereby granted, free of charge,"));
         assertFalse(text.contains("null"));
     }

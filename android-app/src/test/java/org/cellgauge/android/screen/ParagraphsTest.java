@@ -8,7 +8,8 @@ import org.junit.jupiter.api.Test;
 class ParagraphsTest {
     @Test
     void brokenLinesOfAParagraphAreJoined() {
-        assertEquals("\"License\" shall mean the terms and conditions for use, reproduction, and distribution.\n\nNext",
+        assertEquals(
+                "\"License\" shall mean the terms and conditions for use, reproduction, and distribution.\n\nNext",
                 Paragraphs.of("      \"License\" shall mean the terms and conditions for use, reproduction,\n"
                         + "      and distribution.\n\n      Next\n"));
     }
@@ -21,8 +22,8 @@ class ParagraphsTest {
 
     @Test
     void itemsOfAListBeginANewLine() {
-        assertEquals("- some-library-with-a-long-name 1.2.2 (org.example): Apache License 2.0\n- gson 2.11.0",
-                Paragraphs.of("- some-library-with-a-long-name 1.2.2 (org.example): Apache License 2.0\n- gson 2.11.0"));
+        String list = "- some-library-with-a-long-name 1.2.2 (org.example): Apache License 2.0\n- gson 2.11.0";
+        assertEquals(list, Paragraphs.of(list));
         String items = "(a) You must give any other recipients of the Work a copy; and\n"
                 + "2. The end-user documentation must include the following";
         assertEquals(items, Paragraphs.of(items));
@@ -30,7 +31,7 @@ class ParagraphsTest {
 
     @Test
     void rulesAreShortAndEmptyLinesSingle() {
-        assertEquals("a line that is as long as a line of a page may be\n———\n\nb",
-                Paragraphs.of("\n\na line that is as long as a line of a page may be\n=====================\n\n \n\nb\n\n"));
+        String line = "a line that is as long as a line of a page may be";
+        assertEquals(line + "\n———\n\nb", Paragraphs.of("\n\n" + line + "\n====================\n\n \n\nb\n\n"));
     }
 }
