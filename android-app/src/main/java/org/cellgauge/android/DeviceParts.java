@@ -1,7 +1,6 @@
 package org.cellgauge.android;
 
 import android.content.Context;
-import android.content.pm.PackageManager;
 import io.reactivex.rxjava3.core.Flowable;
 import java.io.File;
 import java.time.Clock;
@@ -35,15 +34,7 @@ final class DeviceParts implements AppParts {
         this.thermal = new ThermalWatch(context);
         this.library = new DocumentLibrary(context);
         this.archive = new FolderArchive(context, OverlayPainter::paint, new ScreenWords(context),
-                Clock.systemDefaultZone(), version(context));
-    }
-
-    private static String version(Context context) {
-        try {
-            return context.getPackageManager().getPackageInfo(context.getPackageName(), 0).versionName;
-        } catch (PackageManager.NameNotFoundException e) {
-            throw new IllegalStateException("the app is not installed", e);
-        }
+                Clock.systemDefaultZone(), AppVersion.of(context));
     }
 
     @Override

@@ -198,7 +198,7 @@ public final class ResultProvider extends DocumentsProvider {
     }
 
     /** The MIME type of a file by the end of its name. */
-    static String mimeType(String name) {
+    private static String mimeType(String name) {
         String lower = name.toLowerCase(Locale.ROOT);
         if (lower.endsWith(".png")) {
             return "image/png";

@@ -15,7 +15,8 @@ enum Action {
     ALLOW_CAMERA(R.string.allow_camera),
     OPEN_SETTINGS(R.string.open_settings),
     TRY_AGAIN(R.string.try_again),
-    SAVE_AGAIN(R.string.save_again);
+    SAVE_AGAIN(R.string.save_again),
+    LICENCES(R.string.licences);
 
     private final int label;
 

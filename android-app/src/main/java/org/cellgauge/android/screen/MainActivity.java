@@ -30,6 +30,7 @@ import io.reactivex.rxjava3.schedulers.Schedulers;
 import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.android.AppParts;
+import org.cellgauge.android.AppVersion;
 import org.cellgauge.android.CellGaugeApp;
 import org.cellgauge.android.R;
 import org.cellgauge.android.camera.CameraFeed;
@@ -50,6 +51,7 @@ public final class MainActivity extends Activity {
     private static final int REQUEST_PHOTO = 3;
     private static final int REQUEST_PERMISSION = 4;
     private static final String TARGET_TEXT = "target-text";
+    private static final String LICENCES_TOP = "licences-top";
     private static final int QUARTER_DEG = 90;
     /** Capital letters of a text of 12 sp, the smallest of the screen, are as high. */
     private static final float LABEL_CAP_SP = 8.5f;
@@ -66,6 +68,7 @@ public final class MainActivity extends Activity {
     private Disposable states = Disposable.disposed();
     private Disposable levels = Disposable.disposed();
     private TargetDialog targetDialog;
+    private LicencesDialog licencesDialog;
 
     private boolean resumed;
     private SurfaceTexture surface;
@@ -104,7 +107,7 @@ public final class MainActivity extends Activity {
         }
         displays = getSystemService(DisplayManager.class);
         words = new Wording(getResources());
-        content = new ScreenContent(words);
+        content = new ScreenContent(words, AppVersion.of(this));
         setContentView(R.layout.main);
         findViews();
         wireBar();
@@ -117,6 +120,9 @@ public final class MainActivity extends Activity {
         });
         if (saved != null && saved.containsKey(TARGET_TEXT)) {
             targetDialog = new TargetDialog(this, session, saved.getString(TARGET_TEXT));
+        }
+        if (saved != null && saved.containsKey(LICENCES_TOP)) {
+            licencesDialog = new LicencesDialog(this, mainThread, saved.getInt(LICENCES_TOP));
         }
     }
 
@@ -192,6 +198,9 @@ public final class MainActivity extends Activity {
         if (targetDialog != null) {
             targetDialog.dismiss();
         }
+        if (licencesDialog != null) {
+            licencesDialog.dismiss();
+        }
         if (!isChangingConfigurations()) {
             session.close();
         }
@@ -230,6 +239,9 @@ public final class MainActivity extends Activity {
         session.memory().write(out);
         if (targetDialog != null && targetDialog.isShowing()) {
             out.putString(TARGET_TEXT, targetDialog.text());
+        }
+        if (licencesDialog != null && licencesDialog.isShowing()) {
+            out.putInt(LICENCES_TOP, licencesDialog.top());
         }
     }
 
@@ -371,6 +383,11 @@ public final class MainActivity extends Activity {
             case OPEN_SETTINGS:
                 start(new Intent(Settings.ACTION_APPLICATION_DETAILS_SETTINGS,
                         Uri.fromParts("package", getPackageName(), null)));
+                break;
+            case LICENCES:
+                if (licencesDialog == null || !licencesDialog.isShowing()) {
+                    licencesDialog = new LicencesDialog(this, mainThread, 0);
+                }
                 break;
             default:
                 session.save();

@@ -21,9 +21,17 @@ import org.cellgauge.warning.Warning;
 /** What a state says, in the user's language: pure text, so that the activity only has to put it in its places. */
 final class ScreenContent {
     private final Wording words;
+    private final String version;
 
-    ScreenContent(Wording words) {
+    /**
+     * Content in one language.
+     *
+     * @param words the language
+     * @param version the app's
+     */
+    ScreenContent(Wording words, String version) {
         this.words = words;
+        this.version = version;
     }
 
     // ---- banner
@@ -183,6 +191,7 @@ final class ScreenContent {
     List<Row> rows(CheckScreenState s) {
         List<Row> rows = new ArrayList<>();
         if (s.cell() == null) {
+            about(rows);
             return rows;
         }
         kept(s, rows);
@@ -199,7 +208,12 @@ final class ScreenContent {
         rows.add(cameraModel(s));
         rows.add(note(R.drawable.ic_cell, words.get(R.string.cell_in_use, cellName(s)), target(s), null));
         warnings(s, rows);
+        about(rows);
         return rows;
+    }
+
+    private void about(List<Row> rows) {
+        rows.add(note(R.drawable.ic_about, words.get(R.string.about, version), null, Action.LICENCES));
     }
 
     private void kept(CheckScreenState s, List<Row> rows) {

@@ -191,6 +191,29 @@ class ApkTest {
         });
     }
 
+    /** Names of all libraries that the app is built with, and what they want to be said of them. */
+    @ParameterizedTest
+    @ValueSource(strings = {"debug", "release"})
+    void licencesOfAllLibrariesAreInside(String variant) throws IOException {
+        String text = inside(variant, zip -> new String(
+                zip.getInputStream(zip.getEntry("assets/licences.txt")).readAllBytes(), StandardCharsets.UTF_8));
+        String[] jars = System.getProperty("cellgauge.libraries").split(File.pathSeparator);
+        assertTrue(jars.length > 15, jars.length + " libraries");
+        for (String jar : jars) {
+            String title = new File(jar).getName().replaceAll("-(\\d[^-]*)\\.jar$", " $1");
+            assertTrue(text.contains("\n- " + title + " ("), title);
+            try (ZipFile zip = new ZipFile(jar)) {
+                ZipEntry notice = zip.getEntry("META-INF/NOTICE.txt");
+                if (notice != null) {
+                    String said = new String(zip.getInputStream(notice).readAllBytes(), StandardCharsets.UTF_8);
+                    assertTrue(text.replaceAll("\\s+", " ").contains(said.replaceAll("\\s+", " ").trim()), title);
+                }
+            }
+        }
+        assertFalse(text.contains("- picocli "), "the command line's alone");
+        assertTrue(text.contains("Version 2.0, January 2004"), "the Apache License");
+    }
+
     /** Android 8 reads dex files of version 038 and older. */
     @ParameterizedTest
     @ValueSource(strings = {"debug", "release"})

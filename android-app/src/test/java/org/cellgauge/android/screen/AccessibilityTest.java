@@ -3,6 +3,7 @@ package org.cellgauge.android.screen;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import android.app.AlertDialog;
 import android.content.res.Resources;
 import android.graphics.Color;
 import android.view.Surface;
@@ -25,6 +26,7 @@ import org.junit.runner.RunWith;
 import org.robolectric.RobolectricTestRunner;
 import org.robolectric.RuntimeEnvironment;
 import org.robolectric.annotation.Config;
+import org.robolectric.shadows.ShadowDialog;
 
 /** The screen for people who see colours, small letters or the screen itself less well, and for gloved fingers. */
 @RunWith(RobolectricTestRunner.class)
@@ -117,6 +119,38 @@ public class AccessibilityTest {
                 View picture = screen.find(R.id.viewport);
                 assertTrue(qualifiers + ": the picture is " + picture.getHeight() + " px high",
                         picture.getHeight() > 100 && picture.getWidth() > 100);
+            }
+        }
+    }
+
+    @Test
+    public void licencesAreReadableAtTwiceTheSize() {
+        for (String qualifiers : new String[] {Screen.TABLET_LANDSCAPE, Screen.PHONE_PORTRAIT,
+            "de-" + Screen.PHONE_LANDSCAPE}) {
+            RuntimeEnvironment.setQualifiers(qualifiers);
+            RuntimeEnvironment.setFontScale(2);
+            try (Screen screen = Screen.start()) {
+                RowList rows = screen.find(R.id.rows);
+                rows.getChildAt(rows.getChildCount() - 1).findViewById(R.id.row_action).performClick();
+                AlertDialog dialog = (AlertDialog) ShadowDialog.getLatestDialog();
+                TextView text = dialog.findViewById(R.id.licences_text);
+                screen.until("licences", () -> text.length() > 1000);
+                View page = dialog.findViewById(R.id.licences_page);
+                float density = screen.activity().getResources().getDisplayMetrics().density;
+                // Android 14 enlarges letters the less the larger they are
+                assertTrue(qualifiers + ": " + text.getTextSize(), text.getTextSize() >= 1.8 * 14 * density);
+                assertTrue(qualifiers + ": " + page.getHeight() / density + " dp of it are seen",
+                        page.getHeight() >= 120 * density);
+                assertTrue(qualifiers + ": what is below can be scrolled to", page.canScrollVertically(1));
+                int room = text.getHeight() - text.getCompoundPaddingTop() - text.getCompoundPaddingBottom();
+                assertTrue(qualifiers, text.getLayout().getHeight() <= room + 1);
+                for (int line = 0; line < text.getLineCount(); line++) {
+                    assertTrue(qualifiers + ", line " + line,
+                            text.getLayout().getLineMax(line) <= text.getLayout().getWidth() + 1);
+                }
+                View close = dialog.getButton(AlertDialog.BUTTON_POSITIVE);
+                assertTrue(qualifiers, close.isShown() && close.getHeight() >= TOUCH_DP * density);
+                dialog.dismiss();
             }
         }
     }

@@ -833,6 +833,62 @@ public class MainActivityTest {
         }
     }
 
+    // ---- licences
+
+    private static AlertDialog licences(Screen screen) {
+        AlertDialog dialog = (AlertDialog) ShadowDialog.getLatestDialog();
+        TextView text = dialog.findViewById(R.id.licences_text);
+        screen.until("licences", () -> !"Reading…".contentEquals(text.getText()));
+        return dialog;
+    }
+
+    /** The first start has the row, too: whoever has no cell has the libraries all the same. */
+    @Test
+    public void licencesAreReadFromTheLastRowWithAndWithoutACell() {
+        try (Screen screen = Screen.start()) {
+            assertEquals("About CellGauge " + System.getProperty("cellgauge.version") + "\n", rows(screen));
+            tapRow(screen, "Licences");
+            AlertDialog dialog = licences(screen);
+            TextView text = dialog.findViewById(R.id.licences_text);
+            String said = text.getText().toString();
+            assertTrue(said, said.contains("Apache Commons Math\nCopyright 2001-2016 The Apache Software Foundation"));
+            assertTrue(said, said.contains("This product includes software developed for Orekit by"));
+            assertTrue(said, said.contains("- boofcv-recognition 1.2.2 (org.boofcv): Apache License 2.0\n"));
+            assertTrue(text.isTextSelectable());
+            dialog.getButton(AlertDialog.BUTTON_POSITIVE).performClick();
+            screen.settle();
+            assertFalse(dialog.isShowing());
+            screen.chooseCell(FIXTURE.document());
+            assertTrue(rows(screen), rows(screen).endsWith(
+                    "\nAbout CellGauge " + System.getProperty("cellgauge.version") + "\n"));
+        }
+    }
+
+    @Test
+    public void licencesStayWhereTheyWereReadToThroughATurn() {
+        try (Screen screen = live()) {
+            tapRow(screen, "Licences");
+            AlertDialog dialog = licences(screen);
+            TextView before = dialog.findViewById(R.id.licences_text);
+            int wanted = before.getText().toString().indexOf("Minpack Copyright Notice");
+            View page = dialog.findViewById(R.id.licences_page);
+            page.scrollTo(0, before.getLayout().getLineTop(before.getLayout().getLineForOffset(wanted)));
+            screen.turn(Screen.TABLET_PORTRAIT, Surface.ROTATION_0);
+            assertFalse(dialog.isShowing());
+            dialog = licences(screen);
+            assertTrue(dialog.isShowing());
+            TextView after = dialog.findViewById(R.id.licences_text);
+            assertNotSame(before, after);
+            page = dialog.findViewById(R.id.licences_page);
+            int line = after.getLayout().getLineForVertical(page.getScrollY());
+            assertTrue(page.getScrollY() > 0);
+            assertEquals(after.getLayout().getLineForOffset(wanted), line);
+            dialog.dismiss();
+            screen.turn(Screen.TABLET_LANDSCAPE, Surface.ROTATION_90);
+            assertFalse("closed is closed", ShadowDialog.getLatestDialog().isShowing());
+        }
+    }
+
     // ---- the picture that is kept
 
     @Test

@@ -5,6 +5,8 @@ import static org.junit.Assert.assertTrue;
 
 import android.app.Dialog;
 import android.view.Surface;
+import android.view.View;
+import android.widget.TextView;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -328,6 +330,35 @@ public class ScreenshotTest {
                         Screen.picture(dialog.getWindow().getDecorView()));
                 dialog.dismiss();
             }
+        }
+    }
+
+    @Test
+    public void licences() {
+        licences("licences", Screen.TABLET_LANDSCAPE, 1);
+        licences("licences-dark", Screen.TABLET_LANDSCAPE.replace("notnight", "night"), 1);
+        licences("licences-german-phone", "de-" + Screen.PHONE_PORTRAIT, 1);
+        licences("licences-large-letters-phone-dark", Screen.PHONE_PORTRAIT.replace("notnight", "night"), 2);
+        licences("licences-large-letters-phone-landscape", Screen.PHONE_LANDSCAPE, 2);
+    }
+
+    private static void licences(String name, String qualifiers, float fontScale) {
+        RuntimeEnvironment.setFontScale(fontScale);
+        try (Screen screen = live(qualifiers, FIXTURE.cell())) {
+            screen.holdStillUntilResult(FIXTURE);
+            screen.find(R.id.panel).scrollTo(0, 10_000);
+            screen.keep(name + "-row", FIXTURE.photo());
+            RowList rows = screen.find(R.id.rows);
+            rows.getChildAt(rows.getChildCount() - 1).findViewById(R.id.row_action).performClick();
+            Dialog dialog = ShadowDialog.getLatestDialog();
+            TextView text = dialog.findViewById(R.id.licences_text);
+            screen.until("licences", () -> text.length() > 1000);
+            Screen.write(name, Screen.picture(dialog.getWindow().getDecorView()));
+            View page = dialog.findViewById(R.id.licences_page);
+            page.scrollTo(0, text.getLayout().getLineTop(text.getLayout().getLineForOffset(
+                    text.getText().toString().indexOf("APACHE COMMONS MATH DERIVATIVE WORKS"))));
+            Screen.write(name + "-scrolled", Screen.picture(dialog.getWindow().getDecorView()));
+            dialog.dismiss();
         }
     }
 }
