@@ -36,9 +36,9 @@ import org.cellgauge.warning.Warning;
 /**
  * The check of one photo: from its detections to camera and object poses with uncertainties and a verdict.
  *
- * <p>Modes first (damped Gauss-Newton), Laplace's approximation as a quick look, then chains until the Monte Carlo error
- * of every standard deviation is small enough. The same cell, detections, settings and seed give the same result whatever
- * the number of threads.
+ * <p>Modes first (damped Gauss-Newton), Laplace's approximation as a quick look, then chains until the Monte Carlo
+ * error of every standard deviation is small enough. The same cell, detections, settings and seed give the same result
+ * whatever the number of threads.
  */
 public final class CellCheck {
     /** First number of the path of the random stream that tunes the camera's proposal. */
@@ -54,7 +54,9 @@ public final class CellCheck {
     public static final double AMBIGUOUS_SHARE = 0.01;
     /** A mode with less than this share by Laplace's method is not followed. */
     private static final double NEGLIGIBLE_SHARE = 1e-4;
-    /** Mean square of whitened residuals (8 per reference) beyond which a reference is no misplaced one but a wrong one. */
+    /**
+     * Mean square of whitened residuals (8 per reference) beyond which a reference is no misplaced one but a wrong one.
+     */
     private static final double FOREIGN_MEAN_SQUARE = 50;
     private static final double PRIOR_STD_MM = 1000;
     private static final double PRIOR_STD_RAD = 0.7;
@@ -302,8 +304,8 @@ public final class CellCheck {
     private double estimatePixelStdPx() {
         CornerNoise noise = CornerNoise.of(cell, detections);
         if (noise == null) {
-            throw new InputRefusedException(detections.imageName() + ": the corner noise cannot be estimated from these "
-                    + "corners; state pixel_std_px in the cell file");
+            throw new InputRefusedException(detections.imageName() + ": the corner noise cannot be estimated from "
+                    + "these corners; state pixel_std_px in the cell file");
         }
         warnings.add(noise.warning());
         return noise.stdPx();
@@ -383,8 +385,8 @@ public final class CellCheck {
     }
 
     private InputRefusedException noPose() {
-        return new InputRefusedException(detections.imageName() + ": no camera pose explains the corners of the references; "
-                + "check their ids, positions and sizes in the cell file");
+        return new InputRefusedException(detections.imageName() + ": no camera pose explains the corners of the "
+                + "references; check their ids, positions and sizes in the cell file");
     }
 
     private static int foreignReference(CameraTarget target) {
@@ -457,7 +459,8 @@ public final class CellCheck {
                             : ImageEllipses.of(lens, cameraPose, grip.meanMm(), grip.covarianceMm2()),
                     modes));
         }
-        return new CellEstimate(cameraPose, Collections.singletonList(new ModeEstimate(1, cameraPose)), intrinsics, list);
+        return new CellEstimate(cameraPose, Collections.singletonList(new ModeEstimate(1, cameraPose)), intrinsics,
+                list);
     }
 
     private static double[] weights(List<PoseMode> modes) {
@@ -492,9 +495,9 @@ public final class CellCheck {
                     diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
                     Decimal.shortest(Math.rint(1e11 * settings.targetMcseStdRel()) / 1e9)));
         }
-        return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx, diagnostics,
-                last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(), posePriorText,
-                samplerUsed, tuningEvaluations, camera, referenceCheck);
+        return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx,
+                diagnostics, last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(),
+                posePriorText, samplerUsed, tuningEvaluations, camera, referenceCheck);
     }
 
     private static List<Integer> ids(List<ObjectMarker> markers) {

@@ -7,8 +7,8 @@ import java.util.Locale;
 /** What the labels beside the markers say, in the language of whoever looks at them; immutable. */
 public final class LabelWords {
     /** English words, numbers with a point. */
-    public static final LabelWords ENGLISH = new LabelWords(Locale.ROOT, "left out", "seems off", "not seen", "not in the cell file",
-            "not converged", "not converged yet", "ambiguous", "grip");
+    public static final LabelWords ENGLISH = new LabelWords(Locale.ROOT, "left out", "seems off", "not seen",
+            "not in the cell file", "not converged", "not converged yet", "ambiguous", "grip");
 
     private final Locale locale;
     private final String leftOut;

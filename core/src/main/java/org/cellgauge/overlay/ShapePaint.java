@@ -1,8 +1,8 @@
 package org.cellgauge.overlay;
 
 /**
- * Colours and widths that a shape is painted with, whatever paints it; immutable. A shape is filled first, then its dark
- * rim is drawn, then its line, each where there is one.
+ * Colours and widths that a shape is painted with, whatever paints it; immutable. A shape is filled first, then its
+ * dark rim is drawn, then its line, each where there is one.
  *
  * <p>Colours are those of Okabe and Ito ("Color Universal Design", 2008), which people with any of the common colour
  * vision deficiencies tell apart, the green and the blue a little lighter for dark photos. Every line lies on a dark

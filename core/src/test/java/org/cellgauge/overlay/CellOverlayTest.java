@@ -333,7 +333,8 @@ class CellOverlayTest {
                 "<i %s>", "<j %1$s %1$s>", "<k>");
         LabelWords labels = new LabelWords(Locale.GERMAN, "<l>", "<m>", "<n>", "<o>", "<p>", "<q>", "<r>", "<s>");
         Overlay english = CellOverlay.of(result);
-        Overlay other = CellOverlay.of(result, OverlayStyle.PHOTO.withLabels(labels).withLegend(legend), "<t>", "<u> <u>");
+        OverlayStyle style = OverlayStyle.PHOTO.withLabels(labels).withLegend(legend);
+        Overlay other = CellOverlay.of(result, style, "<t>", "<u> <u>");
         assertEquals(english.status(), other.status());
         assertEquals(english.shapes(Role.BANNER).stream().filter(s -> s instanceof MarkShape).count(),
                 other.shapes(Role.BANNER).stream().filter(s -> s instanceof MarkShape).count());

@@ -356,7 +356,8 @@ public class MainActivityTest {
             assertEquals(said, met, said.contains("The target is met even so."));
             assertTrue(rows(screen), rows(screen).contains("Reference 911 seems misplaced."));
             for (ObjectRow row : screen.state().objects()) {
-                assertEquals(screen.state().result().verdict(row.id()) == Verdict.PASS, row.mark() == ObjectRow.Mark.OK);
+                assertEquals(screen.state().result().verdict(row.id()) == Verdict.PASS,
+                        row.mark() == ObjectRow.Mark.OK);
             }
         }
     }

@@ -54,7 +54,9 @@ public class OverlayOnFrameTest {
         return ((front ? SENSOR_DEG + displayDeg : SENSOR_DEG - displayDeg + 360) / 90) % 4;
     }
 
-    /** Where a point of the frame lies on the upright picture: rows a, b, c, d, e, f of (a u + b v + c, d u + e v + f). */
+    /**
+     * Where a point of the frame lies on the upright picture: rows a, b, c, d, e, f of (a u + b v + c, d u + e v + f).
+     */
     private static double[] upright(double u, double v, int turns, boolean mirrored) {
         double[][] turn = {{1, 0, 0, 0, 1, 0}, {0, -1, HEIGHT, 1, 0, 0}, {-1, 0, WIDTH, 0, -1, HEIGHT},
             {0, 1, 0, -1, 0, WIDTH}};
@@ -77,7 +79,8 @@ public class OverlayOnFrameTest {
     private static CheckResult checkOfTheFrame() {
         Fixture fixture = Fixture.LIFTED;
         return CellCheck.run(fixture.cell(),
-                BoofMarkerDetector.forCell(fixture.cell()).detect(fixture.image(), "frame"), CheckSettings.builder().build());
+                BoofMarkerDetector.forCell(fixture.cell()).detect(fixture.image(), "frame"),
+                CheckSettings.builder().build());
     }
 
     private static Screen held(int displayRotation, boolean front) {
