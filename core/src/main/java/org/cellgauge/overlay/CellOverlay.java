@@ -191,7 +191,8 @@ public final class CellOverlay {
     private static Overlay preliminary(Cell cell, Detections detections, CellEstimate estimate, String headline,
             ImageOrientation orientation, boolean panels, LabelWords words) {
         return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY, orientation, panels,
-                words, LegendWords.ENGLISH).draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
+                words, LegendWords.ENGLISH).draw(Status.NEUTRAL, headline,
+                "Figures are preliminary: the chains have not converged yet.");
     }
 
     /**

@@ -42,8 +42,8 @@ public final class LegendWords {
      * @param nothing there is nothing to explain because no marker was found
      */
     public LegendWords(Locale locale, String reference, String expected, String ellipseTrueSize,
-            String ellipseMagnified, String notConverged, String grip, String secondPose, String deviations, String grid,
-            String gridAndAxes, String nothing) {
+            String ellipseMagnified, String notConverged, String grip, String secondPose, String deviations,
+            String grid, String gridAndAxes, String nothing) {
         this.locale = locale;
         this.reference = reference;
         this.expected = expected;
@@ -67,7 +67,8 @@ public final class LegendWords {
     }
 
     String ellipse(double magnification, boolean converged) {
-        String text = magnification == 1 ? ellipseTrueSize : String.format(locale, ellipseMagnified, plain(magnification));
+        String text = magnification == 1 ? ellipseTrueSize
+                : String.format(locale, ellipseMagnified, plain(magnification));
         return converged ? text : text + ", " + notConverged;
     }
 

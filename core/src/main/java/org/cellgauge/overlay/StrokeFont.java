@@ -89,7 +89,8 @@ public final class StrokeFont {
     }
 
     /**
-     * Breaks a text into lines at its spaces, but not at those that bind. A word that is wider than a line is broken within.
+     * Breaks a text into lines at its spaces, but not at those that bind. A word that is wider than a line is broken
+     * within.
      *
      * @param text the text
      * @param widthInCapHeights width of a line, positive

@@ -72,7 +72,8 @@ class StrokeFontTest {
             Box left = Box.around(letter.subList(body, body + 1));
             Box right = Box.around(letter.subList(body + 1, body + 2));
             Box under = Box.around(letter.subList(0, body));
-            assertTrue(left.bottom() < under.top() - 1.5 && right.bottom() < under.top() - 1.5, "apart from the letter");
+            assertTrue(left.bottom() < under.top() - 1.5, "apart from the letter");
+            assertTrue(right.bottom() < under.top() - 1.5, "apart from the letter");
             assertTrue(right.left() - left.right() > 2.5, "apart from each other");
             assertEquals((left.left() + right.left()) / 2, (under.left() + under.right()) / 2, 0.4, "in the middle");
             assertEquals(StrokeFont.widthInCapHeights(plain.substring(i, i + 1)),

@@ -97,8 +97,8 @@ public class FolderArchiveTest {
 
         @Override
         public LegendWords legend() {
-            return new LegendWords(Locale.GERMAN, "Referenz", "dort", "wahr", "%s-fach", "unsicher", "Griff", "zwei", "s",
-                    "Gitter %s", "Gitter %s", "nichts");
+            return new LegendWords(Locale.GERMAN, "Referenz", "dort", "wahr", "%s-fach", "unsicher", "Griff", "zwei",
+                    "s", "Gitter %s", "Gitter %s", "nichts");
         }
     }
 

@@ -51,8 +51,8 @@ final class Fixture {
     }
 
     /**
-     * The same cell with reference 22 stated 25 mm off in y, without corner noise, and with an object 77 that is not in the
-     * photo.
+     * The same cell with reference 22 stated 25 mm off in y, without corner noise, and with an object 77 that is not
+     * in the photo.
      */
     Cell doubtful() {
         Cell cell = cell();

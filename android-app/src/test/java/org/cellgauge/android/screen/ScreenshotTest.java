@@ -156,12 +156,13 @@ public class ScreenshotTest {
             try (Screen screen = live(qualifiers, FIXTURE.doubtful())) {
                 screen.holdStillUntilResult(FIXTURE);
                 screen.find(R.id.panel).scrollTo(0, 10_000);
-                screen.keep("warnings" + (qualifiers.startsWith("de") ? "-german-" + size(qualifiers.substring(3)) : ""),
-                        FIXTURE.photo());
+                boolean german = qualifiers.startsWith("de");
+                screen.keep("warnings" + (german ? "-german-" + size(qualifiers.substring(3)) : ""), FIXTURE.photo());
                 List<WarningKind> kinds = new ArrayList<>();
                 screen.state().result().warnings().forEach(warning -> kinds.add(warning.kind()));
                 assertEquals(Arrays.asList(CheckWarning.CORNER_NOISE_ESTIMATED, CheckWarning.OBJECTS_NOT_SEEN,
-                        CheckWarning.SMALL_MARKERS, CheckWarning.REFERENCE_OFF, CheckWarning.FIGURES_REST_ON_IT), kinds);
+                        CheckWarning.SMALL_MARKERS, CheckWarning.REFERENCE_OFF, CheckWarning.FIGURES_REST_ON_IT),
+                        kinds);
             }
         }
     }

@@ -104,7 +104,8 @@ public class WarningWordsTest {
         assertTrue(german, german.contains("Grenze von 100.000 Schritten") && german.contains("von camera_x")
                 && german.contains("1,7 % statt 0,1 %"));
         String english = plain(in("en").warning(capped));
-        assertTrue(english, english.contains("cap of 100,000 iterations") && english.contains("1.7 % in place of 0.1 %"));
+        assertTrue(english, english.contains("cap of 100,000 iterations")
+                && english.contains("1.7 % in place of 0.1 %"));
     }
 
     @Test
@@ -118,8 +119,8 @@ public class WarningWordsTest {
     @Test
     public void whatIsLeftOutLeavesNoTrace() {
         Warning bare = Warning.of(CheckWarning.FIGURES_REST_ON_THEM, Listing.and(Arrays.asList(22, 8, 9)),
-                Warning.of(CheckPhrase.CAMERA), Decimal.of(1, 1), Decimal.of(-1234.56, 1), Decimal.of(Double.NaN, 1), "",
-                "");
+                Warning.of(CheckPhrase.CAMERA), Decimal.of(1, 1), Decimal.of(-1234.56, 1), Decimal.of(Double.NaN, 1),
+                "", "");
         assertEquals("Die Zahlen stützen sich trotzdem auf die Referenzen 22, 8 und 9: Ohne sie verschiebt sich die "
                 + "Kamera um (1,0; -1234,6; nicht definiert) mm", plain(in("de").warning(bare)));
     }
