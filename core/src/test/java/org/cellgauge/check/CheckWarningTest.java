@@ -24,8 +24,8 @@ class CheckWarningTest {
     @Test
     void ofDetection() {
         says("what looks like marker 7 at (300, 220) px is left out: its cells do not match; if it is that marker, use "
-                + "a larger one, a closer camera, a sharper image or more light", DetectionWarning.CELLS_DO_NOT_MATCH, 7,
-                300, 220);
+                + "a larger one, a closer camera, a sharper image or more light",
+                DetectionWarning.CELLS_DO_NOT_MATCH, 7, 300, 220);
         says("what looks like marker 7 at (300, 220) px is left out: its edges cannot be measured; if it is that "
                 + "marker, use a larger one, a closer camera, a sharper image or more light",
                 DetectionWarning.EDGES_NOT_MEASURED, 7, 300, 220);
