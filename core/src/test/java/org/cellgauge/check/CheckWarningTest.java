@@ -11,10 +11,7 @@ import org.cellgauge.warning.Warning;
 import org.cellgauge.warning.WarningKind;
 import org.junit.jupiter.api.Test;
 
-/**
- * The sentences that result files and reports promise, each written out; how they are come by is tested with the
- * checks.
- */
+/** The sentences of result files and reports, each written out; how they are come by is tested with the checks. */
 class CheckWarningTest {
     private static void says(String sentence, WarningKind kind, Object... arguments) {
         assertEquals(sentence, Warning.of(kind, arguments).toString());
@@ -27,8 +24,8 @@ class CheckWarningTest {
     @Test
     void ofDetection() {
         says("what looks like marker 7 at (300, 220) px is left out: its cells do not match; if it is that marker, use "
-                + "a larger one, a closer camera, a sharper image or more light", DetectionWarning.CELLS_DO_NOT_MATCH, 7,
-                300, 220);
+                + "a larger one, a closer camera, a sharper image or more light",
+                DetectionWarning.CELLS_DO_NOT_MATCH, 7, 300, 220);
         says("what looks like marker 7 at (300, 220) px is left out: its edges cannot be measured; if it is that "
                 + "marker, use a larger one, a closer camera, a sharper image or more light",
                 DetectionWarning.EDGES_NOT_MEASURED, 7, 300, 220);
