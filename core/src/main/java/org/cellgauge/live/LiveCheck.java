@@ -3,7 +3,6 @@ package org.cellgauge.live;
 import io.reactivex.rxjava3.core.BackpressureStrategy;
 import io.reactivex.rxjava3.core.Flowable;
 import io.reactivex.rxjava3.core.Scheduler;
-import io.reactivex.rxjava3.plugins.RxJavaPlugins;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CheckSettings;
 import org.cellgauge.vision.Detections;
@@ -50,7 +49,7 @@ public final class LiveCheck {
      * frame comes at once.</dd>
      * <dt><b>Scheduler:</b></dt>
      * <dd>One thread of its own takes the frames, estimates key frames and emits; one more leads the chains, which step
-     * on {@link LivePace#chainThreads()} others. All end with the subscription. Do not block in {@code onNext} of the
+     * on {@link LivePace#chainThreads()} others. All end soon after the subscription. Do not block in {@code onNext} of the
      * subscriber: observe on another scheduler.</dd>
      * <dt><b>Error handling:</b></dt>
      * <dd>Frames that cannot be estimated are states and no errors. An error of {@code frames} or {@code pace}, or a
@@ -67,8 +66,8 @@ public final class LiveCheck {
      */
     public static Flowable<LiveState> states(Flowable<Detections> frames, Cell cell, CheckSettings settings,
             Flowable<LivePace> pace) {
-        return Flowable.defer(() -> states(frames, cell, settings, pace, ownThread("cellgauge-live"),
-                ownThread("cellgauge-live-chains")));
+        return Flowable.defer(() -> states(frames, cell, settings, pace, IdleThreads.one("cellgauge-live"),
+                IdleThreads.oneForEachWorker("cellgauge-live-chains")));
     }
 
     /**
@@ -87,14 +86,5 @@ public final class LiveCheck {
             Flowable<LivePace> pace, Scheduler watch, Scheduler chains) {
         return Flowable.create(emitter -> new LiveSession(emitter, cell, settings, watch, chains).start(frames, pace),
                 BackpressureStrategy.LATEST);
-    }
-
-    /** A scheduler with a new thread for each worker, which ends with it. */
-    private static Scheduler ownThread(String name) {
-        return RxJavaPlugins.createNewThreadScheduler(task -> {
-            Thread thread = new Thread(task, name);
-            thread.setDaemon(true);
-            return thread;
-        });
     }
 }

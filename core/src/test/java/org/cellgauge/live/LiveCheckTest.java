@@ -17,6 +17,7 @@ import io.reactivex.rxjava3.subscribers.TestSubscriber;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
@@ -678,6 +679,31 @@ class LiveCheckTest {
             }
             states.cancel();
             states.assertNoErrors();
+            awaitThreads("cellgauge", 0);
+        } finally {
+            RxJavaPlugins.setErrorHandler(null);
+        }
+        assertEquals(List.of(), lost);
+    }
+
+    @Test
+    void checksCancelledAtAnyMomentLeaveNeitherErrorsNorThreads() throws InterruptedException {
+        List<Throwable> lost = new CopyOnWriteArrayList<>();
+        RxJavaPlugins.setErrorHandler(lost::add);
+        Random random = new Random(1);
+        // states that come too early are timed: half of them are when nobody waits any more
+        pace.onNext(LivePace.of(1, 0, 2, true));
+        Detections here = noisy(0, 1);
+        try {
+            for (int i = 0; i < 300; i++) {
+                TestSubscriber<LiveState> states = LiveCheck.states(frames, CELL, ENDLESS, pace).test();
+                frames.onNext(here);
+                TimeUnit.MICROSECONDS.sleep(random.nextInt(6000));
+                frames.onNext(here);
+                TimeUnit.MICROSECONDS.sleep(random.nextInt(12_000));
+                states.cancel();
+                states.assertNoErrors();
+            }
             awaitThreads("cellgauge", 0);
         } finally {
             RxJavaPlugins.setErrorHandler(null);

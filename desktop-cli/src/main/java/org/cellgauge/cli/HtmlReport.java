@@ -28,8 +28,9 @@ final class HtmlReport {
             + "padding:0 1rem;color:#1b1f24;background:#fff}h1{font-size:1.5rem}h2{font-size:1.2rem;margin-top:2.5rem;"
             + "border-top:1px solid #ccd3da;padding-top:1rem}h3{font-size:1rem;margin-bottom:.3rem}"
             + "table{border-collapse:collapse;margin:.4rem 0 1rem}th,td{padding:.15rem .7rem;text-align:right;"
-            + "border-bottom:1px solid #e4e8ec;font-variant-numeric:tabular-nums}th:first-child,td:first-child,td.text"
-            + "{text-align:left}th{font-weight:600}img{max-width:100%;height:auto;border:1px solid #ccd3da}"
+            + "border-bottom:1px solid #e4e8ec;font-variant-numeric:tabular-nums}th:first-child,td:first-child,.text"
+            + "{text-align:left}td:first-child{white-space:nowrap}th{font-weight:600}"
+            + "img{max-width:100%;height:auto;border:1px solid #ccd3da}"
             + ".verdict{font-weight:700;white-space:nowrap}.verdict svg{width:1em;height:1em;vertical-align:-.12em}"
             + ".pass{color:#1a6b36}.fail,.refused{color:#b3261e}.not-converged,.ambiguous{color:#8a4b00}"
             + ".no-target{color:#3b4754}.caution{font-weight:700;color:#8a4b00}details{margin:.5rem 0}"
@@ -387,7 +388,8 @@ final class HtmlReport {
                 + "style-src 'unsafe-inline'\">\n<meta name=\"viewport\" content=\"width=device-width\">\n"
                 + "<title>CellGauge: " + escape(cellName) + "</title>\n<style>" + STYLE + "</style>\n</head>\n<body>\n"
                 + "<h1>CellGauge: " + escape(cellName) + "</h1>\n<p>" + escape(total) + "</p>\n<div class=\"scroll\">"
-                + "<table>\n<tr><th>photo</th><th>verdict</th><th>worst std, mm</th><th>R-hat</th><th>why</th></tr>\n"
+                + "<table>\n<tr><th>photo</th><th class=\"text\">verdict</th><th>worst std, mm</th><th>R-hat</th>"
+                + "<th class=\"text\">why</th></tr>\n"
                 + overview + "</table></div>\n" + sections + "<p><small>CellGauge " + escape(version)
                 + ". Lengths in mm, std: standard deviation. Angles psi, theta, phi turn about x, y, z.</small></p>\n"
                 + "</body>\n</html>\n";

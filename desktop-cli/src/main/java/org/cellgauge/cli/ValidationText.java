@@ -28,6 +28,8 @@ final class ValidationText {
     /** The level that the exit code goes by. */
     static final double JUDGED = 0.95;
     private static final double[] LEVELS = {0.5, 0.8, 0.95};
+    /** One in a hundred: of some thousand draws a few dozen, fewer than a rank is taken among. */
+    private static final double LEAST_EFFECTIVE_SHARE = 0.01;
     private static final double SUSPICIOUS = 0.01;
     /** Where the band of an honest 95 % reaches below this share, passing says little. */
     private static final double TELLING = 0.85;
@@ -150,7 +152,15 @@ final class ValidationText {
                         + "sampler and object poses are right together; at least "
                         + CheckText.fixed(100 * result.weightShareMin(), 1) + " % of the draws stayed effective.")
                 + " All together: p = " + CheckText.fixed(result.rankPValue(), 3)
-                + (result.rankPValue() < SUSPICIOUS ? ", they are not uniform." : "."), ""));
+                + verdictOnRanks(), ""));
+    }
+
+    /** Ranks among draws of which hardly any has weight are those of a handful of values, uniform or not. */
+    private String verdictOnRanks() {
+        if (!prior.isPoint() && result.weightShareMin() < LEAST_EFFECTIVE_SHARE) {
+            return "; so few draws stayed effective somewhere that this says little either way.";
+        }
+        return result.rankPValue() < SUSPICIOUS ? ", they are not uniform." : ".";
     }
 
     /** Columns of every part, and those of gripping points where an object has one. */

@@ -289,6 +289,17 @@ class ValidateCommandTest {
         assertTrue(call.out().contains("At fixed true poses uniform ranks are an approximation"), call.out());
     }
 
+    /** A spread far narrower than the posterior leaves hardly any draw with weight: no p-value comes of that. */
+    @Test
+    void ranksOfAHandfulOfDrawsAreNoEvidence() {
+        String narrow = quick("--spread", "1e-6,1e-6").out().replaceAll("\\s+", " ");
+        assertTrue(narrow.matches(".* at least 0\\.\\d % of the draws stayed effective\\. .*"), narrow);
+        assertTrue(narrow.contains("; so few draws stayed effective somewhere that this says little either way."),
+                narrow);
+        assertFalse(narrow.contains("not uniform"), narrow);
+        assertFalse(quick().out().replaceAll("\\s+", " ").contains("this says little either way"));
+    }
+
     @Test
     void noiseThatIsEstimatedHasToBeGivenForTheSimulation() throws IOException {
         Files.writeString(cell, SmallCell.YAML.replace("pixel_std_px: 0.05", "pixel_std_px: auto"));

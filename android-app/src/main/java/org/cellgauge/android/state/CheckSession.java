@@ -74,7 +74,7 @@ public final class CheckSession {
      * @param archive where results are kept
      * @param frozenFrame where a frozen frame outlives the process
      * @param settings how checks go about it; the seed is the memory's
-     * @param threads where the session works; ended with it
+     * @param threads where the session works
      * @param memory of the session before, which is taken up again, or of none
      */
     public CheckSession(CellLibrary library, ResultArchive archive, FrozenFrameFile frozenFrame, CheckSettings settings,
@@ -145,7 +145,6 @@ public final class CheckSession {
         stopRun();
         work.dispose();
         changes.onComplete();
-        threads.close();
     }
 
     // ---- what the user does
