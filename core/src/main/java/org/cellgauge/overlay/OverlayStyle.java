@@ -8,6 +8,8 @@ public final class OverlayStyle {
 
     /** So many letters' heights the image is wide at least, so that figures of an object fit into a line. */
     private static final double LEAST_WIDTH_IN_CAPS = 24;
+    /** So many the image is high at least, so that labels of a few objects leave something of it to be seen. */
+    private static final double LEAST_HEIGHT_IN_CAPS = 26;
 
     private final ImageOrientation orientation;
     private final boolean panels;
@@ -110,8 +112,8 @@ public final class OverlayStyle {
 
     /**
      * This style with letters that can be read where the image is shown, however small it is shown there: at least as
-     * large as wanted, but so that the figures of an object still fit into the image's width; never smaller than in
-     * proportion to the image.
+     * large as wanted, but so that the figures of an object still fit into the image's width and labels do not fill its
+     * height; never smaller than in proportion to the image.
      *
      * @param widthPx width of the upright image
      * @param heightPx its height
@@ -125,7 +127,8 @@ public final class OverlayStyle {
             throw new IllegalArgumentException("letters cannot be " + capHeight + " px high");
         }
         double proportionalPx = CellDrawing.labelCapPx(widthPx, heightPx);
-        double wantedPx = Math.min(capHeight / fit.scale(), widthPx / LEAST_WIDTH_IN_CAPS);
+        double largestPx = Math.min(widthPx / LEAST_WIDTH_IN_CAPS, heightPx / LEAST_HEIGHT_IN_CAPS);
+        double wantedPx = Math.min(capHeight / fit.scale(), largestPx);
         return new OverlayStyle(orientation, panels, labels, legend,
                 Math.max(1, wantedPx / proportionalPx));
     }

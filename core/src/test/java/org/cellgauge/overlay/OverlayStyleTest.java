@@ -47,12 +47,22 @@ class OverlayStyleTest {
     }
 
     @Test
-    void noLetterIsSoLargeThatFiguresDoNotFit() {
-        Overlay overlay = CellOverlay.of(RESULT, BARE.legible(1280, 720, ViewFit.fit(1280, 720, 64, 36), 9));
-        assertEquals(3, capsPx(overlay).size());
-        capsPx(overlay).forEach(cap -> assertEquals(1280 / 24.0, cap, 1e-9));
-        for (Shape s : overlay.shapes(Role.LABEL)) {
-            assertTrue(s.bounds().left() >= 0 && s.bounds().right() <= 1280, s.bounds().toString());
+    void noLetterIsSoLargeThatFiguresDoNotFitOrLabelsFillTheImage() {
+        for (int turns : new int[] {0, 1}) {
+            int width = turns == 0 ? 1280 : 720;
+            int height = turns == 0 ? 720 : 1280;
+            OverlayStyle style = BARE.withOrientation(ImageOrientation.of(turns, false));
+            Overlay overlay = CellOverlay.of(RESULT,
+                    style.legible(width, height, ViewFit.fit(width, height, width / 20.0, height / 20.0), 9));
+            assertEquals(3, capsPx(overlay).size());
+            double largest = turns == 0 ? 720 / 26.0 : 720 / 24.0;
+            capsPx(overlay).forEach(cap -> assertEquals(largest, cap, 1e-9));
+            double covered = 0;
+            for (Shape s : overlay.shapes(Role.LABEL)) {
+                assertTrue(s.bounds().left() >= 0 && s.bounds().right() <= width, s.bounds().toString());
+                covered += s instanceof PanelShape ? s.bounds().width() * s.bounds().height() : 0;
+            }
+            assertTrue(covered < 0.2 * width * height, covered + " px of " + width * height);
         }
     }
 

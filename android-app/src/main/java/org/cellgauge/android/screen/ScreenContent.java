@@ -20,6 +20,8 @@ import org.cellgauge.warning.Warning;
 
 /** What a state says, in the user's language: pure text, so that the activity only has to put it in its places. */
 final class ScreenContent {
+    private static final String BULLET = "\u2022 ";
+
     private final Wording words;
     private final String version;
 
@@ -406,7 +408,8 @@ final class ScreenContent {
         if (!warnings.isEmpty()) {
             List<String> sentences = new ArrayList<>();
             for (Warning warning : warnings) {
-                sentences.add(words.warning(warning));
+                // several are told apart by more than where a line happens to end
+                sentences.add((warnings.size() > 1 ? BULLET : "") + words.warning(warning));
             }
             rows.add(new Row(R.drawable.mark_not_converged, R.color.mark_ambiguous, words.get(R.string.warnings), null,
                     String.join("\n", sentences), null));
