@@ -93,8 +93,7 @@ public final class ResultJson {
         json.endObject();
         json.name("target");
         json.beginObject();
-        json.name("std_mm");
-        number(cell.targetStdMm().orElse(Double.NaN));
+        number("std_mm", cell.targetStdMm().orElse(Double.NaN));
         json.endObject();
         json.name("settings");
         settings();
@@ -156,8 +155,7 @@ public final class ResultJson {
         CheckSettings s = result.settings();
         json.beginObject();
         json.name("model").value(s.model().optionName());
-        json.name("kappa");
-        number(s.kappa());
+        number("kappa", s.kappa());
         json.name("sampler").value(s.sampler().optionName());
         json.name("sampler_used").value(result.samplerUsed().optionName());
         json.name("chains").value(s.chains());
@@ -168,8 +166,7 @@ public final class ResultJson {
         } else {
             json.nullValue();
         }
-        json.name("target_mcse_std_rel");
-        number(fixed.isPresent() ? Double.NaN : s.targetMcseStdRel());
+        number("target_mcse_std_rel", fixed.isPresent() ? Double.NaN : s.targetMcseStdRel());
         json.name("max_iterations");
         if (fixed.isPresent()) {
             json.nullValue();
@@ -180,16 +177,14 @@ public final class ResultJson {
         json.name("warmup").value(result.warmup());
         json.name("seed").value(s.seed());
         json.name("estimate").value(s.estimate().optionName());
-        json.name("focal_prior_std_px");
-        number(s.estimate() == CheckSettings.Estimate.FOCAL ? s.focalPriorStdPx() : Double.NaN);
+        number("focal_prior_std_px", s.estimate() == CheckSettings.Estimate.FOCAL ? s.focalPriorStdPx() : Double.NaN);
         json.name("initial").value(s.initial().optionName());
         json.name("start").value(word(s.start()));
         json.name("object_noise").value(s.objectNoise().optionName());
         json.name("rotation_prior").value(word(s.rotationPrior()));
         json.name("pose_prior_allowed").value(s.posePriorAllowed());
         json.name("pose_prior").value(result.posePrior());
-        json.name("pixel_std_px");
-        number(result.pixelStdPx());
+        number("pixel_std_px", result.pixelStdPx());
         json.name("pixel_std_px_from").value(cell.pixelStdPx().isPresent() ? "cell file" : "residuals");
         json.name("marker_family").value(cell.family().familyName());
         json.name("camera_intrinsics");
@@ -203,11 +198,9 @@ public final class ResultJson {
         json.name("object_markers").beginObject();
         for (ObjectMarker marker : cell.objects()) {
             json.name(String.valueOf(marker.id())).beginObject();
-            json.name("size_mm");
-            number(marker.sizeMm());
+            number("size_mm", marker.sizeMm());
             if (marker.hasGrip()) {
-                json.name("grip_mm");
-                numbers(marker.gripMm());
+                numbers("grip_mm", marker.gripMm());
             }
             json.endObject();
         }
@@ -225,8 +218,7 @@ public final class ResultJson {
         json.name("width_px").value(camera.widthPx());
         json.name("height_px").value(camera.heightPx());
         for (int i = 0; i < INTRINSIC_NAMES.length; i++) {
-            json.name(INTRINSIC_NAMES[i]);
-            number(camera.get(i));
+            number(INTRINSIC_NAMES[i], camera.get(i));
         }
         json.endObject();
     }
@@ -234,18 +226,13 @@ public final class ResultJson {
     private void reference(Reference reference) throws IOException {
         json.beginObject();
         json.name("used").value(result.referencesUsed().contains(reference.id()));
-        json.name("size_mm");
-        number(reference.sizeMm());
-        json.name("position_mm");
-        numbers(reference.worldFromMarker().translationMm());
-        json.name("rotation_rad");
-        numbers(wrapped(reference.worldFromMarker().eulerRad()));
+        number("size_mm", reference.sizeMm());
+        numbers("position_mm", reference.worldFromMarker().translationMm());
+        numbers("rotation_rad", wrapped(reference.worldFromMarker().eulerRad()));
         json.name("placement").beginObject();
-        json.name("std_mm");
-        numbers(new double[] {reference.placement().stdMm(0), reference.placement().stdMm(1),
+        numbers("std_mm", new double[] {reference.placement().stdMm(0), reference.placement().stdMm(1),
             reference.placement().stdMm(2)});
-        json.name("std_rad");
-        number(reference.placement().stdRad());
+        number("std_rad", reference.placement().stdRad());
         json.endObject();
         json.endObject();
     }
@@ -263,22 +250,16 @@ public final class ResultJson {
     /** The members of a pose; the object around them may hold more. */
     private void poseMembers(PoseEstimate pose) throws IOException {
         json.name("frame").value(pose.frame());
-        json.name("order");
-        strings(POSE_ORDER);
+        strings("order", POSE_ORDER);
         double[] mean = pose.mean();
         for (int i = 3; i < 6; i++) {
             mean[i] = Angles.wrapToPi(mean[i]);
         }
-        json.name("mean");
-        numbers(mean);
-        json.name("std");
-        numbers(pose.std());
-        json.name("covariance");
-        matrix(pose.covariance());
-        json.name("tangent_order");
-        strings(TANGENT_ORDER);
-        json.name("tangent_covariance");
-        matrix(pose.tangentCovariance());
+        numbers("mean", mean);
+        numbers("std", pose.std());
+        matrix("covariance", pose.covariance());
+        strings("tangent_order", TANGENT_ORDER);
+        matrix("tangent_covariance", pose.tangentCovariance());
     }
 
     /** The modes of a pose where it is ambiguous; nothing where it is not. */
@@ -289,8 +270,7 @@ public final class ResultJson {
         json.name("modes").beginArray();
         for (ModeEstimate mode : modes) {
             json.beginObject();
-            json.name("weight");
-            number(mode.weight());
+            number("weight", mode.weight());
             poseMembers(mode.pose());
             json.endObject();
         }
@@ -299,15 +279,11 @@ public final class ResultJson {
 
     private void intrinsics(IntrinsicsEstimate intrinsics) throws IOException {
         json.beginObject();
-        json.name("names");
-        strings(intrinsics.names());
-        json.name("mean");
-        numbers(intrinsics.mean());
+        strings("names", intrinsics.names());
+        numbers("mean", intrinsics.mean());
         double[][] covariance = intrinsics.covariance();
-        json.name("std");
-        numbers(std(covariance));
-        json.name("covariance");
-        matrix(covariance);
+        numbers("std", std(covariance));
+        matrix("covariance", covariance);
         json.endObject();
     }
 
@@ -327,19 +303,15 @@ public final class ResultJson {
         } else {
             json.nullValue();
         }
-        json.name("worst_std_mm");
-        number(object.worstStdMm());
+        number("worst_std_mm", object.worstStdMm());
         json.name("pose").beginObject();
         poseMembers(object.pose());
         json.endObject();
         if (object.grip() != null) {
             json.name("grip").beginObject();
-            json.name("mean");
-            numbers(object.grip().meanMm());
-            json.name("std");
-            numbers(object.grip().stdMm());
-            json.name("covariance");
-            matrix(object.grip().covarianceMm2());
+            numbers("mean", object.grip().meanMm());
+            numbers("std", object.grip().stdMm());
+            matrix("covariance", object.grip().covarianceMm2());
             json.endObject();
         }
         budget("budget", object.budget());
@@ -370,8 +342,7 @@ public final class ResultJson {
     private void shares(Map<String, Double> shares) throws IOException {
         json.beginObject();
         for (Map.Entry<String, Double> e : shares.entrySet()) {
-            json.name(e.getKey());
-            number(e.getValue());
+            number(e.getKey(), e.getValue());
         }
         json.endObject();
     }
@@ -382,12 +353,9 @@ public final class ResultJson {
             return;
         }
         json.beginObject();
-        json.name("centre");
-        numbers(new double[] {ellipse.centreX(), ellipse.centreY()});
-        json.name("semi_axes");
-        numbers(new double[] {ellipse.semiMajor(), ellipse.semiMinor()});
-        json.name("angle_rad");
-        number(ellipse.angleRad());
+        numbers("centre", new double[] {ellipse.centreX(), ellipse.centreY()});
+        numbers("semi_axes", new double[] {ellipse.semiMajor(), ellipse.semiMinor()});
+        number("angle_rad", ellipse.angleRad());
         json.endObject();
     }
 
@@ -399,26 +367,17 @@ public final class ResultJson {
         json.name("used").value(fit != null);
         if (fit != null) {
             json.name("misplaced").value(fit.misplaced());
-            json.name("chi_square");
-            number(fit.chiSquare());
+            number("chi_square", fit.chiSquare());
             json.name("degrees_of_freedom").value(fit.degreesOfFreedom());
-            json.name("p_value");
-            number(fit.pValue());
-            json.name("normalised_residual");
-            number(fit.normalisedResidual());
+            number("p_value", fit.pValue());
+            number("normalised_residual", fit.normalisedResidual());
             if (fit.tested()) {
-                json.name("order");
-                strings(TANGENT_ORDER);
-                json.name("statistic");
-                numbers(fit.statistic());
-                json.name("limit");
-                numbers(fit.limit());
-                json.name("offset");
-                numbers(fit.offset());
-                json.name("offset_std");
-                numbers(fit.offsetStd());
-                json.name("detectable");
-                numbers(fit.detectable());
+                strings("order", TANGENT_ORDER);
+                numbers("statistic", fit.statistic());
+                numbers("limit", fit.limit());
+                numbers("offset", fit.offset());
+                numbers("offset_std", fit.offsetStd());
+                numbers("detectable", fit.detectable());
             }
         }
         json.endObject();
@@ -427,14 +386,10 @@ public final class ResultJson {
     private void misplaced(MisplacedReference reference) throws IOException {
         json.beginObject();
         json.name("id").value(reference.id());
-        json.name("order");
-        strings(TANGENT_ORDER);
-        json.name("offset");
-        numbers(reference.offset());
-        json.name("statistic");
-        number(reference.statistic());
-        json.name("limit");
-        number(reference.limit());
+        strings("order", TANGENT_ORDER);
+        numbers("offset", reference.offset());
+        number("statistic", reference.statistic());
+        number("limit", reference.limit());
         json.name("or_instead").beginArray();
         for (int id : reference.orInstead()) {
             json.value(id);
@@ -453,8 +408,7 @@ public final class ResultJson {
         json.endArray();
         json.name("camera").beginObject();
         poseMembers(without.camera());
-        json.name("move_mm");
-        numbers(without.cameraMoveMm());
+        numbers("move_mm", without.cameraMoveMm());
         json.endObject();
         json.name("objects").beginObject();
         for (WithoutMisplaced.ObjectWithout object : without.objects()) {
@@ -462,22 +416,15 @@ public final class ResultJson {
             json.name("pose").beginObject();
             poseMembers(object.pose());
             json.endObject();
-            json.name("move_mm");
-            numbers(object.moveMm());
-            json.name("error_mm");
-            numbers(object.errorMm());
+            numbers("move_mm", object.moveMm());
+            numbers("error_mm", object.errorMm());
             if (object.grip() != null) {
                 json.name("grip").beginObject();
-                json.name("mean");
-                numbers(object.grip().meanMm());
-                json.name("std");
-                numbers(object.grip().stdMm());
-                json.name("covariance");
-                matrix(object.grip().covarianceMm2());
-                json.name("move_mm");
-                numbers(object.gripMoveMm());
-                json.name("error_mm");
-                numbers(object.gripErrorMm());
+                numbers("mean", object.grip().meanMm());
+                numbers("std", object.grip().stdMm());
+                matrix("covariance", object.grip().covarianceMm2());
+                numbers("move_mm", object.gripMoveMm());
+                numbers("error_mm", object.gripErrorMm());
                 json.endObject();
             }
             json.endObject();
@@ -521,14 +468,10 @@ public final class ResultJson {
             double moved = sampledMean[i] - mean[i];
             shift[i] = (i < 3 ? moved : Angles.wrapToPi(moved)) / laplace[i];
         }
-        json.name(prefix + "mean");
-        numbers(mean);
-        json.name(prefix + "std");
-        numbers(laplace);
-        json.name(prefix + "mean_shift_by_std");
-        numbers(shift);
-        json.name(prefix + "sampled_by_laplace");
-        numbers(ratio);
+        numbers(prefix + "mean", mean);
+        numbers(prefix + "std", laplace);
+        numbers(prefix + "mean_shift_by_std", shift);
+        numbers(prefix + "sampled_by_laplace", ratio);
     }
 
     // ---- diagnostics
@@ -538,14 +481,10 @@ public final class ResultJson {
         json.beginObject();
         json.name("converged").value(d.converged());
         json.name("convergence").value(word(d.convergence()));
-        json.name("r_hat_max");
-        number(d.rHatMax());
-        json.name("ess_bulk_min");
-        number(d.essBulkMin());
-        json.name("ess_tail_min");
-        number(d.essTailMin());
-        json.name("mcse_std_rel_max");
-        number(d.mcseStdRelMax());
+        number("r_hat_max", d.rHatMax());
+        number("ess_bulk_min", d.essBulkMin());
+        number("ess_tail_min", d.essTailMin());
+        number("mcse_std_rel_max", d.mcseStdRelMax());
         json.name("precision_reached");
         if (result.settings().iterations().isPresent()) {
             json.nullValue();
@@ -564,28 +503,19 @@ public final class ResultJson {
             boolean angle = layout.isAngle(layout.indexOf(e.getKey()));
             json.name(e.getKey()).beginObject();
             json.name("status").value(word(p.status()));
-            json.name("mean");
-            number(angle && Double.isFinite(p.mean()) ? Angles.wrapToPi(p.mean()) : p.mean());
-            json.name("std");
-            number(p.std());
-            json.name("r_hat");
-            number(p.rHat());
-            json.name("ess_bulk");
-            number(p.essBulk());
-            json.name("ess_tail");
-            number(p.essTail());
-            json.name("mcse_mean");
-            number(p.mcseMean());
-            json.name("mcse_std");
-            number(p.mcseSd());
+            number("mean", angle && Double.isFinite(p.mean()) ? Angles.wrapToPi(p.mean()) : p.mean());
+            number("std", p.std());
+            number("r_hat", p.rHat());
+            number("ess_bulk", p.essBulk());
+            number("ess_tail", p.essTail());
+            number("mcse_mean", p.mcseMean());
+            number("mcse_std", p.mcseSd());
             for (int percent : QUANTILE_PERCENT) {
                 double quantile = p.quantile(percent / 100.0);
-                json.name("q" + percent);
-                number(angle && Double.isFinite(quantile) ? Angles.wrapToPi(quantile) : quantile);
+                number("q" + percent, angle && Double.isFinite(quantile) ? Angles.wrapToPi(quantile) : quantile);
             }
             for (int percent : QUANTILE_PERCENT) {
-                json.name("mcse_q" + percent);
-                number(p.mcseQuantile(percent / 100.0));
+                number("mcse_q" + percent, p.mcseQuantile(percent / 100.0));
             }
             json.endObject();
         }
@@ -595,7 +525,8 @@ public final class ResultJson {
 
     // ---- numbers
 
-    private void number(double value) throws IOException {
+    private void number(String name, double value) throws IOException {
+        json.name(name);
         if (Double.isFinite(value)) {
             json.value(value);
         } else {
@@ -603,8 +534,21 @@ public final class ResultJson {
         }
     }
 
-    private void numbers(double[] values) throws IOException {
-        // a vector or a row of a matrix stays on its line
+    private void numbers(String name, double[] values) throws IOException {
+        json.name(name);
+        row(values);
+    }
+
+    private void matrix(String name, double[][] rows) throws IOException {
+        json.name(name).beginArray();
+        for (double[] row : rows) {
+            row(row);
+        }
+        json.endArray();
+    }
+
+    /** A vector or a row of a matrix stays on its line. */
+    private void row(double[] values) throws IOException {
         StringBuilder row = new StringBuilder("[");
         for (int i = 0; i < values.length; i++) {
             row.append(i == 0 ? "" : ", ").append(Double.isFinite(values[i]) ? Double.toString(values[i]) : "null");
@@ -613,15 +557,7 @@ public final class ResultJson {
     }
 
     /** Plain names, without anything to escape. */
-    private void strings(List<String> values) throws IOException {
-        json.jsonValue("[\"" + String.join("\", \"", values) + "\"]");
-    }
-
-    private void matrix(double[][] rows) throws IOException {
-        json.beginArray();
-        for (double[] row : rows) {
-            numbers(row);
-        }
-        json.endArray();
+    private void strings(String name, List<String> values) throws IOException {
+        json.name(name).jsonValue("[\"" + String.join("\", \"", values) + "\"]");
     }
 }

@@ -49,8 +49,8 @@ public final class LiveCheck {
      * frame comes at once.</dd>
      * <dt><b>Scheduler:</b></dt>
      * <dd>One thread of its own takes the frames, estimates key frames and emits; one more leads the chains, which step
-     * on {@link LivePace#chainThreads()} others. All end soon after the subscription. Do not block in {@code onNext} of the
-     * subscriber: observe on another scheduler.</dd>
+     * on {@link LivePace#chainThreads()} others. All end soon after the subscription. Do not block in {@code onNext} of
+     * the subscriber: observe on another scheduler.</dd>
      * <dt><b>Error handling:</b></dt>
      * <dd>Frames that cannot be estimated are states and no errors. An error of {@code frames} or {@code pace}, or a
      * fault of the program, ends the stream with it. When the frames end, the key frame counts as held still, its check

@@ -15,7 +15,8 @@ import org.junit.jupiter.api.Test;
 
 class IdleThreadsTest {
     private static long threads(String name) {
-        return Thread.getAllStackTraces().keySet().stream().filter(t -> t.isAlive() && t.getName().equals(name)).count();
+        return Thread.getAllStackTraces().keySet().stream().filter(t -> t.isAlive() && t.getName().equals(name))
+                .count();
     }
 
     private static void awaitNoThread(String name) throws InterruptedException {
