@@ -10,6 +10,7 @@ import org.junit.Test;
 import org.junit.runner.RunWith;
 import org.robolectric.RobolectricTestRunner;
 import org.robolectric.RuntimeEnvironment;
+import org.robolectric.annotation.Config;
 
 /** Tests see the Android and the app that they are meant to see: Android behaves by the version an app was made for. */
 @RunWith(RobolectricTestRunner.class)
@@ -19,12 +20,23 @@ public class PlatformTest {
     public void appIsTheOneThatIsBuilt() throws PackageManager.NameNotFoundException {
         Application app = RuntimeEnvironment.getApplication();
         ApplicationInfo info = app.getApplicationInfo();
-        assertEquals(34, Build.VERSION.SDK_INT);
         assertEquals(34, info.targetSdkVersion);
         assertEquals(26, info.minSdkVersion);
         assertEquals("org.cellgauge.android", app.getPackageName());
         assertEquals(System.getProperty("cellgauge.version"),
                 app.getPackageManager().getPackageInfo(app.getPackageName(), 0).versionName);
+    }
+
+    @Test
+    @Config(maxSdk = 33)
+    public void oldestAndroidIsTheOldestThatTheAppIsFor() {
+        assertEquals(26, Build.VERSION.SDK_INT);
+    }
+
+    @Test
+    @Config(minSdk = 27)
+    public void newestAndroidIsTheOneThatTheAppIsMadeFor() {
+        assertEquals(34, Build.VERSION.SDK_INT);
     }
 
     /** As on a tablet: asked for in the manifest, not given until the user says so. */

@@ -19,10 +19,10 @@ import java.util.HashSet;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 import org.robolectric.RobolectricTestRunner;
+import org.robolectric.annotation.Config;
 import org.robolectric.shadow.api.Shadow;
 import org.robolectric.shadows.ShadowCameraCharacteristics;
 import org.robolectric.shadows.StreamConfigurationMapBuilder;
-import org.robolectric.util.ReflectionHelpers;
 
 /** What is read from a camera's characteristics, and what from those of a device that states nothing or nonsense. */
 @RunWith(RobolectricTestRunner.class)
@@ -34,6 +34,7 @@ public class CameraTraitsTest {
     }
 
     @Test
+    @Config(minSdk = Build.VERSION_CODES.S)
     public void whatADeviceStatesIsRead() {
         state(CameraCharacteristics.LENS_FACING, CameraMetadata.LENS_FACING_BACK);
         state(CameraCharacteristics.SENSOR_ORIENTATION, 90);
@@ -85,20 +86,15 @@ public class CameraTraitsTest {
 
     /** Of API 26 and 27 the lens' distortion is not known: what they state of it has no fixed meaning. */
     @Test
+    @Config(maxSdk = Build.VERSION_CODES.O_MR1)
     public void olderAndroidsStateNoDistortion() {
-        state(CameraCharacteristics.LENS_DISTORTION, new float[] {0.1f, 0, 0, 0, 0});
-        state(CameraCharacteristics.DISTORTION_CORRECTION_AVAILABLE_MODES, new int[] {0, 1});
         state(CameraCharacteristics.SENSOR_INFO_ACTIVE_ARRAY_SIZE, new Rect(8, 6, 3992, 2994));
         state(CameraCharacteristics.SENSOR_INFO_PRE_CORRECTION_ACTIVE_ARRAY_SIZE, new Rect(0, 0, 4000, 3000));
-        int now = Build.VERSION.SDK_INT;
-        try {
-            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", 27);
-            CameraTraits traits = CameraTraits.of("0", characteristics);
-            assertNull(traits.distortion());
-            assertTrue(traits.alwaysCorrectsLens());
-        } finally {
-            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", now);
-        }
+        state(CameraCharacteristics.LENS_INTRINSIC_CALIBRATION, new float[] {3100, 3110, 2020, 1490, 0});
+        CameraTraits traits = CameraTraits.of("0", characteristics);
+        assertNull(traits.distortion());
+        assertTrue(traits.alwaysCorrectsLens());
+        assertEquals(3100, traits.intrinsicCalibration()[0], 0);
     }
 
     @Test

@@ -16,7 +16,7 @@ import org.cellgauge.geometry.PixelArea;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 import org.robolectric.RobolectricTestRunner;
-import org.robolectric.util.ReflectionHelpers;
+import org.robolectric.annotation.Config;
 
 /** What a camera is told, by what it offers. */
 @RunWith(RobolectricTestRunner.class)
@@ -46,6 +46,7 @@ public class RequestSettingsTest {
     }
 
     @Test
+    @Config(minSdk = Build.VERSION_CODES.S)
     public void allThatMovesTheImageIsSwitchedOff() {
         Map<CaptureRequest.Key<?>, Object> settings = settings(able());
         assertEquals(CameraMetadata.CONTROL_AF_MODE_AUTO, settings.get(CaptureRequest.CONTROL_AF_MODE));
@@ -64,20 +65,24 @@ public class RequestSettingsTest {
     }
 
     @Test
-    public void olderAndroidsAreNotAskedForWhatTheyDoNotKnow() {
-        int now = Build.VERSION.SDK_INT;
-        try {
-            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", 27);
-            Map<CaptureRequest.Key<?>, Object> settings = settings(able());
-            assertFalse(settings.containsKey(CaptureRequest.DISTORTION_CORRECTION_MODE));
-            assertFalse(settings.containsKey(CaptureRequest.SCALER_ROTATE_AND_CROP));
-            assertEquals(CameraMetadata.EDGE_MODE_OFF, settings.get(CaptureRequest.EDGE_MODE));
-        } finally {
-            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", now);
+    @Config(maxSdk = Build.VERSION_CODES.O_MR1)
+    public void olderAndroidsAreAskedForAllThatTheyKnowAndNothingElse() {
+        Map<CaptureRequest.Key<?>, Object> settings = settings(able());
+        assertEquals(CameraMetadata.CONTROL_AF_MODE_AUTO, settings.get(CaptureRequest.CONTROL_AF_MODE));
+        assertEquals(CameraMetadata.LENS_OPTICAL_STABILIZATION_MODE_OFF,
+                settings.get(CaptureRequest.LENS_OPTICAL_STABILIZATION_MODE));
+        assertEquals(CameraMetadata.CONTROL_VIDEO_STABILIZATION_MODE_OFF,
+                settings.get(CaptureRequest.CONTROL_VIDEO_STABILIZATION_MODE));
+        assertEquals(CameraMetadata.EDGE_MODE_OFF, settings.get(CaptureRequest.EDGE_MODE));
+        for (CaptureRequest.Key<?> key : settings.keySet()) {
+            assertFalse(key.getName(), key.getName().contains("distortion") || key.getName().contains("rotateAndCrop"));
         }
+        // without the key for the correction it cannot be off, and areas are those after it
+        assertEquals(new Rect(0, 0, 3984, 2988), settings.get(CaptureRequest.SCALER_CROP_REGION));
     }
 
     @Test
+    @Config(minSdk = Build.VERSION_CODES.P)
     public void theWholeSensorIsShown() {
         assertEquals(new Rect(0, 0, 4000, 3000), settings(able()).get(CaptureRequest.SCALER_CROP_REGION));
         // where the lens is corrected whatever is asked, areas are those after it

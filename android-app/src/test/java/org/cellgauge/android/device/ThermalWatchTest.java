@@ -11,8 +11,8 @@ import org.junit.runner.RunWith;
 import org.robolectric.RobolectricTestRunner;
 import org.robolectric.RuntimeEnvironment;
 import org.robolectric.Shadows;
+import org.robolectric.annotation.Config;
 import org.robolectric.shadows.ShadowPowerManager;
-import org.robolectric.util.ReflectionHelpers;
 
 /** Android's thermal status as levels. */
 @RunWith(RobolectricTestRunner.class)
@@ -21,6 +21,7 @@ public class ThermalWatchTest {
     private final ShadowPowerManager power = Shadows.shadowOf(context.getSystemService(PowerManager.class));
 
     @Test
+    @Config(minSdk = Build.VERSION_CODES.Q)
     public void thePresentLevelComesAtOnceAndThenEveryChange() {
         power.setCurrentThermalStatus(PowerManager.THERMAL_STATUS_MODERATE);
         TestSubscriber<ThermalLevel> seen = new ThermalWatch(context).levels().test();
@@ -35,6 +36,7 @@ public class ThermalWatchTest {
     }
 
     @Test
+    @Config(minSdk = Build.VERSION_CODES.Q)
     public void nobodyIsListenedToAfterTheLastHasGone() {
         TestSubscriber<ThermalLevel> seen = new ThermalWatch(context).levels().test();
         assertEquals(1, power.getThermalStatusListeners().size());
@@ -43,14 +45,9 @@ public class ThermalWatchTest {
     }
 
     @Test
+    @Config(maxSdk = Build.VERSION_CODES.P)
     public void olderAndroidsSayNothingAndStayNormal() {
-        int now = Build.VERSION.SDK_INT;
-        try {
-            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", 28);
-            new ThermalWatch(context).levels().test().assertResult(ThermalLevel.NORMAL);
-        } finally {
-            ReflectionHelpers.setStaticField(Build.VERSION.class, "SDK_INT", now);
-        }
+        new ThermalWatch(context).levels().test().assertResult(ThermalLevel.NORMAL);
     }
 
     @Test

@@ -440,16 +440,18 @@ public class MainActivityTest {
         }
     }
 
+    /** Read as every Android can read it. */
     @Test
+    @SuppressWarnings("deprecation")
     public void savedResultIsSharedWithTheRightToReadIt() {
         try (Screen screen = live()) {
             screen.holdStillUntilResult(FIXTURE);
             screen.tap(R.id.save);
             screen.tap(R.id.share);
             Intent chooser = shadowOf(screen.activity()).getNextStartedActivity();
-            Intent shared = chooser.getParcelableExtra(Intent.EXTRA_INTENT, Intent.class);
+            Intent shared = chooser.getParcelableExtra(Intent.EXTRA_INTENT);
             assertEquals(Intent.ACTION_SEND_MULTIPLE, shared.getAction());
-            List<Uri> uris = shared.getParcelableArrayListExtra(Intent.EXTRA_STREAM, Uri.class);
+            List<Uri> uris = shared.getParcelableArrayListExtra(Intent.EXTRA_STREAM);
             assertEquals(Arrays.asList(Uri.parse("content://results/lifted-4-1.png"),
                     Uri.parse("content://results/lifted-4-1.result.json")), uris);
             assertTrue((shared.getFlags() & Intent.FLAG_GRANT_READ_URI_PERMISSION) != 0);

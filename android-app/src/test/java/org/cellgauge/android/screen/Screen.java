@@ -9,10 +9,12 @@ import android.graphics.Bitmap;
 import android.graphics.Canvas;
 import android.graphics.SurfaceTexture;
 import android.hardware.display.DisplayManager;
+import android.os.Build;
 import android.os.Bundle;
 import android.os.Looper;
 import android.view.Display;
 import android.view.View;
+import android.view.ViewGroup;
 import android.widget.TextView;
 import java.io.File;
 import java.io.FileOutputStream;
@@ -208,16 +210,30 @@ final class Screen implements AutoCloseable {
 
     /** What is on the screen; the camera's own picture is missing there, since no camera drew it. */
     Bitmap picture() {
-        View root = activity().getWindow().getDecorView();
-        Bitmap bitmap = Bitmap.createBitmap(root.getWidth(), root.getHeight(), Bitmap.Config.ARGB_8888);
-        root.draw(new Canvas(bitmap));
-        return bitmap;
+        return picture(activity().getWindow().getDecorView());
     }
 
     static Bitmap picture(View view) {
+        if (Build.VERSION.SDK_INT < Build.VERSION_CODES.P) {
+            withoutFadingEdges(view);
+        }
         Bitmap bitmap = Bitmap.createBitmap(view.getWidth(), view.getHeight(), Bitmap.Config.ARGB_8888);
         view.draw(new Canvas(bitmap));
         return bitmap;
+    }
+
+    /**
+     * Androids before 9 fade edges by layers that leave the canvas unclipped. The drawing code that Robolectric runs is
+     * of a later one, which knows no such layers: it would draw the edges and nothing between them.
+     */
+    private static void withoutFadingEdges(View view) {
+        view.setVerticalFadingEdgeEnabled(false);
+        view.setHorizontalFadingEdgeEnabled(false);
+        if (view instanceof ViewGroup) {
+            for (int i = 0; i < ((ViewGroup) view).getChildCount(); i++) {
+                withoutFadingEdges(((ViewGroup) view).getChildAt(i));
+            }
+        }
     }
 
     /** Keeps the screen as a PNG, with a photo where the camera's picture would be. */
@@ -235,7 +251,8 @@ final class Screen implements AutoCloseable {
     }
 
     static void write(String name, Bitmap bitmap) {
-        File folder = new File(System.getProperty("cellgauge.root"), "android-app/build/screenshots");
+        File folder = new File(System.getProperty("cellgauge.root"), "android-app/build/screenshots/"
+                + (Build.VERSION.SDK_INT < Build.VERSION_CODES.O_MR1 ? "android-8" : "android-14"));
         folder.mkdirs();
         try (OutputStream out = new FileOutputStream(new File(folder, name + ".png"))) {
             bitmap.compress(Bitmap.CompressFormat.PNG, 100, out);
