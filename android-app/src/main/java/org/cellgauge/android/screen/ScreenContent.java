@@ -176,6 +176,7 @@ final class ScreenContent {
             case NOT_PERMITTED:
                 return new Message(title, text, Action.OPEN_SETTINGS, Action.TRY_AGAIN, Action.OPEN_PHOTO);
             case NO_SUITABLE_SIZE:
+            case NO_CAMERA_MODEL:
                 return canCalibrate(s) ? new Message(title, text, Action.CHOOSE_CALIBRATION, Action.OPEN_PHOTO)
                         : new Message(title, text, Action.OPEN_PHOTO);
             default:

@@ -238,6 +238,8 @@ final class Wording {
                 return get(R.string.fault_disconnected);
             case NO_SUITABLE_SIZE:
                 return get(R.string.fault_no_size);
+            case NO_CAMERA_MODEL:
+                return get(R.string.fault_no_model);
             default:
                 return get(R.string.fault_failed);
         }
@@ -257,6 +259,8 @@ final class Wording {
                 return get(R.string.fault_disconnected_text);
             case NO_SUITABLE_SIZE:
                 return get(R.string.fault_no_size_text);
+            case NO_CAMERA_MODEL:
+                return get(R.string.fault_no_model_text);
             default:
                 return get(R.string.fault_failed_text);
         }

@@ -149,6 +149,15 @@ class ApkTest {
         assertFalse(found("^ *uses-feature: name='([^']*)'", text).stream().anyMatch(f -> f.contains("camera")), text);
     }
 
+    /** Nothing leaves the device by itself. */
+    @ParameterizedTest
+    @ValueSource(strings = {"debug", "release"})
+    void resultsGoIntoNoBackup(String variant) throws Exception {
+        String text = run(0, "aapt2", "dump", "xmltree", "--file", "AndroidManifest.xml", apk(variant));
+        assertEquals(Set.of("false"), found(":allowBackup\\(0x[0-9a-f]+\\)=(\\S+)", text));
+        assertFalse(found(":dataExtractionRules\\(0x[0-9a-f]+\\)=(\\S+)", text).isEmpty(), text);
+    }
+
     /** Android installs no version over one with a higher code. */
     @ParameterizedTest
     @ValueSource(strings = {"debug", "release"})

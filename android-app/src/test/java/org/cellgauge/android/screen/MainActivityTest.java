@@ -30,8 +30,10 @@ import java.io.File;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.cellgauge.android.R;
 import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraModelSource;
@@ -467,7 +469,7 @@ public class MainActivityTest {
     public void permissionIsAskedForInContextAndRefusalIsNoEnd() {
         try (Screen screen = Screen.start()) {
             screen.chooseCell(FIXTURE.document());
-            assertEquals("The camera needs your permission", screen.text(R.id.message_title));
+            assertEquals("CellGauge needs access to the camera", screen.text(R.id.message_title));
             assertEquals("The camera is off", screen.text(R.id.banner_headline));
             assertNull("nothing is asked before the user knows why",
                     shadowOf(screen.activity()).getLastRequestedPermission());
@@ -512,7 +514,7 @@ public class MainActivityTest {
             shadowOf(Screen.app()).denyPermissions(Manifest.permission.CAMERA);
             screen.resume();
             assertFalse(feed().isOpen());
-            assertEquals("The camera needs your permission", screen.text(R.id.message_title));
+            assertEquals("CellGauge needs access to the camera", screen.text(R.id.message_title));
         }
     }
 
@@ -520,6 +522,7 @@ public class MainActivityTest {
 
     @Test
     public void everyFaultIsExplainedAndNoneEndsTheApp() {
+        Set<String> explained = new HashSet<>();
         for (CameraFault fault : CameraFault.values()) {
             try (Screen screen = live()) {
                 feed().fault(fault);
@@ -530,6 +533,8 @@ public class MainActivityTest {
                 String offers = screen.text(R.id.message_first) + screen.text(R.id.message_second)
                         + screen.text(R.id.message_third);
                 assertTrue(offers, offers.contains("Open a saved photo"));
+                assertTrue(fault.toString(), explained.add(screen.text(R.id.message_title)));
+                assertTrue(fault.toString(), explained.add(screen.text(R.id.message_text)));
             }
         }
     }
@@ -655,7 +660,7 @@ public class MainActivityTest {
     public void photoOfAnotherSizeIsRefusedWithBothSizes() {
         try (Screen screen = live()) {
             screen.openPhoto(new Photo("small.png", GreyImage.packed(new byte[640 * 480], 640, 480)));
-            assertEquals("The photo is of another size", screen.text(R.id.message_title));
+            assertEquals("The photo has another size", screen.text(R.id.message_title));
             assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("640 x 480 px"));
             assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("1280 x 720 px"));
             screen.tap(R.id.message_second);
