@@ -175,7 +175,7 @@ final class LiveSession {
             withoutReference();
         } else {
             framesWithoutReference = 0;
-            if (key == null || moved() || markersChanged(frame.detections)) {
+            if (key == null || key.refusal != null || moved() || markersChanged(frame.detections)) {
                 takeAsKeyFrame(frame);
             } else {
                 settle();
@@ -216,6 +216,8 @@ final class LiveSession {
         }
         running = null;
         key.refusal = error.getMessage();
+        // chains begin without it: with it the quick look of the next frame could accept what they refuse again
+        lastWorldFromCamera = null;
         publish();
         completeIfDone();
     }

@@ -359,6 +359,14 @@ final class CameraRun {
             // reports and images come on ways of their own: an image may still be from before
             Long exposureNs = result.get(CaptureResult.SENSOR_TIMESTAMP);
             stillFromNs = exposureNs == null ? Long.MIN_VALUE : exposureNs;
+            if (setup.notes().contains(CameraNote.FOCUS_NOT_LOCKED)
+                    && !settings.notes().contains(CameraNote.FOCUS_NOT_LOCKED)) {
+                // an earlier scan came to no end, this one has
+                Set<CameraNote> notes = EnumSet.noneOf(CameraNote.class);
+                notes.addAll(setup.notes());
+                notes.remove(CameraNote.FOCUS_NOT_LOCKED);
+                renote(notes);
+            }
         }
     }
 
@@ -366,10 +374,14 @@ final class CameraRun {
         if (!closed.get() && focus.giveUp() && !setup.notes().contains(CameraNote.FOCUS_NOT_LOCKED)) {
             Set<CameraNote> notes = EnumSet.of(CameraNote.FOCUS_NOT_LOCKED);
             notes.addAll(setup.notes());
-            setup = new CameraSetup(setup.camera(), setup.source(), setup.sensorOrientationDeg(), setup.frontFacing(),
-                    notes);
-            listener.onOpened(setup);
+            renote(notes);
         }
+    }
+
+    private void renote(Set<CameraNote> notes) {
+        setup = new CameraSetup(setup.camera(), setup.source(), setup.sensorOrientationDeg(), setup.frontFacing(),
+                notes);
+        listener.onOpened(setup);
     }
 
     private void frameCame(ImageReader source) {

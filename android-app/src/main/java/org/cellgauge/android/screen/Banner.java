@@ -15,6 +15,7 @@ enum Banner {
     PHOTO_REFUSED(R.string.head_photo_refused, R.drawable.mark_not_judged, R.color.banner_idle),
     CAMERA_OFF(R.string.head_camera_off, R.drawable.ic_camera_off, R.color.banner_idle),
     CAMERA_STARTING(R.string.head_camera_starting, R.drawable.mark_preliminary, R.color.banner_idle),
+    FOCUSING(R.string.head_focusing, R.drawable.mark_preliminary, R.color.banner_idle),
     SEARCHING(R.string.head_searching, R.drawable.mark_not_seen, R.color.banner_idle),
     REFUSED(R.string.head_refused, R.drawable.mark_not_judged, R.color.banner_idle),
     INTERNAL(R.string.head_internal, R.drawable.mark_not_converged, R.color.banner_idle),
@@ -71,6 +72,9 @@ enum Banner {
         }
         if (s.source() == ImageSource.LIVE && !cameraMayRun(s)) {
             return CAMERA_OFF;
+        }
+        if (s.awaitsFrame()) {
+            return FOCUSING;
         }
         return s.phase() == null ? CAMERA_STARTING : of(s, s.phase());
     }

@@ -152,7 +152,10 @@ public final class MainActivity extends Activity {
         findViewById(R.id.save).setOnClickListener(v -> session.save());
         findViewById(R.id.share).setOnClickListener(v -> share());
         findViewById(R.id.target).setOnClickListener(v -> targetDialog = new TargetDialog(this, session, null));
-        findViewById(R.id.refocus).setOnClickListener(v -> feed.refocus());
+        findViewById(R.id.refocus).setOnClickListener(v -> {
+            session.refocusing();
+            feed.refocus();
+        });
         findViewById(R.id.photo).setOnClickListener(v -> chooseDocument(REQUEST_PHOTO, "image/*"));
         findViewById(R.id.cell).setOnClickListener(v -> chooseDocument(REQUEST_CELL, "*/*"));
     }
@@ -294,7 +297,7 @@ public final class MainActivity extends Activity {
                 && s.permission() == CameraPermission.GRANTED;
         if (wanted && openFor != s.cell()) {
             openFor = s.cell();
-            feed.open(s.liveCalibration(), surface, session.cameraListener());
+            feed.open(s.liveCalibration(), surface, session.cameraListener(s.cell()));
         } else if (!wanted && openFor != null) {
             openFor = null;
             feed.close();
@@ -435,6 +438,18 @@ public final class MainActivity extends Activity {
                 break;
             default:
                 break;
+        }
+    }
+
+    /** From a held picture back to the camera; else the app steps aside and keeps what it has. */
+    @Override
+    @SuppressWarnings("deprecation") // what replaces it does not exist before Android 13
+    public void onBackPressed() {
+        CheckScreenState s = session.state();
+        if (s.cell() != null && s.source() != ImageSource.LIVE) {
+            session.resume();
+        } else {
+            moveTaskToBack(true);
         }
     }
 

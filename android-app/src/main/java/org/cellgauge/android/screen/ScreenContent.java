@@ -162,7 +162,7 @@ final class ScreenContent {
         }
         if (s.permission() == CameraPermission.REFUSED) {
             return new Message(words.get(R.string.permission), words.get(R.string.permission_refused_text),
-                    Action.OPEN_SETTINGS, Action.OPEN_PHOTO);
+                    Action.OPEN_SETTINGS, Action.ALLOW_CAMERA, Action.OPEN_PHOTO);
         }
         CameraFault fault = s.fault();
         if (fault == null) {

@@ -1,7 +1,7 @@
 package org.cellgauge.android.state;
 
 import io.reactivex.rxjava3.core.Flowable;
-import io.reactivex.rxjava3.disposables.Disposable;
+import io.reactivex.rxjava3.disposables.SerialDisposable;
 import io.reactivex.rxjava3.functions.Consumer;
 import io.reactivex.rxjava3.processors.FlowableProcessor;
 import io.reactivex.rxjava3.processors.PublishProcessor;
@@ -31,7 +31,8 @@ final class CheckRun {
     private final MarkerDetector detector;
     private final RecentFrames recent = new RecentFrames(RECENT_FRAMES);
     private final FlowableProcessor<Detections> frames = PublishProcessor.<Detections>create().toSerialized();
-    private volatile Disposable subscription = Disposable.disposed();
+    /** Stopped before it has begun, it never begins. */
+    private final SerialDisposable subscription = new SerialDisposable();
 
     /**
      * A check that has not begun. Takes some tenths of a second where the lens distorts.
@@ -66,7 +67,7 @@ final class CheckRun {
                 .estimate(focalEstimated ? CheckSettings.Estimate.FOCAL : CheckSettings.Estimate.NONE).build();
         Flowable<Detections> input = photo == null ? frames
                 : Flowable.just(detector.detect(photo.luminance(), photo.name()));
-        subscription = threads.check(input, cell, settings, pace).subscribe(states, faults);
+        subscription.set(threads.check(input, cell, settings, pace).subscribe(states, faults));
     }
 
     /** Looks for markers in a frame and hands them on; the frame may change afterwards. */

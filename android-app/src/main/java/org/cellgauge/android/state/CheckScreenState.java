@@ -239,7 +239,7 @@ public final class CheckScreenState {
      * @return in the order of the cell; empty where there is no check; unmodifiable
      */
     public List<ObjectRow> objects() {
-        return v.objects;
+        return awaitsFrame() ? Collections.emptyList() : v.objects;
     }
 
     /**
@@ -257,7 +257,17 @@ public final class CheckScreenState {
      * @return null for nothing
      */
     public Overlay overlay() {
-        return v.overlay;
+        return awaitsFrame() ? null : v.overlay;
+    }
+
+    /**
+     * Whether the camera's picture has begun anew and no frame of it was looked at yet, as while the lens still moves:
+     * what is known belongs to a picture from before, and lies nowhere on this one.
+     *
+     * @return true until the first frame
+     */
+    public boolean awaitsFrame() {
+        return v.source == ImageSource.LIVE && v.live != null && v.awaitedFrame > 0;
     }
 
     /**
@@ -427,6 +437,8 @@ public final class CheckScreenState {
         private CameraPermission permission = CameraPermission.UNKNOWN;
         private ThermalLevel heat = ThermalLevel.NORMAL;
         private PictureDisplay display = PictureDisplay.UNKNOWN;
+        /** Number of the first frame of a picture that has begun anew; 0 where one was looked at. */
+        private long awaitedFrame;
         private OptionalInt run = OptionalInt.empty();
         private LiveState live;
         private CheckResult result;
@@ -462,6 +474,7 @@ public final class CheckScreenState {
             permission = o.permission;
             heat = o.heat;
             display = o.display;
+            awaitedFrame = o.awaitedFrame;
             run = o.run;
             live = o.live;
             result = o.result;
@@ -563,6 +576,7 @@ public final class CheckScreenState {
         Builder noCheck(OptionalInt newRun) {
             run = newRun;
             live = null;
+            awaitedFrame = Math.min(awaitedFrame, 1);
             result = null;
             objects = Collections.emptyList();
             overlay = null;
@@ -571,8 +585,14 @@ public final class CheckScreenState {
             return this;
         }
 
+        Builder awaitFrame() {
+            awaitedFrame = live == null ? 1 : live.frameNumber() + 1;
+            return this;
+        }
+
         Builder live(LiveState value, Photo checkedPhoto) {
             live = value;
+            awaitedFrame = value.frameNumber() >= awaitedFrame ? 0 : awaitedFrame;
             checked = checkedPhoto;
             return this;
         }

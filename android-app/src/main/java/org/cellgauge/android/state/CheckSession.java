@@ -1,6 +1,7 @@
 package org.cellgauge.android.state;
 
 import io.reactivex.rxjava3.core.Flowable;
+import io.reactivex.rxjava3.core.Scheduler;
 import io.reactivex.rxjava3.disposables.CompositeDisposable;
 import io.reactivex.rxjava3.processors.BehaviorProcessor;
 import io.reactivex.rxjava3.processors.FlowableProcessor;
@@ -56,7 +57,7 @@ public final class CheckSession {
     private final BehaviorProcessor<CheckScreenState> states = BehaviorProcessor.createDefault(CheckScreenState.EMPTY);
     private final BehaviorProcessor<LivePace> pace = BehaviorProcessor.createDefault(LivePace.FULL);
     private final CompositeDisposable work = new CompositeDisposable();
-    private final CameraFeed.Listener listener = new Frames();
+    private final Scheduler.Worker fileWork;
 
     // What the camera's thread must know at once, not when its turn comes.
     private final Object runLock = new Object();
@@ -85,6 +86,9 @@ public final class CheckSession {
         this.settings = settings.toBuilder().seed(memory.seed()).build();
         this.threads = threads;
         this.remembered = memory;
+        // a worker, unlike a task scheduled by itself, does not hold what is done: photos and draws of every save
+        fileWork = threads.files().createWorker();
+        work.add(fileWork);
         changes.observeOn(threads.states())
                 .scan(CheckScreenState.EMPTY, (state, change) -> change.apply(state))
                 .subscribe(states);
@@ -131,12 +135,13 @@ public final class CheckSession {
     }
 
     /**
-     * Gets what the camera has to say.
+     * Gets what the camera has to say while it is open for a cell.
      *
-     * @return to be given to the feed
+     * @param cell the cell whose calibration, or lack of one, the camera is opened with
+     * @return to be given to the feed; it hears nothing any more once another cell is in use
      */
-    public CameraFeed.Listener cameraListener() {
-        return listener;
+    public CameraFeed.Listener cameraListener(CellDocument cell) {
+        return new Frames(cell);
     }
 
     /** Ends the session: checks stop, no state comes any more. */
@@ -196,11 +201,12 @@ public final class CheckSession {
         synchronized (runLock) {
             stopRun();
             document = read;
+            openSetup = null;
             live = true;
             change(s -> s.change().cell(read).readingCell(false).cellProblem(null).calibrationUri(calibrationUri)
                     .target(read.cell().targetStdMm(), false).source(ImageSource.LIVE).still(null, null)
                     .photo(null, null, false).photoProblem(null).readingPhoto(false).fault(null)
-                    .noCheck(OptionalInt.empty()).build());
+                    .setup(null).noCheck(OptionalInt.empty()).build());
         }
         return true;
     }
@@ -310,6 +316,9 @@ public final class CheckSession {
                 && camera.heightPx() == photo.luminance().heightPx();
         try {
             begin(cell, camera, focal, photo);
+        } catch (OutOfMemoryError e) {
+            photoRefused(new Problem(Problem.Kind.PHOTO_REFUSED, photo.name()
+                    + ": the memory of this device does not suffice to check a photo of this size; take a smaller one"));
         } catch (RuntimeException e) {
             photoRefused(problem(fits ? Problem.Kind.PHOTO_REFUSED : Problem.Kind.PHOTO_SIZE, e));
         }
@@ -374,6 +383,11 @@ public final class CheckSession {
         change(s -> s.fault() == null ? s : s.change().fault(null).build());
     }
 
+    /** The camera was told to focus anew: no frame comes while the lens moves. */
+    public void refocusing() {
+        change(s -> s.source() == ImageSource.LIVE ? s.change().awaitFrame().build() : s);
+    }
+
     /**
      * The device got warmer or cooler.
      *
@@ -411,7 +425,7 @@ public final class CheckSession {
     private CheckRun begin(CellDocument cell, PinholeCamera camera, boolean focal, Photo photo) {
         CheckRun begun = new CheckRun(runs.incrementAndGet(), cell, camera, focal, photo);
         synchronized (runLock) {
-            if (document != cell || live != (photo == null)) {
+            if (closed || document != cell || live != (photo == null)) {
                 return null;
             }
             stopRun();
@@ -493,23 +507,39 @@ public final class CheckSession {
 
     /** Frames come on the feed's thread and are looked at there. */
     private final class Frames implements CameraFeed.Listener {
+        private final CellDocument cell;
         private final SimpleDateFormat stamp = new SimpleDateFormat("yyyyMMdd-HHmmss", Locale.ROOT);
         private long lastNs = Long.MIN_VALUE;
+        private boolean opened;
         private boolean broken;
+
+        Frames(CellDocument cell) {
+            this.cell = cell;
+        }
 
         @Override
         public void onOpened(CameraSetup setup) {
-            openSetup = setup;
+            synchronized (runLock) {
+                if (cell != document) {
+                    return;
+                }
+                openSetup = setup;
+                boolean anew = !opened;
+                opened = true;
+                change(s -> {
+                    CheckScreenState next = redrawn(s.change().setup(setup).fault(null).build());
+                    return anew ? next.change().awaitFrame().build() : next;
+                });
+            }
             lastNs = Long.MIN_VALUE;
             broken = false;
-            change(s -> redrawn(s.change().setup(setup).fault(null).build()));
         }
 
         @Override
         public void onFrame(GreyImage luminance, long timestampNs) {
-            CellDocument cell = document;
             CameraSetup setup = openSetup;
-            if (!live || cell == null || setup == null || broken || tooSoon(timestampNs)) {
+            // frames of a camera that was opened for the cell before have its calibration
+            if (!live || cell != document || setup == null || broken || tooSoon(timestampNs)) {
                 return;
             }
             lastNs = timestampNs;
@@ -523,7 +553,7 @@ public final class CheckSession {
                     return;
                 }
                 current.frame(luminance, "frame-" + stamp.format(new Date()) + ".png");
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | OutOfMemoryError e) {
                 // the next frame would fail alike
                 broken = true;
                 change(s -> s.change().checkProblem(problem(Problem.Kind.INTERNAL, e)).build());
@@ -591,7 +621,7 @@ public final class CheckSession {
 
     private void files(Runnable task) {
         if (!closed) {
-            work.add(threads.files().scheduleDirect(task));
+            fileWork.schedule(task);
         }
     }
 

@@ -9,6 +9,10 @@ import org.cellgauge.vision.GreyImage;
  * and a check chooses its key frame a little after it came. Arrays of frames that were not chosen are used again.
  */
 final class RecentFrames {
+    /** Large frames are kept in smaller number: the whole app may have no more than 200 MB. */
+    private static final long MOST_BYTES = 24_000_000;
+    private static final int FEWEST = 2;
+
     private final Detections[] detections;
     private final byte[][] luminance;
     private int next;
@@ -33,6 +37,10 @@ final class RecentFrames {
      */
     synchronized void keep(Detections found, GreyImage image) {
         int size = image.widthPx() * image.heightPx();
+        int room = (int) Math.max(FEWEST, Math.min(detections.length, MOST_BYTES / size));
+        if (next >= room) {
+            next = 0;
+        }
         byte[] copy = luminance[next];
         if (copy == null || copy.length != size) {
             copy = new byte[size];
@@ -43,7 +51,7 @@ final class RecentFrames {
                     image.widthPx());
         }
         detections[next] = found;
-        next = (next + 1) % detections.length;
+        next = (next + 1) % room;
     }
 
     /**

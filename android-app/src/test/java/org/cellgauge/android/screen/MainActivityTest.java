@@ -30,14 +30,17 @@ import java.io.File;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.cellgauge.android.R;
 import org.cellgauge.android.camera.CameraFault;
+import org.cellgauge.android.camera.CameraFeed;
 import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
+import org.cellgauge.android.camera.CameraSetup;
 import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.Photo;
@@ -480,7 +483,9 @@ public class MainActivityTest {
                     new int[] {PackageManager.PERMISSION_DENIED});
             screen.settle();
             assertEquals("Open settings", screen.text(R.id.message_first));
-            assertEquals("Open a saved photo", screen.text(R.id.message_second));
+            // a dialog that was only put aside can be asked for again
+            assertEquals("Allow access", screen.text(R.id.message_second));
+            assertEquals("Open a saved photo", screen.text(R.id.message_third));
             assertFalse(screen.activity().isFinishing());
             screen.tap(R.id.message_first);
             Intent settings = shadowOf(screen.activity()).getNextStartedActivity();
@@ -515,6 +520,70 @@ public class MainActivityTest {
             screen.resume();
             assertFalse(feed().isOpen());
             assertEquals("CellGauge needs access to the camera", screen.text(R.id.message_title));
+        }
+    }
+
+    // ---- what belongs to what
+
+    @Test
+    public void figuresOfBeforeLieOnNoNewViewBeforeItsFirstFrame() {
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            CheckResult result = screen.state().result();
+            screen.pause();
+            screen.resume();
+            feed().opened(FIXTURE.cell().camera(), 90, false);
+            screen.settle();
+            assertEquals("Focusing…", screen.text(R.id.banner_headline));
+            assertNull(screen.state().overlay());
+            assertFalse(rows(screen), rows(screen).contains("Object 5"));
+            feed().frame(FIXTURE.image());
+            screen.until("the same view", () -> !screen.state().awaitsFrame());
+            assertEquals("Pass – target met", screen.text(R.id.banner_headline));
+            assertSame(result, screen.state().result());
+            assertTrue(rows(screen), rows(screen).contains("Object 5 – within 3 mm"));
+
+            screen.tap(R.id.refocus);
+            assertEquals("Focusing…", screen.text(R.id.banner_headline));
+            assertNull(screen.state().overlay());
+            feed().frame(FIXTURE.image());
+            screen.until("focused", () -> !screen.state().awaitsFrame());
+            assertEquals("Pass – target met", screen.text(R.id.banner_headline));
+        }
+    }
+
+    @Test
+    public void cameraThatWasOpenedForTheCellBeforeIsNotHeardAnyMore() {
+        try (Screen screen = live()) {
+            feed().frame(FIXTURE.image());
+            screen.until("quick look", () -> screen.state().live() != null);
+            CameraFeed.Listener before = feed().listener();
+            screen.chooseCell(new CellDocument("other.yaml", "content://cells/other", FIXTURE.cell(), null));
+            before.onOpened(new CameraSetup(FIXTURE.cell().camera(), CameraModelSource.CALIBRATION_FILE, 90, false,
+                    EnumSet.noneOf(CameraNote.class)));
+            before.onFrame(FIXTURE.image(), Long.MAX_VALUE);
+            screen.settle();
+            assertNull(screen.state().setup());
+            assertNull(screen.state().live());
+            // nor is its calibration taken for a photo
+            screen.openPhoto(FIXTURE.photo());
+            assertEquals("The camera of this photo is not known", screen.text(R.id.message_title));
+        }
+    }
+
+    @Test
+    public void backLeadsFromAHeldFrameToTheCameraAndThenAsideWithoutAnEnd() {
+        try (Screen screen = live()) {
+            screen.holdStillUntilResult(FIXTURE);
+            screen.tap(R.id.freeze);
+            assertEquals(ImageSource.FROZEN, screen.state().source());
+            screen.activity().onBackPressed();
+            screen.settle();
+            assertEquals(ImageSource.LIVE, screen.state().source());
+            assertFalse(screen.activity().isFinishing());
+            screen.activity().onBackPressed();
+            screen.settle();
+            assertFalse(screen.activity().isFinishing());
         }
     }
 

@@ -115,6 +115,11 @@ public class TestApp extends CellGaugeApp implements AppParts {
             return listener != null;
         }
 
+        /** Who is told, also after the camera has closed. */
+        Listener listener() {
+            return listener;
+        }
+
         /** The camera opens upright on a device whose sensor lies as stated. */
         void opened(PinholeCamera camera, int sensorOrientationDeg, boolean front, CameraNote... notes) {
             opened(camera, CameraModelSource.CALIBRATION_FILE, sensorOrientationDeg, front, notes);

@@ -53,6 +53,21 @@ class RecentFramesTest {
         assertSame(photo, frames.choose(key), "asked again, the same");
     }
 
+    /** Eight frames of 12 million pixels would be half of what an app may have. */
+    @Test
+    void ofLargeFramesFewAreKept() {
+        RecentFrames large = new RecentFrames(8);
+        GreyImage image = GreyImage.packed(new byte[12_000_000], 4000, 3000);
+        Detections[] found = new Detections[3];
+        for (int i = 0; i < found.length; i++) {
+            found[i] = new Detections("frame " + i, 4000, 3000, Collections.emptyList());
+            large.keep(found[i], image);
+        }
+        assertNull(large.choose(found[0]));
+        assertEquals("frame 1", large.choose(found[1]).name());
+        assertEquals("frame 2", large.choose(found[2]).name());
+    }
+
     @Test
     void anotherFrameCanBeChosenAndTheFirstStaysWhole() {
         Detections first = keep(10);
