@@ -45,7 +45,7 @@ public enum CheckWarning implements WarningKind {
      */
     FIGURES_REST_ON_IT("figures rest on reference %s all the same: without it %s moves by (%s, %s, %s) mm%s%s"),
     /** The same of several: their ids, and so on. */
-    FIGURES_REST_ON_THEM("figures rest on reference %s all the same: without them %s moves by (%s, %s, %s) mm%s%s"),
+    FIGURES_REST_ON_THEM("figures rest on references %s all the same: without them %s moves by (%s, %s, %s) mm%s%s"),
     /** Nothing can be said of what hangs on the one misplaced reference. */
     NO_POSE_WITHOUT_IT("without it the other references lead to no camera pose"),
     /** Nothing can be said of what hangs on several misplaced references. */

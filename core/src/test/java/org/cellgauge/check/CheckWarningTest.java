@@ -93,7 +93,7 @@ class CheckWarningTest {
                 Warning.of(CheckPhrase.GRIP, 20), n(1, 1), n(-2, 1), n(0.5, 1),
                 Warning.of(CheckPhrase.MORE_THAN_ANY_OTHER),
                 Warning.of(CheckPhrase.LARGEST_DEVIATION, n(1.4, 2), n(1.2, 2)));
-        says("figures rest on reference 22 and 8 all the same: without them the camera moves by (1.0, -2.0, 0.5) mm",
+        says("figures rest on references 22 and 8 all the same: without them the camera moves by (1.0, -2.0, 0.5) mm",
                 CheckWarning.FIGURES_REST_ON_THEM, Listing.and(Arrays.asList(22, 8)), Warning.of(CheckPhrase.CAMERA),
                 n(1, 1), n(-2, 1), n(0.5, 1), "", "");
         says("object 20", CheckPhrase.OBJECT, 20);
