@@ -398,6 +398,11 @@ public final class CheckScreenState {
         return v.targetChosen;
     }
 
+    /** The photo that is shown; null for the bundled one or none. */
+    String photoUri() {
+        return v.photoUri;
+    }
+
     /** The calibration file in use, or null. */
     String calibrationUri() {
         return v.calibrationUri;

@@ -160,37 +160,44 @@ public final class CheckSession {
      * @param uri of the document
      */
     public void chooseCell(String uri) {
-        readCell(() -> library.cell(uri, null), null);
+        change(s -> s.change().readingCell(true).cellProblem(null).build());
+        files(() -> takeCell(() -> library.cell(uri, null), null, false));
     }
 
     /** Takes the bundled cell and its photo, so that there is a result without a camera. */
     public void tryExample() {
         change(s -> s.change().readingCell(true).cellProblem(null).build());
         files(() -> {
-            if (takeCell(library::example, null)) {
+            if (takeCell(library::example, null, false)) {
                 takePhoto(null, library::examplePhoto);
             }
         });
     }
 
     /**
-     * Takes a calibration file for the cell in use.
+     * Takes a calibration file for the cell in use. A target that was chosen stays, and a photo is checked again.
      *
      * @param uri of the document
      */
     public void chooseCalibration(String uri) {
-        CellDocument cell = document;
-        if (cell != null && cell.uri() != null) {
-            readCell(() -> library.cell(cell.uri(), uri), uri);
-        }
+        change(s -> s.change().readingCell(s.cell() != null).cellProblem(null).build());
+        files(() -> {
+            // looked at here, behind a session before that is still being taken up
+            CellDocument cell = document;
+            if (cell != null && cell.uri() != null) {
+                takeCell(() -> library.cell(cell.uri(), uri), uri, true);
+            } else {
+                change(s -> s.change().readingCell(false).build());
+            }
+        });
     }
 
-    private void readCell(Supplier<CellDocument> reading, String calibrationUri) {
-        change(s -> s.change().readingCell(true).cellProblem(null).build());
-        files(() -> takeCell(reading, calibrationUri));
-    }
-
-    private boolean takeCell(Supplier<CellDocument> reading, String calibrationUri) {
+    /**
+     * Reads a cell and takes it.
+     *
+     * @param same whether it is the one in use with another calibration, so that target and photo stay
+     */
+    private boolean takeCell(Supplier<CellDocument> reading, String calibrationUri, boolean same) {
         CellDocument read;
         try {
             read = reading.get();
@@ -203,10 +210,16 @@ public final class CheckSession {
             document = read;
             openSetup = null;
             live = true;
-            change(s -> s.change().cell(read).readingCell(false).cellProblem(null).calibrationUri(calibrationUri)
-                    .target(read.cell().targetStdMm(), false).source(ImageSource.LIVE).still(null, null)
-                    .photo(null, null, false).photoProblem(null).readingPhoto(false).fault(null)
-                    .setup(null).noCheck(OptionalInt.empty()).build());
+            change(s -> {
+                if (same && s.source() == ImageSource.PHOTO) {
+                    files(() -> takePhoto(s.photoUri(), photo(s.photoUri())));
+                }
+                boolean chosen = same && s.targetChosen();
+                return s.change().cell(read).readingCell(false).cellProblem(null).calibrationUri(calibrationUri)
+                        .target(chosen ? s.targetStdMm() : read.cell().targetStdMm(), chosen).source(ImageSource.LIVE)
+                        .still(null, null).photo(null, null, false).photoProblem(null).readingPhoto(false).fault(null)
+                        .setup(null).noCheck(OptionalInt.empty()).build();
+            });
         }
         return true;
     }
@@ -269,7 +282,12 @@ public final class CheckSession {
      */
     public void openPhoto(String uri) {
         beginPhoto();
-        files(() -> takePhoto(uri, () -> library.photo(uri)));
+        files(() -> takePhoto(uri, photo(uri)));
+    }
+
+    /** Reads a photo; the bundled one where there is no address. */
+    private Supplier<Photo> photo(String uri) {
+        return uri == null ? library::examplePhoto : () -> library.photo(uri);
     }
 
     private void beginPhoto() {
@@ -582,7 +600,7 @@ public final class CheckSession {
         files(() -> {
             Supplier<CellDocument> reading = m.cellUri() == null ? library::example
                     : () -> library.cell(m.cellUri(), m.calibrationUri());
-            if (!takeCell(reading, m.calibrationUri())) {
+            if (!takeCell(reading, m.calibrationUri(), false)) {
                 return;
             }
             if (m.targetChosen()) {
@@ -590,9 +608,7 @@ public final class CheckSession {
             }
             if (m.source() == ImageSource.PHOTO) {
                 beginPhoto();
-                Supplier<Photo> photo = m.photoUri() == null ? library::examplePhoto
-                        : () -> library.photo(m.photoUri());
-                checkPhoto(document, m.photoUri(), photo, m.photoCamera(), m.focalEstimated(), ImageSource.PHOTO, null);
+                checkPhoto(document, m.photoUri(), photo(m.photoUri()), m.photoCamera(), m.focalEstimated(), ImageSource.PHOTO, null);
             } else if (m.source() == ImageSource.FROZEN) {
                 FrozenFrameFile.Frame frame = frozenFrame.read();
                 if (frame != null && m.photoCamera() != null) {

@@ -65,6 +65,7 @@ import org.cellgauge.overlay.Role;
 import org.cellgauge.overlay.Shape;
 import org.cellgauge.overlay.TextShape;
 import org.cellgauge.vision.BoofMarkerDetector;
+import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
 import org.junit.Test;
 import org.junit.runner.RunWith;
@@ -568,6 +569,67 @@ public class MainActivityTest {
             // nor is its calibration taken for a photo
             screen.openPhoto(FIXTURE.photo());
             assertEquals("The camera of this photo is not known", screen.text(R.id.message_title));
+        }
+    }
+
+    @Test
+    public void calibrationChosenForARefusedPhotoChecksItAgainstTheTargetThatWasChosen() {
+        CellDocument bare = new CellDocument("bare.yaml", "content://cells/bare", FIXTURE.cell(), null);
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(bare);
+            screen.session().chooseTarget(1.5);
+            screen.openPhoto(FIXTURE.photo());
+            assertEquals("The camera of this photo is not known", screen.text(R.id.message_title));
+            assertEquals("Choose calibration file", screen.text(R.id.message_second));
+            Screen.app().library.cells.put(bare.uri(), () -> new CellDocument("bare.yaml", bare.uri(), FIXTURE.cell(),
+                    FIXTURE.cell().camera()));
+            screen.tap(R.id.message_second);
+            ShadowActivity.IntentForResult asked = shadowOf(screen.activity()).getNextStartedActivityForResult();
+            shadowOf(screen.activity()).receiveResult(asked.intent, Activity.RESULT_OK,
+                    new Intent().setData(Uri.parse("content://calibrations/tablet")));
+            screen.settle();
+            assertEquals(Arrays.asList(null, "content://calibrations/tablet"), Screen.app().library.calibrations);
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals(ImageSource.PHOTO, screen.state().source());
+            assertEquals("lifted-4.png", screen.state().still().name());
+            assertEquals(OptionalDouble.of(1.5), screen.state().targetStdMm());
+            assertEquals("Target missed", screen.text(R.id.banner_headline));
+            assertEquals(CheckSettings.Estimate.NONE, screen.state().result().settings().estimate());
+        }
+    }
+
+    @Test
+    public void focalLengthIsEstimatedWhereOnlyTheFieldOfViewIsKnown() {
+        CellDocument bare = new CellDocument("bare.yaml", "content://cells/bare", FIXTURE.cell(), null);
+        Screen.allowCamera();
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(bare);
+            screen.settle();
+            feed().opened(FIXTURE.cell().camera(), CameraModelSource.FIELD_OF_VIEW, 90, false);
+            screen.settle();
+            screen.holdStillUntilResult(FIXTURE);
+            assertEquals(CheckSettings.Estimate.FOCAL, screen.state().result().settings().estimate());
+            screen.openPhoto(FIXTURE.photo());
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals(CheckSettings.Estimate.FOCAL, screen.state().result().settings().estimate());
+        }
+    }
+
+    @Test
+    public void turningWhileChainsRunLeavesThemRunning() {
+        Screen.app().settings = CheckSettings.builder().targetMcseStdRel(1e-9).build();
+        try (Screen screen = live()) {
+            feed().frame(FIXTURE.image());
+            screen.until("quick look", () -> screen.state().live() != null);
+            feed().frame(FIXTURE.image());
+            screen.until("sampling", () -> screen.state().phase() == LiveState.Phase.SAMPLING
+                    && screen.state().iterationsPerChain() > 1000);
+            Detections key = screen.state().live().keyFrame();
+            int before = screen.state().iterationsPerChain();
+            screen.turn(Screen.TABLET_PORTRAIT, Surface.ROTATION_0);
+            screen.until("more", () -> screen.state().iterationsPerChain() > before);
+            assertSame(key, screen.state().live().keyFrame());
+            assertEquals(LiveState.Phase.SAMPLING, screen.state().phase());
         }
     }
 
