@@ -35,6 +35,24 @@ class LayersTest {
                 "android.app", "android.view", "android.widget", "android.graphics", "android.hardware"));
     }
 
+    /** No mathematics of its own, and no library of core's behind core's back. */
+    @Test
+    void theAppKnowsAndroidCoreAndTheStreamOfStatesAndNothingElse() throws IOException {
+        List<String> found = new ArrayList<>();
+        for (String folder : new String[] {"", "camera", "files", "device", "state", "screen"}) {
+            for (File file : new File(SOURCES, folder).listFiles(f -> f.getName().endsWith(".java"))) {
+                for (String line : Files.readAllLines(file.toPath(), StandardCharsets.UTF_8)) {
+                    if (line.matches("import (static )?(?!java\\.|android\\.|io\\.reactivex\\.|org\\.cellgauge\\.).*")
+                            || line.matches(".*\\b(boofcv|georegression|org\\.ejml|org\\.ddogleg|"
+                                    + "org\\.apache\\.commons\\.math3)\\..*")) {
+                        found.add(file.getName() + ": " + line);
+                    }
+                }
+            }
+        }
+        assertEquals(new ArrayList<>(), found);
+    }
+
     @Test
     void cameraFilesAndDeviceKnowNeitherStateNorScreen() throws IOException {
         for (String folder : new String[] {"camera", "files", "device"}) {

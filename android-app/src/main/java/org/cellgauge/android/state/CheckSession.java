@@ -335,8 +335,8 @@ public final class CheckSession {
         try {
             begin(cell, camera, focal, photo);
         } catch (OutOfMemoryError e) {
-            photoRefused(new Problem(Problem.Kind.PHOTO_REFUSED, photo.name()
-                    + ": the memory of this device does not suffice to check a photo of this size; take a smaller one"));
+            photoRefused(new Problem(Problem.Kind.PHOTO_REFUSED, photo.name() + ": the memory of this device does not "
+                    + "suffice to check a photo of this size; take a smaller one"));
         } catch (RuntimeException e) {
             photoRefused(problem(fits ? Problem.Kind.PHOTO_REFUSED : Problem.Kind.PHOTO_SIZE, e));
         }
@@ -608,7 +608,8 @@ public final class CheckSession {
             }
             if (m.source() == ImageSource.PHOTO) {
                 beginPhoto();
-                checkPhoto(document, m.photoUri(), photo(m.photoUri()), m.photoCamera(), m.focalEstimated(), ImageSource.PHOTO, null);
+                checkPhoto(document, m.photoUri(), photo(m.photoUri()), m.photoCamera(), m.focalEstimated(),
+                        ImageSource.PHOTO, null);
             } else if (m.source() == ImageSource.FROZEN) {
                 FrozenFrameFile.Frame frame = frozenFrame.read();
                 if (frame != null && m.photoCamera() != null) {

@@ -912,6 +912,34 @@ public class MainActivityTest {
     }
 
     @Test
+    public void liveCheckComesBackWithCellCalibrationAndTargetAfterTheProcessWasEnded() {
+        Screen.allowCamera();
+        Bundle kept;
+        try (Screen screen = Screen.start()) {
+            screen.chooseCell(FIXTURE.document());
+            screen.session().chooseCalibration("content://calibrations/tablet");
+            screen.settle();
+            screen.session().chooseTarget(1.5);
+            screen.settle();
+            feed().opened(FIXTURE.cell().camera(), 90, false);
+            screen.holdStillUntilResult(FIXTURE);
+            kept = screen.killed();
+        }
+        Screen.app().library.calibrations.clear();
+        try (Screen screen = Screen.start(throughAParcel(kept))) {
+            screen.settle();
+            assertEquals("lifted-4.yaml", screen.state().cell().name());
+            assertEquals(Arrays.asList("content://calibrations/tablet"), Screen.app().library.calibrations);
+            assertEquals(ImageSource.LIVE, screen.state().source());
+            assertTrue(feed().isOpen());
+            feed().opened(FIXTURE.cell().camera(), 90, false);
+            screen.holdStillUntilResult(FIXTURE);
+            assertEquals(OptionalDouble.of(1.5), screen.state().targetStdMm());
+            assertEquals("Target missed", screen.text(R.id.banner_headline));
+        }
+    }
+
+    @Test
     public void exampleComesBackAfterTheProcessWasEnded() {
         Bundle kept;
         try (Screen screen = Screen.start()) {
