@@ -281,7 +281,7 @@ public final class CheckSession {
      * @param uri of the document
      */
     public void openPhoto(String uri) {
-        beginPhoto();
+        beginPhoto(uri);
         files(() -> takePhoto(uri, photo(uri)));
     }
 
@@ -290,12 +290,13 @@ public final class CheckSession {
         return uri == null ? library::examplePhoto : () -> library.photo(uri);
     }
 
-    private void beginPhoto() {
+    /** The address counts from here on: a calibration that is taken meanwhile is for this photo. */
+    private void beginPhoto(String uri) {
         synchronized (runLock) {
             live = false;
             stopRun();
             change(s -> s.cell() == null ? s : s.change().source(ImageSource.PHOTO).still(null, null).readingPhoto(true)
-                    .photoProblem(null).noCheck(OptionalInt.empty()).build());
+                    .photo(uri, null, false).photoProblem(null).noCheck(OptionalInt.empty()).build());
         }
     }
 
@@ -304,7 +305,7 @@ public final class CheckSession {
         if (cell == null) {
             return;
         }
-        beginPhoto();
+        beginPhoto(uri);
         PinholeCamera camera = cell.calibration();
         boolean focal = false;
         CameraSetup setup = openSetup;
@@ -606,14 +607,16 @@ public final class CheckSession {
             if (m.targetChosen()) {
                 change(s -> s.change().target(m.targetStdMm(), true).build());
             }
-            if (m.source() == ImageSource.PHOTO) {
-                beginPhoto();
+            if (m.source() == ImageSource.PHOTO && m.photoCamera() == null) {
+                takePhoto(m.photoUri(), photo(m.photoUri()));
+            } else if (m.source() == ImageSource.PHOTO) {
+                beginPhoto(m.photoUri());
                 checkPhoto(document, m.photoUri(), photo(m.photoUri()), m.photoCamera(), m.focalEstimated(),
                         ImageSource.PHOTO, null);
             } else if (m.source() == ImageSource.FROZEN) {
                 FrozenFrameFile.Frame frame = frozenFrame.read();
                 if (frame != null && m.photoCamera() != null) {
-                    beginPhoto();
+                    beginPhoto(null);
                     checkPhoto(document, null, frame::photo, m.photoCamera(), m.focalEstimated(), ImageSource.FROZEN,
                             frame.orientation());
                 }

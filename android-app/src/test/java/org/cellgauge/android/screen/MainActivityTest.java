@@ -25,6 +25,8 @@ import android.view.Surface;
 import android.view.View;
 import android.widget.EditText;
 import android.widget.TextView;
+import io.reactivex.rxjava3.schedulers.Schedulers;
+import io.reactivex.rxjava3.schedulers.TestScheduler;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -48,6 +50,7 @@ import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.android.state.CheckSession;
 import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.ObjectRow;
+import org.cellgauge.android.state.SessionThreads;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
@@ -595,6 +598,25 @@ public class MainActivityTest {
             assertEquals(OptionalDouble.of(1.5), screen.state().targetStdMm());
             assertEquals("Target missed", screen.text(R.id.banner_headline));
             assertEquals(CheckSettings.Estimate.NONE, screen.state().result().settings().estimate());
+        }
+    }
+
+    @Test
+    public void photoAskedForWhileACalibrationIsReadIsTheOneThatIsChecked() {
+        TestScheduler files = new TestScheduler();
+        Screen.app().threads = () -> new SessionThreads(Schedulers.trampoline(), files, null, null);
+        CellDocument document = FIXTURE.document();
+        Screen.app().library.cells.put(document.uri(), () -> document);
+        Photo mine = new Photo("mine.png", FIXTURE.image());
+        Screen.app().library.photos.put("content://photos/mine.png", () -> mine);
+        try (Screen screen = Screen.start()) {
+            screen.session().chooseCell(document.uri());
+            files.triggerActions();
+            screen.session().chooseCalibration("content://calibrations/tablet");
+            screen.session().openPhoto("content://photos/mine.png");
+            files.triggerActions();
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals("mine.png", screen.state().still().name());
         }
     }
 
