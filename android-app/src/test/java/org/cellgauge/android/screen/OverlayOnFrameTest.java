@@ -43,6 +43,7 @@ public class OverlayOnFrameTest {
     private static final int HEIGHT = 720;
     /** A capital letter of 12 sp, but for the pixel that may be lost where the view is laid out. */
     private static final double SMALLEST_CAP_DP = 8.4;
+    /** How the sensor lies in most phones; tablets have it at 0 or 270 degrees, some of either at 180. */
     private static final int SENSOR_DEG = 90;
     private static final int POINTS = 60;
     /** Share of an ellipse's points that labels and axes may lie over. */
@@ -50,8 +51,8 @@ public class OverlayOnFrameTest {
 
     /** Quarter turns clockwise from a frame to the display, by how the device's makers count angles: see the Android
      * reference of SENSOR_ORIENTATION, which has the sum for a front camera and the difference for a back camera. */
-    private static int quarterTurns(int displayDeg, boolean front) {
-        return ((front ? SENSOR_DEG + displayDeg : SENSOR_DEG - displayDeg + 360) / 90) % 4;
+    private static int quarterTurns(int sensorDeg, int displayDeg, boolean front) {
+        return ((front ? sensorDeg + displayDeg : sensorDeg - displayDeg + 360) / 90) % 4;
     }
 
     /**
@@ -76,31 +77,50 @@ public class OverlayOnFrameTest {
             viewHeight / 2.0 + scale * (p[1] - height / 2)};
     }
 
-    private static CheckResult checkOfTheFrame() {
+    static CheckResult checkOfTheFrame() {
         Fixture fixture = Fixture.LIFTED;
         return CellCheck.run(fixture.cell(),
                 BoofMarkerDetector.forCell(fixture.cell()).detect(fixture.image(), "frame"),
                 CheckSettings.builder().build());
     }
 
-    private static Screen held(int displayRotation, boolean front) {
-        RuntimeEnvironment.setQualifiers(displayRotation % 2 == 1 ? Screen.TABLET_LANDSCAPE : Screen.TABLET_PORTRAIT);
-        Screen.turnDisplay(displayRotation);
-        Screen screen = Screen.live(Fixture.LIFTED.document(), SENSOR_DEG, front);
+    /** Sensors lie along the device's longer side, whichever way up the device is by nature. */
+    private static Screen held(int sensorDeg, int displayRotation, boolean front) {
+        turn(sensorDeg, displayRotation);
+        Screen screen = Screen.live(Fixture.LIFTED.document(), sensorDeg, front);
         screen.holdStillUntilResult(Fixture.LIFTED);
         return screen;
     }
 
+    private static void turn(int sensorDeg, int displayRotation) {
+        boolean landscape = (sensorDeg / 90 + displayRotation) % 2 == 0;
+        RuntimeEnvironment.setQualifiers(landscape ? Screen.TABLET_LANDSCAPE : Screen.TABLET_PORTRAIT);
+        Screen.turnDisplay(displayRotation);
+    }
+
     @Test
     public void shapesLieOnTheirPixelsInEveryRotationAndMirrored() {
+        assertShapesOnPixels(SENSOR_DEG, Surface.ROTATION_0, Surface.ROTATION_90, Surface.ROTATION_180,
+                Surface.ROTATION_270);
+    }
+
+    /** Each at two display rotations, one of them with the display on its side or upside down. */
+    @Test
+    public void shapesLieOnTheirPixelsHoweverTheSensorLies() {
+        assertShapesOnPixels(0, Surface.ROTATION_0, Surface.ROTATION_90);
+        assertShapesOnPixels(180, Surface.ROTATION_0, Surface.ROTATION_270);
+        assertShapesOnPixels(270, Surface.ROTATION_90, Surface.ROTATION_180);
+    }
+
+    private static void assertShapesOnPixels(int sensorDeg, int... rotations) {
         CheckResult expected = checkOfTheFrame();
         Overlay desktop = CellOverlay.of(expected, OverlayStyle.PHOTO.withoutPanels());
-        for (int rotation : new int[] {Surface.ROTATION_0, Surface.ROTATION_90, Surface.ROTATION_180,
-            Surface.ROTATION_270}) {
+        for (int rotation : rotations) {
             for (boolean front : new boolean[] {false, true}) {
-                String held = rotation * 90 + " degrees, " + (front ? "front" : "back");
-                int turns = quarterTurns(90 * rotation, front);
-                try (Screen screen = held(rotation, front)) {
+                String held = "sensor at " + sensorDeg + ", display at " + rotation * 90 + " degrees, "
+                        + (front ? "front" : "back");
+                int turns = quarterTurns(sensorDeg, 90 * rotation, front);
+                try (Screen screen = held(sensorDeg, rotation, front)) {
                     assertEllipsesOnPixels(screen, expected, held, turns, front);
                     assertShapesOfTheDesktop(screen.state().overlay(), desktop, turns, front);
                     screen.tap(R.id.freeze);
@@ -135,7 +155,7 @@ public class OverlayOnFrameTest {
         }
     }
 
-    private static void assertEllipsesOnPixels(Screen screen, CheckResult expected, String held, int turns,
+    static void assertEllipsesOnPixels(Screen screen, CheckResult expected, String held, int turns,
             boolean front) {
         OverlayView view = screen.find(R.id.overlay);
         Overlay whole = screen.state().overlay();
@@ -249,29 +269,36 @@ public class OverlayOnFrameTest {
     public void previewLiesUnderTheOverlay() {
         MarkerObservation marker = BoofMarkerDetector.forCell(Fixture.LIFTED.cell()).detect(Fixture.LIFTED.image(), "f")
                 .find(944);
-        for (int rotation = 0; rotation < 4; rotation++) {
-            for (boolean front : new boolean[] {false, true}) {
-                RuntimeEnvironment.setQualifiers(rotation % 2 == 1 ? Screen.TABLET_LANDSCAPE : Screen.TABLET_PORTRAIT);
-                Screen.turnDisplay(rotation);
-                try (Screen screen = Screen.live(Fixture.LIFTED.document(), SENSOR_DEG, front)) {
-                    PreviewView preview = screen.find(R.id.preview);
-                    CameraSetup setup = screen.state().setup();
-                    assertEquals(front, setup.frontFacing());
-                    Matrix matrix = preview.getTransform(null);
-                    int natural = SENSOR_DEG / 90;
-                    for (int k = 0; k < 8; k += 2) {
-                        double[] corner = marker.cornersPx();
-                        double[] up = upright(corner[k], corner[k + 1], natural, front);
-                        float[] p = {(float) (up[0] / HEIGHT * preview.getWidth()),
-                            (float) (up[1] / WIDTH * preview.getHeight())};
-                        matrix.mapPoints(p);
-                        int turns = quarterTurns(90 * rotation, front);
-                        double[] expected = inView(upright(corner[k], corner[k + 1], turns, front), turns,
-                                preview.getWidth(), preview.getHeight());
-                        assertEquals(rotation + " " + front, expected[0], p[0], 0.01);
-                        assertEquals(rotation + " " + front, expected[1], p[1], 0.01);
-                    }
+        for (int sensorDeg = 0; sensorDeg < 360; sensorDeg += 90) {
+            for (int rotation = 0; rotation < 4; rotation++) {
+                for (boolean front : new boolean[] {false, true}) {
+                    assertPreviewUnderTheOverlay(marker.cornersPx(), sensorDeg, rotation, front);
                 }
+            }
+        }
+    }
+
+    private static void assertPreviewUnderTheOverlay(double[] corners, int sensorDeg, int rotation, boolean front) {
+        turn(sensorDeg, rotation);
+        try (Screen screen = Screen.live(Fixture.LIFTED.document(), sensorDeg, front)) {
+            PreviewView preview = screen.find(R.id.preview);
+            CameraSetup setup = screen.state().setup();
+            assertEquals(front, setup.frontFacing());
+            Matrix matrix = preview.getTransform(null);
+            int natural = sensorDeg / 90;
+            double naturalWidth = natural % 2 == 0 ? WIDTH : HEIGHT;
+            double naturalHeight = natural % 2 == 0 ? HEIGHT : WIDTH;
+            int turns = quarterTurns(sensorDeg, 90 * rotation, front);
+            String held = "sensor at " + sensorDeg + ", display at " + rotation * 90 + ", front " + front;
+            for (int k = 0; k < 8; k += 2) {
+                double[] up = upright(corners[k], corners[k + 1], natural, front);
+                float[] p = {(float) (up[0] / naturalWidth * preview.getWidth()),
+                    (float) (up[1] / naturalHeight * preview.getHeight())};
+                matrix.mapPoints(p);
+                double[] expected = inView(upright(corners[k], corners[k + 1], turns, front), turns,
+                        preview.getWidth(), preview.getHeight());
+                assertEquals(held, expected[0], p[0], 0.01);
+                assertEquals(held, expected[1], p[1], 0.01);
             }
         }
     }
