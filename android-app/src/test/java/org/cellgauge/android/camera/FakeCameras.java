@@ -1,7 +1,9 @@
 package org.cellgauge.android.camera;
 
+import android.graphics.ImageFormat;
 import android.hardware.camera2.CameraAccessException;
 import android.hardware.camera2.CameraCaptureSession;
+import android.hardware.camera2.CameraCharacteristics;
 import android.hardware.camera2.CameraDevice;
 import android.hardware.camera2.CameraManager;
 import android.hardware.camera2.CaptureFailure;
@@ -13,6 +15,7 @@ import android.hardware.camera2.params.OutputConfiguration;
 import android.media.Image;
 import android.media.ImageReader;
 import android.os.Handler;
+import android.util.Size;
 import android.view.Surface;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -21,18 +24,22 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.cellgauge.vision.GreyImage;
+import org.robolectric.RuntimeEnvironment;
 import org.robolectric.annotation.Implementation;
 import org.robolectric.annotation.Implements;
 import org.robolectric.shadow.api.Shadow;
+import org.robolectric.shadows.ShadowCameraCharacteristics;
 import org.robolectric.shadows.ShadowCameraManager;
 import org.robolectric.shadows.ShadowTotalCaptureResult;
+import org.robolectric.shadows.StreamConfigurationMapBuilder;
 import org.robolectric.util.ReflectionHelpers;
 
 /**
  * Cameras that do what a test tells them: open late or not at all, refuse sizes, report a focus, deliver frames, die.
  * They answer on the handler that they are given, as Android's do.
  */
-final class FakeCameras {
+public final class FakeCameras {
     /** What the next calls meet; replaced before every test. */
     static FakeCameras current = new FakeCameras();
 
@@ -57,6 +64,57 @@ final class FakeCameras {
 
     private final Map<CaptureRequest, Map<CaptureRequest.Key<?>, Object>> requests = new IdentityHashMap<>();
 
+    /** Cameras of which nothing is open yet; the next calls meet these. */
+    public static FakeCameras begin() {
+        current = new FakeCameras();
+        return current;
+    }
+
+    /** The device has a camera whose lens does not move, with frames of one size alone. */
+    public static void plugIn(int facing, int sensorOrientationDeg, int widthPx, int heightPx) {
+        CameraCharacteristics c = ShadowCameraCharacteristics.newCameraCharacteristics();
+        ShadowCameraCharacteristics shadow = Shadow.extract(c);
+        shadow.set(CameraCharacteristics.LENS_FACING, facing);
+        shadow.set(CameraCharacteristics.SENSOR_ORIENTATION, sensorOrientationDeg);
+        shadow.set(CameraCharacteristics.SCALER_STREAM_CONFIGURATION_MAP, StreamConfigurationMapBuilder.newBuilder()
+                .addOutputSize(ImageFormat.YUV_420_888, new Size(widthPx, heightPx))
+                .addOutputSize(new Size(widthPx, heightPx)).build());
+        shadow.set(CameraCharacteristics.LENS_INFO_MINIMUM_FOCUS_DISTANCE, 0f);
+        shadow.set(CameraCharacteristics.CONTROL_AF_AVAILABLE_MODES, new int[] {0});
+        Manager manager = Shadow.extract(RuntimeEnvironment.getApplication().getSystemService(CameraManager.class));
+        manager.addCamera("0", c);
+    }
+
+    /** How many cameras were opened so far. */
+    public int openings() {
+        return devices.size();
+    }
+
+    /** Whether the camera that was opened last delivers frames. */
+    public boolean streams() {
+        return !devices.isEmpty() && lastDevice().session != null && lastDevice().session.streams();
+    }
+
+    /** The camera that was opened last takes a picture of what is stated, of its frames' size. */
+    public void deliver(GreyImage seen, long timestampNs) {
+        Reader reader = lastReader();
+        if (seen.widthPx() != reader.width || seen.heightPx() != reader.height) {
+            throw new IllegalArgumentException("the camera was asked for other frames: " + reader.width + " x "
+                    + reader.height);
+        }
+        reader.deliver(new Frame(seen, timestampNs));
+    }
+
+    /** How many frames were delivered so far, by all cameras. */
+    public int delivered() {
+        return readers.stream().mapToInt(r -> r.frames.size()).sum();
+    }
+
+    /** Whether the app has closed every image that it took, so that the cameras have their memory back. */
+    public boolean allFramesClosed() {
+        return readers.stream().flatMap(r -> r.frames.stream()).allMatch(f -> f.closed);
+    }
+
     private Map<CaptureRequest.Key<?>, Object> settingsOf(CaptureRequest request) {
         synchronized (requests) {
             return requests.get(request);
@@ -72,7 +130,7 @@ final class FakeCameras {
     }
 
     /** Whether nothing that was opened is still open. */
-    boolean allClosed() {
+    public boolean allClosed() {
         return devices.stream().allMatch(d -> d.closed) && readers.stream().allMatch(r -> r.closed);
     }
 
@@ -407,7 +465,10 @@ final class FakeCameras {
 
         /** A frame of one grey value comes. */
         Frame deliver(int grey, long timestampNs, boolean cutShort) {
-            Frame frame = new Frame(width, height, grey, timestampNs, cutShort);
+            return deliver(new Frame(width, height, grey, timestampNs, cutShort));
+        }
+
+        private Frame deliver(Frame frame) {
             frames.add(frame);
             synchronized (waiting) {
                 waiting.add(frame);
@@ -441,9 +502,18 @@ final class FakeCameras {
             }
         }
 
+        Frame(GreyImage seen, long timestampNs) {
+            this(seen.widthPx(), seen.heightPx(), 0, timestampNs, false);
+            for (int y = 0; y < height; y++) {
+                for (int x = 0; x < width; x++) {
+                    plane.put(y * (width + PADDING) + x, (byte) seen.get(x, y));
+                }
+            }
+        }
+
         @Override
         public int getFormat() {
-            return android.graphics.ImageFormat.YUV_420_888;
+            return ImageFormat.YUV_420_888;
         }
 
         @Override
