@@ -34,7 +34,7 @@ class ArchitectureTest {
 
     /** The path of a photo through the library: each package may use those before it. */
     private static final List<String> ORDER =
-            List.of("warning", "geometry", "cell", "vision", "pose", "posterior", "sampling", "check", "validation",
+            List.of("warning", "geometry", "light", "cell", "vision", "pose", "posterior", "sampling", "check", "validation",
                     "live", "overlay");
 
     /** Mathematics alone: uses no other package, and is used only by these. */

@@ -12,6 +12,7 @@ public final class Detections {
     private final int heightPx;
     private final List<MarkerObservation> markers;
     private final List<Warning> warnings;
+    private final PhotoLight light;
 
     /**
      * Detections of one image without warnings.
@@ -36,11 +37,27 @@ public final class Detections {
      */
     public Detections(String imageName, int widthPx, int heightPx, List<MarkerObservation> markers,
             List<Warning> warnings) {
+        this(imageName, widthPx, heightPx, markers, warnings, null);
+    }
+
+    /**
+     * Detections of one image with what was found out about its light.
+     *
+     * @param imageName name of the image for messages and results
+     * @param widthPx image width
+     * @param heightPx image height
+     * @param markers one observation per marker id
+     * @param warnings for the user
+     * @param light tone curve, blur and noise; null where corners came without an image
+     */
+    public Detections(String imageName, int widthPx, int heightPx, List<MarkerObservation> markers,
+            List<Warning> warnings, PhotoLight light) {
         this.imageName = imageName;
         this.widthPx = widthPx;
         this.heightPx = heightPx;
         this.markers = Collections.unmodifiableList(new ArrayList<>(markers));
         this.warnings = Collections.unmodifiableList(new ArrayList<>(warnings));
+        this.light = light;
     }
 
     /**
@@ -86,6 +103,15 @@ public final class Detections {
      */
     public List<Warning> warnings() {
         return warnings;
+    }
+
+    /**
+     * What was found out about the photo's light.
+     *
+     * @return tone curve, blur and noise; null where corners came without an image
+     */
+    public PhotoLight light() {
+        return light;
     }
 
     /**

@@ -1,12 +1,17 @@
 package org.cellgauge.vision;
 
-/** One marker as seen in an image: its id and where its four corners are; immutable. */
+/**
+ * One marker as seen in an image: its id, where its four corners are and, where the detector can tell, how precisely
+ * they are known; immutable.
+ */
 public final class MarkerObservation {
     private final int id;
     private final double[] cornersPx;
+    private final double[] covariancePx2;
+    private final EdgeShift edgeShift;
 
     /**
-     * An observation.
+     * An observation of which nothing is known but the corners.
      *
      * @param id marker id
      * @param cornersPx 8 values: u, v of top-left, top-right, bottom-right, bottom-left corner of the marker in its own
@@ -14,6 +19,22 @@ public final class MarkerObservation {
      * @throws IllegalArgumentException if there are not 8 finite values
      */
     public MarkerObservation(int id, double[] cornersPx) {
+        this(id, cornersPx, null, null);
+    }
+
+    /**
+     * An observation.
+     *
+     * @param id marker id
+     * @param cornersPx 8 values: u, v of top-left, top-right, bottom-right, bottom-left corner of the marker in its own
+     *     frame, px with pixel centres at +0.5, distorted as in the image; copied
+     * @param covariancePx2 covariance of the errors of these 8 values, 8x8 row by row, px², symmetric and positive
+     *     definite (checked where files are read, not here); null: not known; copied
+     * @param edgeShift what the marker's inner edges say of a shift common to all its edges, by which the corners are
+     *     not corrected; null: not measured
+     * @throws IllegalArgumentException if there are not 8 finite corner values, or 64 finite ones of a covariance
+     */
+    public MarkerObservation(int id, double[] cornersPx, double[] covariancePx2, EdgeShift edgeShift) {
         if (cornersPx.length != 8) {
             throw new IllegalArgumentException("marker " + id + ": 4 corners take 8 values, not " + cornersPx.length);
         }
@@ -22,8 +43,21 @@ public final class MarkerObservation {
                 throw new IllegalArgumentException("marker " + id + ": a corner is not finite");
             }
         }
+        if (covariancePx2 != null) {
+            if (covariancePx2.length != 64) {
+                throw new IllegalArgumentException("marker " + id + ": a covariance of 4 corners takes 64 values, not "
+                        + covariancePx2.length);
+            }
+            for (double v : covariancePx2) {
+                if (!Double.isFinite(v)) {
+                    throw new IllegalArgumentException("marker " + id + ": a covariance is not finite");
+                }
+            }
+        }
         this.id = id;
         this.cornersPx = cornersPx.clone();
+        this.covariancePx2 = covariancePx2 == null ? null : covariancePx2.clone();
+        this.edgeShift = edgeShift;
     }
 
     /**
@@ -42,6 +76,24 @@ public final class MarkerObservation {
      */
     public double[] cornersPx() {
         return cornersPx.clone();
+    }
+
+    /**
+     * Covariance of the errors of the corners.
+     *
+     * @return a copy, 8x8 row by row in the order of {@link #cornersPx()}, px²; null where it is not known
+     */
+    public double[] covariancePx2() {
+        return covariancePx2 == null ? null : covariancePx2.clone();
+    }
+
+    /**
+     * What the marker's inner edges say of a shift common to all its edges.
+     *
+     * @return the measured shift, by which {@link #cornersPx()} are not corrected; null where none was measured
+     */
+    public EdgeShift edgeShift() {
+        return edgeShift;
     }
 
     /**

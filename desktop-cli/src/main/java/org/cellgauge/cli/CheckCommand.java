@@ -233,7 +233,7 @@ public final class CheckCommand implements Callable<Integer> {
         List<Warning> warnings = new ArrayList<>(detections.warnings());
         warnings.add(Warning.of(Remark.FOREIGN_MARKERS, Listing.comma(foreign)));
         return new Detections(detections.imageName(), detections.widthPx(), detections.heightPx(), detections.markers(),
-                warnings);
+                warnings, detections.light());
     }
 
     /** The photo that a detections file names, where it stands beside it: a ground to paint on, nothing more. */

@@ -1,0 +1,135 @@
+package org.cellgauge.light;
+
+import java.util.Locale;
+
+/**
+ * How a camera makes grey values of light: {@code grey = curve(light)}, both from 0 (black) to 1 (white); immutable.
+ *
+ * <p>Optics blur light and the curve comes after it, so half of a blurred edge's grey is not half of its light: 0.22 of
+ * it at gamma 2.2. Whoever looks for edges in grey values finds them too far on the dark side.
+ */
+public final class ToneCurve {
+    /** Grey is light, as raw and machine-vision formats have it. */
+    public static final ToneCurve LINEAR = new ToneCurve(Kind.GAMMA, 1);
+    /** The curve of sRGB (IEC 61966-2-1): a straight toe, then a power of 2.4. */
+    public static final ToneCurve SRGB = new ToneCurve(Kind.SRGB, 2.4);
+    /** Smallest gamma that is believed of a camera. */
+    public static final double LEAST_GAMMA = 0.2;
+    /** Largest gamma that is believed of a camera. */
+    public static final double LARGEST_GAMMA = 5;
+
+    private static final double SRGB_TOE_GREY = 0.04045;
+    private static final double SRGB_TOE_SLOPE = 12.92;
+    private static final double SRGB_OFFSET = 0.055;
+
+    private enum Kind { GAMMA, SRGB }
+
+    private final Kind kind;
+    private final double gamma;
+
+    private ToneCurve(Kind kind, double gamma) {
+        this.kind = kind;
+        this.gamma = gamma;
+    }
+
+    /**
+     * A power: grey = light^(1/gamma).
+     *
+     * @param gamma {@value #LEAST_GAMMA} to {@value #LARGEST_GAMMA}; 1 is {@link #LINEAR}
+     * @return the curve
+     * @throws IllegalArgumentException if gamma is outside its range
+     */
+    public static ToneCurve gamma(double gamma) {
+        if (!(gamma >= LEAST_GAMMA && gamma <= LARGEST_GAMMA)) {
+            throw new IllegalArgumentException("gamma must be between " + LEAST_GAMMA + " and " + LARGEST_GAMMA
+                    + ", not " + gamma);
+        }
+        return gamma == 1 ? LINEAR : new ToneCurve(Kind.GAMMA, gamma);
+    }
+
+    /**
+     * The curve of its words in files and options.
+     *
+     * @param words {@code srgb}, {@code linear} or {@code gamma G}, G a number
+     * @return the curve
+     * @throws IllegalArgumentException if the words are none of these; the message says what may stand there
+     */
+    public static ToneCurve of(String words) {
+        String text = words.trim().toLowerCase(Locale.ROOT);
+        if (text.equals("srgb")) {
+            return SRGB;
+        }
+        if (text.equals("linear")) {
+            return LINEAR;
+        }
+        if (text.startsWith("gamma ")) {
+            try {
+                return gamma(Double.parseDouble(text.substring("gamma ".length()).trim()));
+            } catch (NumberFormatException e) {
+                // said below
+            }
+        }
+        throw new IllegalArgumentException("'" + words + "' is no tone curve; write srgb, linear or gamma G, for "
+                + "instance gamma 2.2");
+    }
+
+    /**
+     * Grey of light.
+     *
+     * @param light any value; below 0 counts as 0, above 1 the curve goes on
+     * @return grey, 0 to 1 for light from 0 to 1
+     */
+    public double grey(double light) {
+        if (!(light > 0)) {
+            return 0;
+        }
+        if (kind == Kind.SRGB) {
+            return light <= SRGB_TOE_GREY / SRGB_TOE_SLOPE ? SRGB_TOE_SLOPE * light
+                    : (1 + SRGB_OFFSET) * Math.pow(light, 1 / gamma) - SRGB_OFFSET;
+        }
+        return gamma == 1 ? light : Math.pow(light, 1 / gamma);
+    }
+
+    /**
+     * Light of grey: the inverse of {@link #grey(double)}.
+     *
+     * @param grey any value; below 0 counts as 0, above 1 the curve goes on
+     * @return light, 0 to 1 for grey from 0 to 1
+     */
+    public double light(double grey) {
+        if (!(grey > 0)) {
+            return 0;
+        }
+        if (kind == Kind.SRGB) {
+            return grey <= SRGB_TOE_GREY ? grey / SRGB_TOE_SLOPE
+                    : Math.pow((grey + SRGB_OFFSET) / (1 + SRGB_OFFSET), gamma);
+        }
+        return gamma == 1 ? grey : Math.pow(grey, gamma);
+    }
+
+    /**
+     * Whether grey is light.
+     *
+     * @return true for {@link #LINEAR}
+     */
+    public boolean isLinear() {
+        return this == LINEAR;
+    }
+
+    /**
+     * The curve in the words that {@link #of(String)} reads.
+     *
+     * @return for instance {@code gamma 2.2}
+     */
+    public String words() {
+        if (isLinear()) {
+            return "linear";
+        }
+        return kind == Kind.SRGB ? "srgb" : "gamma " + gamma;
+    }
+
+    @Override
+    public String toString() {
+        return words();
+    }
+}

@@ -1,0 +1,2 @@
+/** Grey values and the light that made them: tone curves. Mathematics alone. */
+package org.cellgauge.light;

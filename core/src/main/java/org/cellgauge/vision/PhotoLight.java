@@ -1,0 +1,88 @@
+package org.cellgauge.vision;
+
+import org.cellgauge.light.ToneCurve;
+
+/** What a detector found out about the light of one photo; immutable. */
+public final class PhotoLight {
+    private final ToneCurve toneCurve;
+    private final boolean toneCurveEstimated;
+    private final double blurPx;
+    private final double noiseGrey;
+    private final double noiseDegreesOfFreedom;
+    private final double edgeShiftStdPx;
+
+    /**
+     * Light of a photo.
+     *
+     * @param toneCurve the curve that grey values were read with
+     * @param toneCurveEstimated whether it was estimated from the photo's edges and not stated
+     * @param blurPx optical blur of the edges, standard deviation, median over the markers, px
+     * @param noiseGrey noise of a grey value half-way between black and white, standard deviation, grey levels of 255
+     * @param noiseDegreesOfFreedom what that rests on
+     * @param edgeShiftStdPx how far edges may lie from where this light puts them, all alike, before inner edges are
+     *     looked at: standard deviation along the normal, px, not negative
+     */
+    public PhotoLight(ToneCurve toneCurve, boolean toneCurveEstimated, double blurPx, double noiseGrey,
+            double noiseDegreesOfFreedom, double edgeShiftStdPx) {
+        this.toneCurve = toneCurve;
+        this.toneCurveEstimated = toneCurveEstimated;
+        this.blurPx = blurPx;
+        this.noiseGrey = noiseGrey;
+        this.noiseDegreesOfFreedom = noiseDegreesOfFreedom;
+        this.edgeShiftStdPx = edgeShiftStdPx;
+    }
+
+    /**
+     * The tone curve.
+     *
+     * @return the curve that grey values were read with
+     */
+    public ToneCurve toneCurve() {
+        return toneCurve;
+    }
+
+    /**
+     * Where it comes from.
+     *
+     * @return true if the photo's edges told it, false if it was stated
+     */
+    public boolean toneCurveEstimated() {
+        return toneCurveEstimated;
+    }
+
+    /**
+     * Optical blur of the edges.
+     *
+     * @return standard deviation, median over the markers, px
+     */
+    public double blurPx() {
+        return blurPx;
+    }
+
+    /**
+     * Noise of a grey value half-way between black and white.
+     *
+     * @return standard deviation, grey levels of 255
+     */
+    public double noiseGrey() {
+        return noiseGrey;
+    }
+
+    /**
+     * What the noise rests on.
+     *
+     * @return degrees of freedom
+     */
+    public double noiseDegreesOfFreedom() {
+        return noiseDegreesOfFreedom;
+    }
+
+    /**
+     * How far edges may lie from where this light puts them, all alike, before inner edges are looked at.
+     *
+     * @return standard deviation along the normal, px, not negative
+     */
+    public double edgeShiftStdPx() {
+        return edgeShiftStdPx;
+    }
+}

@@ -1,0 +1,47 @@
+package org.cellgauge.light;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ToneCurveTest {
+    /** Grey 118, 188 and 10 of 255, by the formula of IEC 61966-2-1 (tables of any colour handbook have them). */
+    @Test
+    void srgbIsTheStandards() {
+        assertEquals(0.1812, ToneCurve.SRGB.light(118 / 255.0), 1e-4);
+        assertEquals(0.5029, ToneCurve.SRGB.light(188 / 255.0), 1e-4);
+        assertEquals(0.003035, ToneCurve.SRGB.light(10 / 255.0), 1e-6);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"linear", "srgb", "gamma 1.8", "gamma 2.2"})
+    void lightAndGreyUndoEachOther(String words) {
+        ToneCurve curve = ToneCurve.of(words);
+        assertEquals(words, curve.words());
+        for (double light = 0; light <= 1; light += 1 / 64.0) {
+            assertEquals(light, curve.light(curve.grey(light)), 1e-6);
+        }
+        assertEquals(1, curve.grey(1), 1e-12);
+        assertEquals(0, curve.grey(-1));
+    }
+
+    @Test
+    void halfTheGreyIsAFifthOfTheLight() {
+        assertEquals(0.2176, ToneCurve.gamma(2.2).light(0.5), 1e-4);
+    }
+
+    @Test
+    void gammaOneIsLinear() {
+        assertSame(ToneCurve.LINEAR, ToneCurve.of("gamma 1"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "gamma", "gamma x", "gamma 0", "gamma 9", "gamma NaN", "rec709"})
+    void otherWordsAreRefused(String words) {
+        assertThrows(IllegalArgumentException.class, () -> ToneCurve.of(words));
+    }
+}
