@@ -28,15 +28,17 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Warning;
 
 /**
  * Finds markers with BoofCV's square detectors, sharpens their corners and judges what was found.
  *
- * <p>BoofCV finds the squares and reads them. {@link EdgeRefiner} then fits the sides to the grey values: BoofCV's own
- * refinement leaves several times the error, most of all under a lens that distorts, whose image it resamples half a
- * pixel off. {@link PatternReader} reads the cells again with the blur that the sides were found to have. Only ids of
+ * <p>BoofCV finds the squares and reads them. {@link MarkerEdges} then fits the sides to the light behind the grey
+ * values, and {@link LightFit} the tone curve and the noise to all of them: BoofCV's own refinement leaves several
+ * times the error, most of all under a lens that distorts, whose image it resamples half a pixel off.
+ * {@link PatternReader} reads the cells again with the blur that the sides were found to have. Only ids of
  * the cell are reported; a quadrilateral that no pose of a square explains is left out, and so is an id seen at two
  * places, each with a warning. Where the sides cannot be fitted, the corners are BoofCV's and come with a warning, in
  * families with a checksum; a square-binary reading is then left out.
@@ -62,8 +64,14 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final boolean hasChecksum;
     private final double residualLimitPerSide;
     private final BaseDetectFiducialSquare<GrayU8> squares;
-    private final EdgeRefiner refiner;
+    private final ToneCurve statedCurve;
+    private final GreyScale scale = new GreyScale();
+    private final LightFit light = new LightFit(scale);
     private final PatternReader reader;
+    /** Work space for the markers of one image, used anew for the next. */
+    private final List<MarkerEdges> edges = new ArrayList<>();
+    private int edgesUsed;
+    private final int borderCells;
     private final SquareResidual residual;
     private final GrayU8 view = new GrayU8();
 
@@ -93,6 +101,22 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,
             double residualLimitPerSide) {
+        this(camera, family, ids, residualLimitPerSide, null);
+    }
+
+    /**
+     * A detector for images of a known tone curve.
+     *
+     * @param camera camera of the images
+     * @param family family of the markers
+     * @param ids ids to report; all others are ignored
+     * @param residualLimitPerSide as above
+     * @param toneCurve how the camera makes grey of light; null: estimated from each image, starting from what the image
+     *     says of itself
+     */
+    public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,
+            double residualLimitPerSide, ToneCurve toneCurve) {
+        this.statedCurve = toneCurve;
         this.residualLimitPerSide = residualLimitPerSide;
         this.camera = camera;
         this.hasChecksum = !family.isSquareBinary();
@@ -104,7 +128,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         } else {
             squares.configure(null, camera.widthPx(), camera.heightPx(), false);
         }
-        this.refiner = new EdgeRefiner(camera, squares.getBorderWidthFraction());
+        this.borderCells = (int) Math.round(squares.getBorderWidthFraction() * familyPatterns.cells());
         this.reader = new PatternReader(camera, familyPatterns.cells());
         this.residual = new SquareResidual(camera);
         view.subImage = true;
@@ -171,21 +195,45 @@ public final class BoofMarkerDetector implements MarkerDetector {
         view.height = image.heightPx();
         Map<Integer, List<Candidate>> byId = new TreeMap<>();
         List<Warning> warnings = new ArrayList<>();
+        light.start(statedCurve, null);
+        edgesUsed = 0;
+        List<Candidate> candidates = new ArrayList<>();
         try {
             squares.process(view);
             for (int i = 0; i < squares.getFound().size(); i++) {
                 FoundFiducial found = squares.getFound().get(i);
                 Candidate candidate = candidate(image, (int) found.id, found.distortedPixels, warnings);
                 if (candidate != null) {
-                    byId.computeIfAbsent(candidate.observation.id(), k -> new ArrayList<>()).add(candidate);
+                    candidates.add(candidate);
                 }
             }
         } finally {
             view.data = NO_PIXELS;
         }
+        List<MarkerEdges> fitted = new ArrayList<>();
+        List<boolean[]> read = new ArrayList<>();
+        for (Candidate candidate : candidates) {
+            if (candidate.edges != null) {
+                fitted.add(candidate.edges);
+                read.add(patterns.get(candidate.id));
+            }
+        }
+        light.fit(image, fitted, read);
+        for (Candidate candidate : candidates) {
+            candidate.observe(light, residual);
+            byId.computeIfAbsent(candidate.id, k -> new ArrayList<>()).add(candidate);
+        }
         List<MarkerObservation> accepted = new ArrayList<>();
-        byId.forEach((id, candidates) -> judge(id, candidates, accepted, warnings));
-        return new Detections(imageName, image.widthPx(), image.heightPx(), accepted, warnings);
+        byId.forEach((id, ofId) -> judge(id, ofId, accepted, warnings));
+        return new Detections(imageName, image.widthPx(), image.heightPx(), accepted, warnings,
+                fitted.isEmpty() ? null : light.light());
+    }
+
+    private MarkerEdges nextEdges() {
+        if (edgesUsed == edges.size()) {
+            edges.add(new MarkerEdges(camera, familyPatterns.cells(), borderCells));
+        }
+        return edges.get(edgesUsed);
     }
 
     /** One square that BoofCV has read; null where it is no marker of the cell. */
@@ -196,12 +244,15 @@ public final class BoofMarkerDetector implements MarkerDetector {
         put(q.c, corners, 4);
         put(q.d, corners, 6);
         int id = idRead;
-        boolean refined = refiner.refine(image, corners);
+        MarkerEdges marker = nextEdges();
+        boolean[] listed = patterns.get(idRead);
+        boolean[] white = listed != null ? listed : familyPatterns.white(idRead);
+        boolean refined = marker.fit(image, scale, corners, white);
         if (refined) {
-            boolean[] listed = patterns.get(idRead);
-            boolean[] white = listed != null ? listed.clone() : familyPatterns.white(idRead);
-            boolean certain = reader.read(image, corners, refiner.darkGrey(), refiner.brightGrey(), refiner.blurPx(),
-                    white);
+            marker.corners(corners);
+            white = white.clone();
+            boolean certain = reader.read(image, corners, scale, marker.darkGrey(), marker.brightGrey(),
+                    marker.blurPx(), white);
             id = NONE;
             for (int turns = 0; certain && id == NONE && turns < 4; turns++) {
                 // undoes the turn: a pattern that was turned so far lies upright after the rest of a full turn
@@ -209,7 +260,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 if (id == NONE) {
                     white = familyPatterns.turnedClockwise(white);
                 } else {
-                    corners = turned(corners, (4 - turns) % 4);
+                    marker.turn((4 - turns) % 4);
                 }
             }
         }
@@ -222,7 +273,15 @@ public final class BoofMarkerDetector implements MarkerDetector {
             }
             return null;
         }
-        return new Candidate(new MarkerObservation(id, corners), residual.impliedStdPx(corners), refined);
+        if (!refined) {
+            return new Candidate(id, null, corners);
+        }
+        if (id != idRead) {
+            // read as another marker, or turned: the light from its cells was not what the sides were fitted with
+            marker.refit(image, scale, patterns.get(id), true);
+        }
+        edgesUsed++;
+        return new Candidate(id, marker, null);
     }
 
     private int listedId(boolean[] white) {
@@ -241,14 +300,6 @@ public final class BoofMarkerDetector implements MarkerDetector {
     /** A place as warnings name it. */
     private static int pixel(double px) {
         return (int) Math.round(px);
-    }
-
-    private static double[] turned(double[] corners, int turns) {
-        double[] out = new double[8];
-        for (int i = 0; i < 8; i++) {
-            out[i] = corners[(i + 2 * turns) % 8];
-        }
-        return out;
     }
 
     private static void put(Point2D_F64 p, double[] corners, int at) {
@@ -289,14 +340,25 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     private static final class Candidate {
-        private final MarkerObservation observation;
-        private final double impliedStdPx;
-        private final boolean refined;
+        private final int id;
+        private final MarkerEdges edges;
+        private final double[] coarseCornersPx;
+        private MarkerObservation observation;
+        private double impliedStdPx;
+        private boolean refined;
 
-        Candidate(MarkerObservation observation, double impliedStdPx, boolean refined) {
-            this.observation = observation;
-            this.impliedStdPx = impliedStdPx;
-            this.refined = refined;
+        Candidate(int id, MarkerEdges edges, double[] coarseCornersPx) {
+            this.id = id;
+            this.edges = edges;
+            this.coarseCornersPx = coarseCornersPx;
+            this.refined = edges != null;
+        }
+
+        /** Takes corners and covariance from the edges, once the light is known. */
+        void observe(LightFit light, SquareResidual residual) {
+            observation = edges == null ? new MarkerObservation(id, coarseCornersPx)
+                    : edges.observation(id, light.noiseOfSides(edges));
+            impliedStdPx = residual.impliedStdPx(observation.cornersPx());
         }
 
         double centre(int axis) {

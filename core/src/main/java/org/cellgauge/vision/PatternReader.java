@@ -52,18 +52,19 @@ final class PatternReader {
      * @param image the image
      * @param cornersPx 8 values, distorted px, in the order of the pattern's top-left, top-right, bottom-right,
      *     bottom-left
+     * @param scale tone curve: blur mixes light
      * @param darkGrey grey value of its black
      * @param brightGrey grey value of its white, above its black
      * @param blurPx optical blur of its edges, standard deviation
      * @param white the reading to start from, row by row, true for white; replaced by the better one
      * @return whether the reading settled with no cell wrong
      */
-    boolean read(GreyImage image, double[] cornersPx, double darkGrey, double brightGrey, double blurPx,
-            boolean[] white) {
+    boolean read(GreyImage image, double[] cornersPx, GreyScale scale, double darkGrey, double brightGrey,
+            double blurPx, boolean[] white) {
         if (!setHomography(cornersPx)) {
             return false;
         }
-        sample(image, darkGrey, brightGrey);
+        sample(image, scale, darkGrey, brightGrey);
         double blur = Math.sqrt(blurPx * blurPx + READING_VARIANCE_PX2);
         weights(blur * cells / meanLength(cornersPx, 0, 1, 3, 2), weightX, outsideX);
         weights(blur * cells / meanLength(cornersPx, 0, 3, 1, 2), weightY, outsideY);
@@ -125,8 +126,11 @@ final class PatternReader {
                 + Math.hypot(c[2 * d] - c[2 * e], c[2 * d + 1] - c[2 * e + 1])) / 2;
     }
 
-    /** Grey of each cell's middle, 0 at the marker's black and 1 at its white. */
-    private void sample(GreyImage image, double darkGrey, double brightGrey) {
+    /** Light of each cell's middle, 0 at the marker's black and 1 at its white. */
+    private void sample(GreyImage image, GreyScale scale, double darkGrey, double brightGrey) {
+        double dark = scale.light(darkGrey);
+        // what is clipped reads as 255, however bright it was
+        double contrast = scale.light(Math.min(255, brightGrey)) - dark;
         for (int row = 0; row < cells; row++) {
             for (int column = 0; column < cells; column++) {
                 double sum = 0;
@@ -137,17 +141,13 @@ final class PatternReader {
                     double xn = (homography[0] * x + homography[1] * y + homography[2]) / w;
                     double yn = (homography[3] * x + homography[4] * y + homography[5]) / w;
                     Projection.project(intrinsics, xn, yn, 1, uv, 0);
-                    sum += image.interpolate(uv[0], uv[1]);
+                    sum += scale.tabulatedLight(image.interpolate(uv[0], uv[1]));
                 }
-                level[row * cells + column] = (sum / (POINTS * POINTS) - darkGrey) / (brightGrey - darkGrey);
+                level[row * cells + column] = (sum / (POINTS * POINTS) - dark) / contrast;
             }
         }
     }
 
-    /**
-     * The homography from the unit square, y down, to undistorted normalised points, in closed form (P. Heckbert,
-     * "Fundamentals of Texture Mapping and Image Warping", 1989, section 2.2.3).
-     */
     private boolean setHomography(double[] cornersPx) {
         for (int i = 0; i < 4; i++) {
             if (!Projection.toNormalised(intrinsics, cornersPx[2 * i], cornersPx[2 * i + 1], normalised)) {
@@ -156,26 +156,6 @@ final class PatternReader {
             ideal[2 * i] = normalised[0];
             ideal[2 * i + 1] = normalised[1];
         }
-        double dx1 = ideal[2] - ideal[4];
-        double dy1 = ideal[3] - ideal[5];
-        double dx2 = ideal[6] - ideal[4];
-        double dy2 = ideal[7] - ideal[5];
-        double sx = ideal[0] - ideal[2] + ideal[4] - ideal[6];
-        double sy = ideal[1] - ideal[3] + ideal[5] - ideal[7];
-        double determinant = dx1 * dy2 - dx2 * dy1;
-        if (determinant == 0) {
-            return false;
-        }
-        double g = (sx * dy2 - dx2 * sy) / determinant;
-        double h = (dx1 * sy - sx * dy1) / determinant;
-        homography[0] = ideal[2] - ideal[0] + g * ideal[2];
-        homography[1] = ideal[6] - ideal[0] + h * ideal[6];
-        homography[2] = ideal[0];
-        homography[3] = ideal[3] - ideal[1] + g * ideal[3];
-        homography[4] = ideal[7] - ideal[1] + h * ideal[7];
-        homography[5] = ideal[1];
-        homography[6] = g;
-        homography[7] = h;
-        return true;
+        return Homography.ofUnitSquare(ideal, homography);
     }
 }

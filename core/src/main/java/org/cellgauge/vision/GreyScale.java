@@ -1,0 +1,159 @@
+package org.cellgauge.vision;
+
+import org.cellgauge.light.ToneCurve;
+
+/**
+ * Grey levels of 8 bits and the light that makes them under one tone curve, for inner loops: a table instead of powers,
+ * results in fields, and the expectation of a grey value that noise and the ends of the scale change: values beyond
+ * black and white are censored, not measured (Tobin, "Estimation of relationships for limited dependent variables",
+ * Econometrica 1958). Not thread-safe.
+ */
+final class GreyScale {
+    private static final double WHITE = 255;
+    private static final int NODES = 512;
+    /** Light up to which the table goes: what is beyond white is seen by its edges alone. */
+    private static final double MOST_LIGHT = 3;
+    private static final double LEAST_LIGHT = 1e-7;
+    /** Noise reaches the ends of the scale within so many deviations. */
+    private static final double REACH = 3;
+
+    /** Expected grey level. */
+    double grey;
+    /** Its derivative by the light. */
+    double byLight;
+
+    private ToneCurve curve;
+    private double gamma;
+    private boolean linear;
+    private double noise = 1.5;
+    private final double[] table = new double[NODES + 1];
+    private final double[] lightOfByte = new double[257];
+    private double perRoot;
+
+    /**
+     * Takes another curve.
+     *
+     * @param other the curve
+     */
+    void set(ToneCurve other) {
+        if (other.equals(curve)) {
+            return;
+        }
+        curve = other;
+        linear = other.isLinear();
+        // the power that does to small changes near white what the curve does
+        gamma = 1 / ((other.grey(1) - other.grey(0.99)) / 0.01);
+        perRoot = NODES / Math.sqrt(MOST_LIGHT);
+        for (int i = 0; i <= 256; i++) {
+            lightOfByte[i] = light(i);
+        }
+        for (int i = 0; i <= NODES && !linear; i++) {
+            double root = i / perRoot;
+            table[i] = WHITE * other.grey(root * root);
+        }
+    }
+
+    /**
+     * Takes a power as the curve.
+     *
+     * @param value its gamma
+     */
+    void setGamma(double value) {
+        set(ToneCurve.gamma(value));
+        gamma = value;
+    }
+
+    /** Standard deviation of the noise that may push grey values over the ends of the scale, grey levels. */
+    void setNoise(double stdGrey) {
+        noise = Math.max(0.3, stdGrey);
+    }
+
+    /** The curve in force. */
+    ToneCurve curve() {
+        return curve;
+    }
+
+    /**
+     * Light of a grey level.
+     *
+     * @param level grey level; beyond 255 the curve goes on
+     * @return light, 1 at 255
+     */
+    double light(double level) {
+        return linear ? level / WHITE : curve.light(Math.max(level, 0.25) / WHITE);
+    }
+
+    /**
+     * Light of a grey level from a table.
+     *
+     * @param level grey level, 0 to 255
+     * @return light, 1 at 255
+     */
+    double tabulatedLight(double level) {
+        int i = (int) level;
+        return lightOfByte[i] + (level - i) * (lightOfByte[i + 1] - lightOfByte[i]);
+    }
+
+    /**
+     * Derivative of {@link #light}.
+     *
+     * @param level grey level
+     * @return light per grey level
+     */
+    double lightByGrey(double level) {
+        if (linear) {
+            return 1 / WHITE;
+        }
+        double h = Math.max(1e-3, 1e-3 * level);
+        return (light(level + h) - light(level - h)) / (2 * h);
+    }
+
+    /**
+     * Derivative of the grey of a share of light by gamma, the grey levels of dark and bright held; for a power.
+     *
+     * @param dark grey level of the dark side
+     * @param bright grey level of the bright side
+     * @param share of the light that comes from the bright side
+     * @return grey levels per unit of gamma
+     */
+    double byGamma(double dark, double bright, double share) {
+        double d = Math.max(dark, 0.25) / WHITE;
+        double b = Math.max(bright, 0.25) / WHITE;
+        double lightDark = curve.light(d);
+        double lightBright = curve.light(b);
+        double light = Math.max(LEAST_LIGHT, lightDark + (lightBright - lightDark) * share);
+        double change = lightDark * Math.log(d) * (1 - share) + lightBright * Math.log(b) * share;
+        double value = WHITE * curve.grey(light);
+        return value * (change / (gamma * light) - Math.log(light) / (gamma * gamma));
+    }
+
+    /**
+     * Evaluates {@link #grey} and {@link #byLight}.
+     *
+     * @param light light, 1 at white
+     */
+    void at(double light) {
+        if (linear) {
+            grey = WHITE * light;
+            byLight = WHITE;
+        } else {
+            double root = Math.sqrt(Math.max(light, LEAST_LIGHT));
+            double at = root * perRoot;
+            int i = Math.min((int) at, NODES - 1);
+            double slope = table[i + 1] - table[i];
+            grey = table[i] + (at - i) * slope;
+            byLight = slope * perRoot / (2 * root);
+        }
+        if (grey < REACH * noise) {
+            double z = grey / noise;
+            double inside = EdgeProfile.tabulated(z);
+            grey = grey * inside + noise * EdgeProfile.density(z);
+            byLight *= inside;
+        } else if (grey > WHITE - REACH * noise) {
+            double z = (WHITE - grey) / noise;
+            double inside = EdgeProfile.tabulated(z);
+            grey = WHITE - ((WHITE - grey) * inside + noise * EdgeProfile.density(z));
+            byLight *= inside;
+        }
+    }
+}

@@ -1,0 +1,196 @@
+package org.cellgauge.vision;
+
+import java.util.Arrays;
+import java.util.List;
+import org.cellgauge.light.ToneCurve;
+
+/**
+ * What the edges of all markers of a photo say together of its light: the tone curve, which skews every blurred edge
+ * alike, and the noise.
+ *
+ * <p>The curve is a power, grey = light^(1/gamma), with a Gaussian prior about what the image file says; each round
+ * fits all sides at one gamma, sums up score and information of gamma with the sides' own unknowns projected out, and
+ * takes one Gauss-Newton step (variable projection: Golub and Pereyra, SIAM J. Numer. Anal. 1973). A curve that the
+ * user states is taken as it is.
+ */
+final class LightFit {
+    private static final double UNKNOWN_GAMMA = 1.6;
+    private static final double UNKNOWN_GAMMA_STD = 0.8;
+    private static final double SAID_GAMMA_STD = 0.25;
+    private static final double LEAST_GAMMA = 0.7;
+    private static final double LARGEST_GAMMA = 3.2;
+    /** How well the skew of edges can tell a gamma at best. */
+    private static final double MODEL_GAMMA_STD = 0.05;
+    /**
+     * Edges that move into the dark are mostly the curve's doing: how far prints and sharpening move them beside it,
+     * px. So a shift that inner edges show speaks for another gamma.
+     */
+    private static final double SHIFT_STD_PX = 0.03;
+    private static final double LARGEST_STEP = 0.8;
+    private static final int MOST_MARKERS = 10;
+    private static final int MAX_ROUNDS = 6;
+    /** A change of gamma that moves edges by less is none, px. */
+    private static final double SETTLED_PX = 0.002;
+    /**
+     * How far edges may still lie from where a curve puts them, px: curves of cameras are no powers, lenses blur by no
+     * Gaussian. Inner edges then tell how far.
+     */
+    private static final double ESTIMATED_STD_PX = 0.1;
+    private static final double STATED_STD_PX = 0.05;
+    /** A side whose residuals are so many times those of all is weighed by its own. */
+    private static final double OUT_OF_LINE = 3;
+    /** Noise of rounding to whole grey levels. */
+    private static final double ROUNDING = Math.sqrt(1.0 / 12);
+
+    private final GreyScale scale;
+    private double gamma;
+    private double gammaMean;
+    private double gammaStd;
+    private boolean estimated;
+    private double noiseGrey;
+    private double degreesOfFreedom;
+    private double edgeShiftStdPx;
+    private double blurPx;
+
+    LightFit(GreyScale scale) {
+        this.scale = scale;
+    }
+
+    /**
+     * Starts on a photo.
+     *
+     * @param stated the curve that the user states, or null
+     * @param said the curve that the image file says, or null
+     */
+    void start(ToneCurve stated, ToneCurve said) {
+        estimated = stated == null;
+        if (stated != null) {
+            scale.set(stated);
+            return;
+        }
+        gammaMean = said == null ? UNKNOWN_GAMMA : powerLike(said);
+        gammaStd = said == null ? UNKNOWN_GAMMA_STD : SAID_GAMMA_STD;
+        gamma = gammaMean;
+        scale.setGamma(gamma);
+    }
+
+    /** The gamma that darkens middle grey as a curve does. */
+    private static double powerLike(ToneCurve curve) {
+        return Math.log(curve.light(0.5)) / Math.log(0.5);
+    }
+
+    /**
+     * Fits the light of a photo to the edges of its markers, and the edges to that light.
+     *
+     * @param image the photo
+     * @param markers edges of its markers, each fitted at the curve that was started with
+     * @param patterns what each of them was read as
+     */
+    void fit(GreyImage image, List<MarkerEdges> markers, List<boolean[]> patterns) {
+        // a dozen markers tell the curve as well as all: what is left is the model's
+        List<MarkerEdges> some = markers.subList(0, Math.min(MOST_MARKERS, markers.size()));
+        double information = 0;
+        double offsetByGamma = 0;
+        for (int round = 0; estimated && round < MAX_ROUNDS; round++) {
+            for (MarkerEdges marker : some) {
+                marker.measureShift(image, scale);
+                marker.conclude(scale, true);
+            }
+            setNoise(some);
+            scale.setNoise(noiseGrey);
+            double variance = noiseGrey * noiseGrey;
+            double shapeScore = 0;
+            double shapeInformation = 0;
+            double moved = 0;
+            double weight = 0;
+            double shift = 0;
+            double shiftWeight = 0;
+            for (MarkerEdges marker : some) {
+                for (int i = 0; i < 4; i++) {
+                    SideFit side = marker.side(i);
+                    shapeScore += side.gammaScore / variance;
+                    shapeInformation += side.gammaInformation / variance;
+                    moved += side.gammaInformation * side.offsetByGamma;
+                    weight += side.gammaInformation;
+                }
+                double w = marker.shiftWeight(variance);
+                shift += w * marker.shiftPx();
+                shiftWeight += w;
+            }
+            offsetByGamma = weight > 0 ? moved / weight : 0;
+            // curves that are no powers, blur that is no Gaussian: however many pixels there are, gamma is no better
+            double deflated = 1 / (1 + shapeInformation * MODEL_GAMMA_STD * MODEL_GAMMA_STD);
+            double shiftInformation = shiftWeight > 0 ? 1 / (SHIFT_STD_PX * SHIFT_STD_PX + 1 / shiftWeight) : 0;
+            double score = (gammaMean - gamma) / (gammaStd * gammaStd) + deflated * shapeScore
+                    + (shiftWeight > 0 ? shift / shiftWeight * offsetByGamma * shiftInformation : 0);
+            information = 1 / (gammaStd * gammaStd) + deflated * shapeInformation
+                    + offsetByGamma * offsetByGamma * shiftInformation;
+            double step = Math.max(-LARGEST_STEP, Math.min(LARGEST_STEP, score / information));
+            double next = Math.max(LEAST_GAMMA, Math.min(LARGEST_GAMMA, gamma + step));
+            if (Math.abs((next - gamma) * offsetByGamma) < SETTLED_PX) {
+                break;
+            }
+            gamma = next;
+            scale.setGamma(gamma);
+            for (int m = 0; m < some.size(); m++) {
+                some.get(m).refit(image, scale, patterns.get(m), true);
+            }
+        }
+        for (int m = 0; m < markers.size(); m++) {
+            markers.get(m).refit(image, scale, patterns.get(m), false);
+            markers.get(m).measureShift(image, scale);
+            markers.get(m).conclude(scale, false);
+        }
+        setNoise(markers);
+        double ofGamma = estimated ? offsetByGamma / Math.sqrt(information) : 0;
+        edgeShiftStdPx = Math.hypot(ofGamma, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
+        double[] blurs = new double[markers.size()];
+        for (int m = 0; m < blurs.length; m++) {
+            blurs[m] = markers.get(m).blurPx();
+        }
+        Arrays.sort(blurs);
+        blurPx = blurs.length == 0 ? 0 : blurs[blurs.length / 2];
+    }
+
+    /** Noise of all sides together, those far out of line left out. */
+    private void setNoise(List<MarkerEdges> markers) {
+        double[] own = new double[4 * markers.size()];
+        for (int k = 0; k < own.length; k++) {
+            own[k] = ofSide(markers.get(k / 4).side(k % 4));
+        }
+        double[] sorted = own.clone();
+        Arrays.sort(sorted);
+        double median = sorted.length == 0 ? 1 : sorted[sorted.length / 2];
+        double sum = 0;
+        double weights = 0;
+        for (int k = 0; k < own.length; k++) {
+            double freedom = markers.get(k / 4).side(k % 4).degreesOfFreedom;
+            if (own[k] <= OUT_OF_LINE * median) {
+                sum += freedom * own[k];
+                weights += freedom;
+            }
+        }
+        noiseGrey = Math.sqrt(Math.max(ROUNDING * ROUNDING, weights > 0 ? sum / weights : median));
+        degreesOfFreedom = weights;
+    }
+
+    private static double ofSide(SideFit side) {
+        return side.squares / side.expectedSquares;
+    }
+
+    /** Noise of each side of a marker, grey levels: that of the photo, its own where it is far out of line. */
+    double[] noiseOfSides(MarkerEdges marker) {
+        double[] out = new double[4];
+        for (int i = 0; i < 4; i++) {
+            double own = ofSide(marker.side(i));
+            double ofAll = noiseGrey * noiseGrey;
+            out[i] = own > OUT_OF_LINE * ofAll ? Math.sqrt(own) : noiseGrey;
+        }
+        return out;
+    }
+
+    /** What was found. */
+    PhotoLight light() {
+        return new PhotoLight(scale.curve(), estimated, blurPx, noiseGrey, degreesOfFreedom, edgeShiftStdPx);
+    }
+}

@@ -1,0 +1,840 @@
+package org.cellgauge.vision;
+
+import java.util.Arrays;
+import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.Projection;
+
+/**
+ * The edges of one marker in one image: its four sides fitted to the grey values, corners where they meet, the
+ * covariance of these corners, and what the inner edges say of a shift common to all edges.
+ *
+ * <p>Sides of a marker are straight only where the lens does not bend them. So every pixel in a band along a side is
+ * taken to undistorted pixels first (its grey value stays what the sensor measured: nothing is interpolated), and there
+ * a straight blurred step is fitted ({@link SideFit}). The light that blur brings into that band from the pattern inside
+ * (known, once the marker is read), from the ends of the side and from beyond the edge of the paper (looked for in the
+ * image) is part of the model: left out, it moves a side of a marker of 24 px by 0.02 px at a blur of 1.2 px.
+ *
+ * <p>Not thread-safe; work space is kept from marker to marker.
+ */
+final class MarkerEdges {
+    private static final int CORNERS = 4;
+    private static final int MAX_PASSES = 3;
+    /** A line that moved further than this has left the band it was fitted in: its pixels are chosen again. */
+    private static final double BAND_STILL_GOOD_PX = 0.05;
+    /** The same while the tone curve is not known yet. */
+    private static final double FIRST_BAND_STILL_GOOD_PX = 0.3;
+    private static final double FIRST_BLUR_PX = 0.6;
+    /** Half width of the band about a side, px and deviations of the blur. */
+    private static final double BAND_PX = 3;
+    private static final double BAND_BLURS = 2.6;
+    /**
+     * What is left out at the ends of a side, px, deviations of the blur and at most a share of its length: there the
+     * next side's light must be known before it is measured, and under a wrong tone curve that would pull at the curve.
+     */
+    private static final double CORNER_MARGIN_PX = 1.5;
+    private static final double CORNER_MARGIN_BLURS = 3.2;
+    private static final double CORNER_MARGIN_SHARE = 0.28;
+    private static final double FURTHEST_MOVE_PX = 3;
+    private static final int SHORTEST_SIDE_PX = 8;
+    private static final double LARGEST_SHIFT_PX = 1;
+    /** Rows of the pattern, from its border inwards, whose light reaches a side. */
+    private static final int ROWS = 3;
+    private static final double REACH = 4;
+    /** Variance that a pixel's own square adds to the blur. */
+    private static final double PIXEL_VARIANCE = 1.0 / 12;
+    /** How far outwards the edge of the paper is looked for. */
+    private static final int PAPER_STEPS = 28;
+    private static final double PAPER_STEP_PX = 0.5;
+    /** A drop of the light by less than this share of the difference of white and black is no edge of the paper. */
+    private static final double PAPER_CONTRAST = 0.06;
+
+    private final double[] intrinsics;
+    private final boolean distorted;
+    private final int cells;
+    private final int borderCells;
+    private final EdgeProfile profile = new EdgeProfile();
+    private final SideFit[] sides = {new SideFit(), new SideFit(), new SideFit(), new SideFit()};
+
+    private final double[] ideal = new double[2 * CORNERS];
+    private final double[] refined = new double[2 * CORNERS];
+    private final double[] before = new double[2 * CORNERS];
+    private final double[] line = new double[3 * CORNERS];
+    private final double[] homography = new double[8];
+    private final double[] point = new double[2];
+    private boolean[] white;
+
+    // the pattern as seen from one side: depth of the lines between rows at the middle of the side and its change
+    // along it, and for each row the ends of its white stretches along the side
+    private final double[] depth = new double[ROWS + 1];
+    private final double[] depthSlope = new double[ROWS + 1];
+    private final double[][] ends = new double[ROWS][];
+    private final int[] endCount = new int[ROWS];
+    private int rows;
+    private final double[] rowWhite = new double[ROWS];
+    private final double[] rowGrowth = new double[ROWS];
+    private final double[] rowStretch = new double[ROWS];
+
+    private final double[] paperLight = new double[PAPER_STEPS];
+    private double paperPx;
+    private double paperShare;
+
+    private int firstX;
+    private int lastX;
+    private int firstY;
+    private int lastY;
+
+    private double shiftPx;
+    private double shiftInformation;
+    private final double[] shiftByLine = new double[2 * CORNERS];
+    private boolean shiftMeasured;
+
+    /**
+     * Edges of markers of one family in images of one camera.
+     *
+     * @param camera camera of the images
+     * @param cells cells along a marker's edge, border included
+     * @param borderCells cells of the black border on each side
+     */
+    MarkerEdges(PinholeCamera camera, int cells, int borderCells) {
+        this.intrinsics = camera.intrinsics();
+        this.distorted = camera.hasDistortion();
+        this.cells = cells;
+        this.borderCells = borderCells;
+        for (int r = 0; r < ROWS; r++) {
+            ends[r] = new double[cells + 1];
+        }
+    }
+
+    /**
+     * Fits the sides of a marker for the first time.
+     *
+     * @param image the image
+     * @param scale tone curve and noise
+     * @param cornersPx 8 values, distorted px, within about a pixel of the corners, in the order of the pattern's
+     *     top-left, top-right, bottom-right, bottom-left
+     * @param pattern white cells, row by row; kept, not copied
+     * @return whether all sides were found near where they were looked for
+     */
+    boolean fit(GreyImage image, GreyScale scale, double[] cornersPx, boolean[] pattern) {
+        for (int i = 0; i < CORNERS; i++) {
+            if (!toIdeal(cornersPx[2 * i], cornersPx[2 * i + 1], ideal, 2 * i)) {
+                return false;
+            }
+            sides[i].restart();
+        }
+        System.arraycopy(ideal, 0, before, 0, 2 * CORNERS);
+        white = pattern;
+        shiftPx = 0;
+        return passes(image, scale, MAX_PASSES, FIRST_BAND_STILL_GOOD_PX);
+    }
+
+    /**
+     * Fits again from where the last fit ended, with another tone curve or another reading.
+     *
+     * @param image the same image
+     * @param scale tone curve and noise
+     * @param pattern white cells; kept, not copied
+     * @param once whether pixels are chosen once only: enough on the way to a tone curve
+     * @return whether all sides were found
+     */
+    boolean refit(GreyImage image, GreyScale scale, boolean[] pattern, boolean once) {
+        white = pattern;
+        return passes(image, scale, once ? 1 : MAX_PASSES, BAND_STILL_GOOD_PX);
+    }
+
+    /** Turns what is known of the marker so that corner k becomes the first. */
+    void turn(int k) {
+        if (k == 0) {
+            return;
+        }
+        double[] turned = new double[2 * CORNERS];
+        SideFit[] turnedSides = new SideFit[CORNERS];
+        for (int i = 0; i < CORNERS; i++) {
+            turned[2 * i] = ideal[2 * ((i + k) % CORNERS)];
+            turned[2 * i + 1] = ideal[2 * ((i + k) % CORNERS) + 1];
+            turnedSides[i] = sides[(i + k) % CORNERS];
+        }
+        System.arraycopy(turned, 0, ideal, 0, turned.length);
+        System.arraycopy(turnedSides, 0, sides, 0, CORNERS);
+    }
+
+    private boolean passes(GreyImage image, GreyScale scale, int most, double stillGoodPx) {
+        for (int pass = 0; pass < most; pass++) {
+            if (!setHomography()) {
+                return false;
+            }
+            double centreX = (ideal[0] + ideal[2] + ideal[4] + ideal[6]) / CORNERS;
+            double centreY = (ideal[1] + ideal[3] + ideal[5] + ideal[7]) / CORNERS;
+            double blurMoved = 0;
+            for (int i = 0; i < CORNERS; i++) {
+                double blur = sides[i].unknowns[SideFit.BLUR];
+                if (!setSide(i, centreX, centreY) || !fitSide(image, scale, i)) {
+                    return false;
+                }
+                blurMoved = Math.max(blurMoved, Math.abs(sides[i].unknowns[SideFit.BLUR] - blur));
+            }
+            double moved = 0;
+            for (int i = 0; i < CORNERS; i++) {
+                if (!intersect((i + CORNERS - 1) % CORNERS, i)) {
+                    return false;
+                }
+                moved = Math.max(moved, Math.hypot(refined[2 * i] - ideal[2 * i], refined[2 * i + 1]
+                        - ideal[2 * i + 1]));
+                if (!(Math.hypot(refined[2 * i] - before[2 * i], refined[2 * i + 1] - before[2 * i + 1])
+                        <= FURTHEST_MOVE_PX)) {
+                    return false;
+                }
+            }
+            System.arraycopy(refined, 0, ideal, 0, 2 * CORNERS);
+            if (moved < stillGoodPx && blurMoved < 4 * stillGoodPx) {
+                return true;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * The corners.
+     *
+     * @param out receives 8 values, distorted px
+     */
+    void corners(double[] out) {
+        for (int i = 0; i < CORNERS; i++) {
+            toImage(ideal[2 * i], ideal[2 * i + 1], out, 2 * i);
+        }
+    }
+
+    /** Mean grey value of the black border. */
+    double darkGrey() {
+        return mean(SideFit.DARK);
+    }
+
+    /** Mean grey value of the white around the border, where it is clipped continued beyond 255. */
+    double brightGrey() {
+        return mean(SideFit.BRIGHT);
+    }
+
+    /** Optical blur of the sides, mean standard deviation, px. */
+    double blurPx() {
+        return mean(SideFit.BLUR);
+    }
+
+    private double mean(int unknown) {
+        double sum = 0;
+        for (SideFit side : sides) {
+            sum += side.unknowns[unknown] / CORNERS;
+        }
+        return sum;
+    }
+
+    /** One side, from corner i to the next. */
+    SideFit side(int i) {
+        return sides[i];
+    }
+
+    /** Length of a cell in the image, of the shortest side, px. */
+    double cellPx() {
+        double shortest = Double.POSITIVE_INFINITY;
+        for (SideFit side : sides) {
+            shortest = Math.min(shortest, side.lengthPx);
+        }
+        return shortest / cells;
+    }
+
+    // ---- geometry
+
+    private boolean toIdeal(double u, double v, double[] out, int at) {
+        if (!distorted) {
+            out[at] = u;
+            out[at + 1] = v;
+            return true;
+        }
+        if (!Projection.toNormalised(intrinsics, u, v, point)) {
+            return false;
+        }
+        out[at] = intrinsics[PinholeCamera.FX] * point[0] + intrinsics[PinholeCamera.SKEW] * point[1]
+                + intrinsics[PinholeCamera.CX];
+        out[at + 1] = intrinsics[PinholeCamera.FY] * point[1] + intrinsics[PinholeCamera.CY];
+        return true;
+    }
+
+    private void toImage(double x, double y, double[] out, int at) {
+        if (!distorted) {
+            out[at] = x;
+            out[at + 1] = y;
+            return;
+        }
+        double yn = (y - intrinsics[PinholeCamera.CY]) / intrinsics[PinholeCamera.FY];
+        double xn = (x - intrinsics[PinholeCamera.CX] - intrinsics[PinholeCamera.SKEW] * yn)
+                / intrinsics[PinholeCamera.FX];
+        Projection.project(intrinsics, xn, yn, 1, out, at);
+    }
+
+    private boolean setHomography() {
+        return Homography.ofUnitSquare(ideal, homography);
+    }
+
+    private boolean setSide(int i, double centreX, double centreY) {
+        SideFit side = sides[i];
+        int j = (i + 1) % CORNERS;
+        double x0 = ideal[2 * i];
+        double y0 = ideal[2 * i + 1];
+        double length = Math.hypot(ideal[2 * j] - x0, ideal[2 * j + 1] - y0);
+        if (!(length > SHORTEST_SIDE_PX)) {
+            return false;
+        }
+        side.tangentX = (ideal[2 * j] - x0) / length;
+        side.tangentY = (ideal[2 * j + 1] - y0) / length;
+        side.normalX = -side.tangentY;
+        side.normalY = side.tangentX;
+        if (side.normalX * (centreX - x0) + side.normalY * (centreY - y0) > 0) {
+            side.normalX = side.tangentY;
+            side.normalY = -side.tangentX;
+        }
+        side.middleX = x0 + side.tangentX * length / 2;
+        side.middleY = y0 + side.tangentY * length / 2;
+        side.lengthPx = length;
+        double blur = side.started() ? side.unknowns[SideFit.BLUR] : FIRST_BLUR_PX;
+        double margin = Math.min(CORNER_MARGIN_SHARE * length,
+                Math.max(CORNER_MARGIN_PX, CORNER_MARGIN_BLURS * Math.sqrt(blur * blur + PIXEL_VARIANCE)));
+        side.halfLengthPx = length / 2 - margin;
+        return true;
+    }
+
+    /** The cell at a place along a side and a depth of rows from it. */
+    private boolean whiteCell(int i, int row, int along) {
+        switch (i) {
+            case 0:
+                return white[row * cells + along];
+            case 1:
+                return white[along * cells + cells - 1 - row];
+            case 2:
+                return white[(cells - 1 - row) * cells + cells - 1 - along];
+            default:
+                return white[(cells - 1 - along) * cells + row];
+        }
+    }
+
+    /** A point of the marker, a along side i (0 to 1) and z deep, in the side's coordinates: along it and inwards. */
+    private void fromSide(int i, double a, double z, SideFit side) {
+        double x;
+        double y;
+        switch (i) {
+            case 0:
+                x = a;
+                y = z;
+                break;
+            case 1:
+                x = 1 - z;
+                y = a;
+                break;
+            case 2:
+                x = 1 - a;
+                y = 1 - z;
+                break;
+            default:
+                x = z;
+                y = 1 - a;
+                break;
+        }
+        double w = homography[6] * x + homography[7] * y + 1;
+        double px = (homography[0] * x + homography[1] * y + homography[2]) / w - side.middleX;
+        double py = (homography[3] * x + homography[4] * y + homography[5]) / w - side.middleY;
+        point[0] = px * side.tangentX + py * side.tangentY;
+        point[1] = -(px * side.normalX + py * side.normalY);
+    }
+
+    /** How far the line before a row moves outwards with the outline, per px of each of the four sides. */
+    private double frame(int row) {
+        return 1 - 2.0 * (borderCells + row) / cells;
+    }
+
+    private void setPattern(int i) {
+        SideFit side = sides[i];
+        rows = Math.min(ROWS, cells - 2 * borderCells);
+        double stretch = 1 + 2 * shiftPx / side.lengthPx;
+        for (int r = 0; r <= rows; r++) {
+            double z = (double) (borderCells + r) / cells;
+            fromSide(i, 0.2, z, side);
+            double t0 = point[0];
+            double d0 = point[1];
+            fromSide(i, 0.8, z, side);
+            depthSlope[r] = (point[1] - d0) / (point[0] - t0);
+            // the true outline lies outside the one that is seen, and what hangs on it likewise
+            depth[r] = d0 - depthSlope[r] * t0 - frame(r) * shiftPx;
+        }
+        for (int r = 0; r < rows; r++) {
+            int count = 0;
+            boolean inWhite = false;
+            for (int k = 0; k <= cells; k++) {
+                boolean here = k < cells && whiteCell(i, borderCells + r, k);
+                if (here != inWhite) {
+                    fromSide(i, (double) k / cells, (borderCells + r + 0.5) / cells, side);
+                    // white that has spread begins earlier and ends later
+                    ends[r][count++] = point[0] * stretch + (here ? -shiftPx : shiftPx);
+                    inWhite = here;
+                }
+            }
+            endCount[r] = count;
+        }
+    }
+
+    /** How white each row is at a place along the side, and how that changes where white spreads or all is stretched. */
+    private void setRowWhites(double t, double inverseStd, double perLength) {
+        for (int r = 0; r < rows; r++) {
+            double sum = 0;
+            double growth = 0;
+            double stretch = 0;
+            double[] at = ends[r];
+            for (int k = 0; k < endCount[r]; k++) {
+                double z = (t - at[k]) * inverseStd;
+                double sign = (k & 1) == 0 ? 1 : -1;
+                if (z >= REACH) {
+                    sum += sign;
+                } else if (z > -REACH) {
+                    double density = EdgeProfile.density(z) * inverseStd;
+                    sum += sign * EdgeProfile.tabulated(z);
+                    growth += density;
+                    stretch -= sign * density * at[k] * perLength;
+                }
+            }
+            rowWhite[r] = sum;
+            rowGrowth[r] = growth;
+            rowStretch[r] = stretch;
+        }
+    }
+
+    // ---- one side
+
+    private boolean fitSide(GreyImage image, GreyScale scale, int i) {
+        SideFit side = sides[i];
+        double blur = !side.started() ? FIRST_BLUR_PX : side.unknowns[SideFit.BLUR];
+        double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
+        profile.turn(side.normalX, side.normalY);
+        setPattern(i);
+        findPaper(image, scale, side, std);
+        double band = Math.max(BAND_PX, BAND_BLURS * std);
+        double inner = Math.min(band, depth[0] - 0.5);
+        double outer = Math.min(band, Math.max(1, paperPx - 0.3));
+        side.clear();
+        collect(image, side, inner, outer, blur, std);
+        return side.fit(scale, profile, FIRST_BLUR_PX);
+    }
+
+    /** Looks for the edge of the paper: where the light falls from its largest value beside the marker. */
+    private void findPaper(GreyImage image, GreyScale scale, SideFit side, double std) {
+        double most = Double.NEGATIVE_INFINITY;
+        double least = Double.POSITIVE_INFINITY;
+        int mostAt = 0;
+        paperPx = Double.POSITIVE_INFINITY;
+        paperShare = 0;
+        double[] light = paperLight;
+        for (int k = 0; k < PAPER_STEPS; k++) {
+            double d = 0.5 + PAPER_STEP_PX * k;
+            double sum = 0;
+            for (int n = -1; n <= 1; n++) {
+                double t = 0.3 * n * side.lengthPx;
+                toImage(side.middleX + side.tangentX * t + side.normalX * d,
+                        side.middleY + side.tangentY * t + side.normalY * d, point, 0);
+                sum += scale.tabulatedLight(image.interpolate(point[0], point[1]));
+            }
+            light[k] = sum / 3;
+            if (light[k] > most && d < 2 + 2.5 * std) {
+                most = light[k];
+                mostAt = k;
+            }
+        }
+        int leastAt = mostAt;
+        for (int k = mostAt; k < PAPER_STEPS; k++) {
+            if (light[k] < least) {
+                least = light[k];
+                leastAt = k;
+            } else if (light[k] > least + 0.3 * (most - least)) {
+                break;
+            }
+        }
+        double dark = side.started() ? scale.light(side.unknowns[SideFit.DARK]) : darkestInside(image, scale, side);
+        double contrast = most - dark;
+        if (!(contrast > 0) || most - least < PAPER_CONTRAST * contrast) {
+            return;
+        }
+        double half = (most + least) / 2;
+        for (int k = mostAt + 1; k <= leastAt; k++) {
+            if (light[k] < half) {
+                paperPx = 0.5 + PAPER_STEP_PX * (k - 1 + (light[k - 1] - half) / (light[k - 1] - light[k]));
+                paperShare = (most - least) / contrast;
+                return;
+            }
+        }
+    }
+
+    private double darkestInside(GreyImage image, GreyScale scale, SideFit side) {
+        toImage(side.middleX - side.normalX * depth[0] / 2, side.middleY - side.normalY * depth[0] / 2, point, 0);
+        return scale.tabulatedLight(image.interpolate(point[0], point[1]));
+    }
+
+    /** Gathers the pixels whose centres lie in the band about a side, in its coordinates. */
+    private void collect(GreyImage image, SideFit side, double inner, double outer, double blur, double std) {
+        setBounds(image, side, side.halfLengthPx, inner, outer);
+        double inverseStd = 1 / std;
+        double half = side.lengthPx / 2;
+        for (int y = firstY; y <= lastY; y++) {
+            for (int x = firstX; x <= lastX; x++) {
+                if (!toSide(x, y, side)) {
+                    continue;
+                }
+                double t = point[0];
+                double d = point[1];
+                if (d < -inner || d > outer || t < -side.halfLengthPx || t > side.halfLengthPx) {
+                    continue;
+                }
+                double window = EdgeProfile.tabulated((half + t) * inverseStd)
+                        + EdgeProfile.tabulated((half - t) * inverseStd) - 1;
+                double more = 0;
+                if (-d > depth[0] + depthSlope[0] * t - REACH * std) {
+                    more += innerShare(t, -d, blur, inverseStd);
+                }
+                if (d > paperPx - REACH * std) {
+                    more -= paperShare * EdgeProfile.tabulated((d - paperPx) * inverseStd);
+                }
+                side.add(t, d, image.get(x, y), window, more);
+            }
+        }
+    }
+
+    /** Light from the white cells of the pattern at a place along a side and a depth. */
+    private double innerShare(double t, double z, double blur, double inverseStd) {
+        setRowWhites(t, inverseStd, 0);
+        double share = 0;
+        double beforeRow = 0;
+        for (int r = 0; r < rows; r++) {
+            double change = rowWhite[r] - beforeRow;
+            if (change > 1e-4 || change < -1e-4) {
+                profile.at(z - depth[r] - depthSlope[r] * t + (change > 0 ? shiftPx : -shiftPx), blur);
+                share += change * profile.share;
+            }
+            beforeRow = rowWhite[r];
+        }
+        return share;
+    }
+
+    /** The pixels that a band may touch: bent by the lens, so points between its ends count too. */
+    private void setBounds(GreyImage image, SideFit side, double halfLength, double inner, double outer) {
+        double lowU = Double.POSITIVE_INFINITY;
+        double highU = Double.NEGATIVE_INFINITY;
+        double lowV = Double.POSITIVE_INFINITY;
+        double highV = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k <= 8; k++) {
+            double t = halfLength * (k - 4) / 4;
+            for (int n = 0; n < 2; n++) {
+                double d = n == 0 ? -inner : outer;
+                toImage(side.middleX + side.tangentX * t + side.normalX * d,
+                        side.middleY + side.tangentY * t + side.normalY * d, point, 0);
+                lowU = Math.min(lowU, point[0]);
+                highU = Math.max(highU, point[0]);
+                lowV = Math.min(lowV, point[1]);
+                highV = Math.max(highV, point[1]);
+            }
+        }
+        firstX = Math.max(0, (int) Math.floor(lowU) - 1);
+        lastX = Math.min(image.widthPx() - 1, (int) Math.ceil(highU) + 1);
+        firstY = Math.max(0, (int) Math.floor(lowV) - 1);
+        lastY = Math.min(image.heightPx() - 1, (int) Math.ceil(highV) + 1);
+    }
+
+    /** A pixel's centre in coordinates of a side: along it and outwards. */
+    private boolean toSide(int x, int y, SideFit side) {
+        double px = x + 0.5;
+        double py = y + 0.5;
+        if (distorted) {
+            if (!toIdeal(px, py, point, 0)) {
+                return false;
+            }
+            px = point[0];
+            py = point[1];
+        }
+        px -= side.middleX;
+        py -= side.middleY;
+        point[0] = px * side.tangentX + py * side.tangentY;
+        point[1] = px * side.normalX + py * side.normalY;
+        return true;
+    }
+
+    /** Puts the meeting point of sides i and j at corner j of {@link #refined}. */
+    private boolean intersect(int i, int j) {
+        setLine(i);
+        setLine(j);
+        double determinant = line[3 * i] * line[3 * j + 1] - line[3 * j] * line[3 * i + 1];
+        if (Math.abs(determinant) < 1e-3) {
+            return false;
+        }
+        refined[2 * j] = (line[3 * i + 1] * line[3 * j + 2] - line[3 * j + 1] * line[3 * i + 2]) / determinant;
+        refined[2 * j + 1] = (line[3 * j] * line[3 * i + 2] - line[3 * i] * line[3 * j + 2]) / determinant;
+        return true;
+    }
+
+    /** The line of a side as a x + b y + c = 0: across = offset + slope along, in the side's own coordinates. */
+    private void setLine(int i) {
+        SideFit side = sides[i];
+        double slope = side.unknowns[SideFit.SLOPE];
+        double a = side.normalX - slope * side.tangentX;
+        double b = side.normalY - slope * side.tangentY;
+        line[3 * i] = a;
+        line[3 * i + 1] = b;
+        line[3 * i + 2] = -(a * side.middleX + b * side.middleY) - side.unknowns[SideFit.OFFSET];
+    }
+
+    // ---- what the fit says of itself
+
+    /**
+     * Evaluates what the fits say of themselves.
+     *
+     * @param scale tone curve and noise
+     * @param withGamma whether the curve is a power whose gamma is asked for
+     * @return false where the information of a side is singular
+     */
+    boolean conclude(GreyScale scale, boolean withGamma) {
+        for (SideFit side : sides) {
+            profile.turn(side.normalX, side.normalY);
+            if (!side.conclude(scale, profile, withGamma)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Measures, at the solution, the shift common to all edges from the border's inner edge and the cells behind it.
+     *
+     * <p>One linear step from the shift found before, black and white of the inner cells free. With every edge moved into the dark by
+     * s, the true outline lies s outside the one that is seen, and all that hangs on it moves along; and white cells
+     * are s larger on all sides.
+     */
+    void measureShift(GreyImage image, GreyScale scale) {
+        setHomography();
+        double[] n = new double[9];
+        double[] g = new double[3];
+        double[] row = new double[3];
+        double[][] byOwn = new double[CORNERS][3];
+        double[][] byOwnAlong = new double[CORNERS][3];
+        for (int i = 0; i < CORNERS; i++) {
+            SideFit side = sides[i];
+            double blur = side.unknowns[SideFit.BLUR];
+            double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
+            double inverseStd = 1 / std;
+            profile.turn(side.normalX, side.normalY);
+            setPattern(i);
+            double cell = side.lengthPx / cells;
+            double band = Math.max(1.5, 2 * std);
+            double shallow = Math.max(depth[0] - band, depth[0] / 2);
+            double deep = Math.min(depth[0] + band, depth[0] + 0.7 * cell);
+            double halfLength = side.lengthPx / 2 - borderCells * cell;
+            double lightDark = scale.light(side.unknowns[SideFit.DARK]);
+            double contrast = scale.light(side.unknowns[SideFit.BRIGHT]) - lightDark;
+            double darkSlope = scale.lightByGrey(side.unknowns[SideFit.DARK]);
+            double brightSlope = scale.lightByGrey(side.unknowns[SideFit.BRIGHT]);
+            setBounds(image, side, halfLength, deep, -shallow);
+            for (int y = firstY; y <= lastY; y++) {
+                for (int x = firstX; x <= lastX; x++) {
+                    if (!toSide(x, y, side)) {
+                        continue;
+                    }
+                    double t = point[0];
+                    double z = -point[1];
+                    if (z < shallow || z > deep || t < -halfLength || t > halfLength) {
+                        continue;
+                    }
+                    setRowWhites(t, inverseStd, 2 / side.lengthPx);
+                    double share = 0;
+                    double bySlide = 0;
+                    double byShift = 0;
+                    double beforeRow = 0;
+                    double beforeGrowth = 0;
+                    for (int r = 0; r < rows; r++) {
+                        double change = rowWhite[r] - beforeRow;
+                        profile.at(z - depth[r] - depthSlope[r] * t + (change > 0 ? shiftPx : -shiftPx), blur);
+                        double lateral = rowGrowth[r] + rowStretch[r];
+                        share += change * profile.share;
+                        bySlide += change * profile.byDistance;
+                        byShift += (Math.abs(change) + change * frame(r)) * profile.byDistance
+                                + (lateral - beforeGrowth) * profile.share;
+                        beforeRow = rowWhite[r];
+                        beforeGrowth = lateral;
+                    }
+                    if (z < REACH * std) {
+                        profile.at(-z, blur);
+                        share += profile.share;
+                    }
+                    scale.at(lightDark + contrast * share);
+                    double residual = scale.grey - image.get(x, y);
+                    double byShare = scale.byLight * contrast;
+                    row[0] = byShare * byShift;
+                    row[1] = scale.byLight * darkSlope * (1 - share);
+                    row[2] = scale.byLight * brightSlope * share;
+                    for (int a = 0; a < 3; a++) {
+                        g[a] -= row[a] * residual;
+                        byOwn[i][a] += row[a] * byShare * bySlide;
+                        byOwnAlong[i][a] += row[a] * byShare * bySlide * t;
+                        for (int b = 0; b < 3; b++) {
+                            n[3 * a + b] += row[a] * row[b];
+                        }
+                    }
+                }
+            }
+        }
+        shiftMeasured = false;
+        for (int a = 0; a < 3; a++) {
+            n[4 * a] += 1e-9;
+        }
+        double[] inverse = Cholesky.inverse(n, 3);
+        if (inverse == null || !(inverse[0] > 0)) {
+            return;
+        }
+        double step = inverse[0] * g[0] + inverse[1] * g[1] + inverse[2] * g[2];
+        shiftPx = Math.max(-LARGEST_SHIFT_PX, Math.min(LARGEST_SHIFT_PX, shiftPx + step));
+        shiftInformation = 1 / inverse[0];
+        // the inner edge of a side follows its own line by 1 - b and the opposite one's by b
+        double b = (double) borderCells / cells;
+        for (int i = 0; i < CORNERS; i++) {
+            int opposite = (i + 2) % CORNERS;
+            double own = 0;
+            double ownAlong = 0;
+            double other = 0;
+            double otherAlong = 0;
+            for (int a = 0; a < 3; a++) {
+                own += inverse[a] * byOwn[i][a];
+                ownAlong += inverse[a] * byOwnAlong[i][a];
+                other += inverse[a] * byOwn[opposite][a];
+                otherAlong += inverse[a] * byOwnAlong[opposite][a];
+            }
+            // a line moved outwards takes the pattern that is expected behind it along: more white is expected, and
+            // less shift is found
+            shiftByLine[2 * i] = -((1 - b) * own - b * other);
+            shiftByLine[2 * i + 1] = -((1 - b) * ownAlong + b * otherAlong);
+        }
+        shiftMeasured = shiftInformation > 0;
+    }
+
+    /** The shift common to all edges, px, positive into the dark; 0 where it could not be measured. */
+    double shiftPx() {
+        return shiftMeasured ? shiftPx : 0;
+    }
+
+    /** Inverse variance of the shift but for errors of the outline, at a variance of the noise, 1/px²; 0: not measured. */
+    double shiftWeight(double greyVariance) {
+        return shiftMeasured ? shiftInformation / greyVariance : 0;
+    }
+
+    /**
+     * The marker as observed.
+     *
+     * @param id its id
+     * @param noiseGrey standard deviation of each side's noise, 4 values, grey levels
+     * @return corners with their covariance and the measured shift
+     */
+    MarkerObservation observation(int id, double[] noiseGrey) {
+        double[] byLines = new double[8 * 8];
+        for (int j = 0; j < CORNERS; j++) {
+            int i = (j + CORNERS - 1) % CORNERS;
+            cornerByLines(j, i, j, byLines);
+        }
+        double[] lines = new double[8 * 8];
+        for (int i = 0; i < CORNERS; i++) {
+            double variance = noiseGrey[i] * noiseGrey[i];
+            for (int a = 0; a < 2; a++) {
+                for (int c = 0; c < 2; c++) {
+                    lines[8 * (2 * i + a) + 2 * i + c] = variance * sides[i].covariance(a, c);
+                }
+            }
+        }
+        double[] half = times(byLines, lines);
+        double[] covariance = new double[64];
+        for (int r = 0; r < 8; r++) {
+            for (int c = 0; c <= r; c++) {
+                double s = 0;
+                for (int k = 0; k < 8; k++) {
+                    s += half[8 * r + k] * byLines[8 * c + k];
+                }
+                covariance[8 * r + c] = s;
+                covariance[8 * c + r] = s;
+            }
+        }
+        double[] corners = new double[8];
+        corners(corners);
+        EdgeShift shift = null;
+        if (shiftMeasured) {
+            double meanVariance = 0;
+            for (double std : noiseGrey) {
+                meanVariance += std * std / CORNERS;
+            }
+            double variance = meanVariance / shiftInformation;
+            double[] withCorners = new double[8];
+            for (int k = 0; k < 8; k++) {
+                double s = 0;
+                for (int m = 0; m < 8; m++) {
+                    s += lines[8 * k + m] * shiftByLine[m];
+                }
+                variance += s * shiftByLine[k];
+            }
+            for (int r = 0; r < 8; r++) {
+                for (int k = 0; k < 8; k++) {
+                    withCorners[r] += half[8 * r + k] * shiftByLine[k];
+                }
+            }
+            shift = new EdgeShift(shiftPx, variance, withCorners);
+        }
+        return new MarkerObservation(id, corners, covariance, shift);
+    }
+
+    private static double[] times(double[] a, double[] b) {
+        double[] out = new double[64];
+        for (int r = 0; r < 8; r++) {
+            for (int k = 0; k < 8; k++) {
+                double v = a[8 * r + k];
+                if (v != 0) {
+                    for (int c = 0; c < 8; c++) {
+                        out[8 * r + c] += v * b[8 * k + c];
+                    }
+                }
+            }
+        }
+        return out;
+    }
+
+    /** Rows of corner j by the lines (offset, slope) of sides i and j, through the lens. */
+    private void cornerByLines(int j, int i, int jSide, double[] out) {
+        double x = ideal[2 * j];
+        double y = ideal[2 * j + 1];
+        double determinant = sides[i].normalX * sides[jSide].normalY - sides[jSide].normalX * sides[i].normalY;
+        double[] lens = {1, 0, 0, 1};
+        if (distorted) {
+            double h = 0.25;
+            double[] there = new double[4];
+            toImage(x + h, y, there, 0);
+            toImage(x - h, y, there, 2);
+            lens[0] = (there[0] - there[2]) / (2 * h);
+            lens[2] = (there[1] - there[3]) / (2 * h);
+            toImage(x, y + h, there, 0);
+            toImage(x, y - h, there, 2);
+            lens[1] = (there[0] - there[2]) / (2 * h);
+            lens[3] = (there[1] - there[3]) / (2 * h);
+        }
+        for (int n = 0; n < 2; n++) {
+            int s = n == 0 ? i : jSide;
+            SideFit side = sides[s];
+            SideFit other = sides[n == 0 ? jSide : i];
+            // the corner stays on the other line: it moves along that line's direction
+            double sign = n == 0 ? 1 : -1;
+            double dx = sign * other.normalY / determinant;
+            double dy = -sign * other.normalX / determinant;
+            double t = (x - side.middleX) * side.tangentX + (y - side.middleY) * side.tangentY;
+            double u = lens[0] * dx + lens[1] * dy;
+            double v = lens[2] * dx + lens[3] * dy;
+            out[8 * (2 * j) + 2 * s] = u;
+            out[8 * (2 * j + 1) + 2 * s] = v;
+            out[8 * (2 * j) + 2 * s + 1] = u * t;
+            out[8 * (2 * j + 1) + 2 * s + 1] = v * t;
+        }
+    }
+}

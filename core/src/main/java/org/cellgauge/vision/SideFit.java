@@ -1,0 +1,423 @@
+package org.cellgauge.vision;
+
+import java.util.Arrays;
+import org.cellgauge.geometry.Cholesky;
+
+/**
+ * One side of a marker fitted to the grey values of the pixels about it: position and slope of its line, width of the
+ * blur, grey level of black and white.
+ *
+ * <p>What a pixel sees is modelled as light: a straight blurred step, made smaller by the ends of the side, with the
+ * light that blur brings from the pattern inside and from beyond the paper's edge on top; the tone curve then makes
+ * grey of it. Least squares by damped Gauss-Newton in grey levels, where a camera's noise is nearly the same
+ * everywhere: the maximum-likelihood estimate under white noise, and its information matrix is the covariance of the
+ * line. Not thread-safe; arrays are kept between fits.
+ */
+final class SideFit {
+    static final int UNKNOWNS = 5;
+    static final int OFFSET = 0;
+    static final int SLOPE = 1;
+    static final int BLUR = 2;
+    static final int DARK = 3;
+    static final int BRIGHT = 4;
+    /** Columns of the derivative that is kept at the end: the unknowns and gamma. */
+    private static final int GAMMA = 5;
+    private static final int COLUMNS = 6;
+
+    private static final int MAX_STEPS = 20;
+    private static final double SETTLED_PX = 1e-3;
+    static final double SMALLEST_BLUR_PX = 0.1;
+    static final double LARGEST_BLUR_PX = 4;
+    private static final double LEAST_LEVEL = -20;
+    /** A bright side that is clipped may be as bright as this, in grey levels of the tone curve's continuation. */
+    private static final double LARGEST_LEVEL = 400;
+    /**
+     * Gamma is judged by pixels with less light than this from elsewhere, as a share of white: what is taken as given of
+     * that light hangs on gamma itself.
+     */
+    private static final double CLEAN_SHARE = 0.003;
+    /** Grey level from which on a value is taken for clipped. */
+    private static final double CLIPPED = 254.5;
+
+    // geometry in undistorted pixels: middle of the side, unit tangent and unit normal, outwards
+    double middleX;
+    double middleY;
+    double tangentX;
+    double tangentY;
+    double normalX;
+    double normalY;
+    double lengthPx;
+    double halfLengthPx;
+
+    // pixels: place along and across the side, grey, and what of white's light is there whatever the step
+    private double[] along = new double[256];
+    private double[] across = new double[256];
+    private double[] grey = new double[256];
+    private double[] window = new double[256];
+    private double[] base = new double[256];
+    private int samples;
+
+    final double[] unknowns = new double[UNKNOWNS];
+    private final double[] trial = new double[UNKNOWNS];
+    private final double[] normal = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] gradient = new double[UNKNOWNS];
+    private final double[] trialNormal = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] trialGradient = new double[UNKNOWNS];
+    private final double[] damped = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] step = new double[UNKNOWNS];
+    private final double[] row = new double[COLUMNS];
+    private final double[] leverage = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] gammaRow = new double[UNKNOWNS];
+    private boolean started;
+
+    /** Position-weighted sum of squared residuals of the pixels and what it would be for noise of 1 grey level. */
+    double squares;
+    double expectedSquares;
+    double degreesOfFreedom;
+    /** Score and information of gamma from this side, for noise of 1 grey level, its own unknowns projected out. */
+    double gammaScore;
+    double gammaInformation;
+    /** Change of the offset by gamma, px. */
+    double offsetByGamma;
+    /** Share of the pixels of the bright side that are clipped at white, and of the dark side at black. */
+    double clippedShare;
+    double crushedShare;
+
+    void clear() {
+        samples = 0;
+    }
+
+    /** Forgets the last fit: the next one starts from the grey values alone. */
+    void restart() {
+        started = false;
+    }
+
+    /** Whether there was a fit before. */
+    boolean started() {
+        return started;
+    }
+
+    int samples() {
+        return samples;
+    }
+
+    /**
+     * Adds a pixel.
+     *
+     * @param t place along the side from its middle, px
+     * @param d place across, outwards, px
+     * @param level its grey level
+     * @param inside share of the step's dark side that lies within the ends of the side
+     * @param more light from elsewhere as a share of the difference of white and black
+     */
+    void add(double t, double d, double level, double inside, double more) {
+        if (samples == along.length) {
+            along = Arrays.copyOf(along, 2 * samples);
+            across = Arrays.copyOf(across, 2 * samples);
+            grey = Arrays.copyOf(grey, 2 * samples);
+            window = Arrays.copyOf(window, 2 * samples);
+            base = Arrays.copyOf(base, 2 * samples);
+        }
+        along[samples] = t;
+        across[samples] = d;
+        grey[samples] = level;
+        window[samples] = inside;
+        base[samples++] = 1 - inside + more;
+    }
+
+    /**
+     * Fits.
+     *
+     * @param scale tone curve and noise
+     * @param profile turned to the side's normal
+     * @param firstBlurPx where the blur starts if there was no fit before
+     * @return whether a dark and a bright side were found
+     */
+    boolean fit(GreyScale scale, EdgeProfile profile, double firstBlurPx) {
+        if (samples < 4 * UNKNOWNS) {
+            return false;
+        }
+        unknowns[OFFSET] = 0;
+        unknowns[SLOPE] = 0;
+        if (!started) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            int clipped = 0;
+            for (int i = 0; i < samples; i++) {
+                low = Math.min(low, grey[i]);
+                high = Math.max(high, grey[i]);
+                clipped += grey[i] > CLIPPED ? 1 : 0;
+            }
+            unknowns[BLUR] = firstBlurPx;
+            unknowns[DARK] = low;
+            unknowns[BRIGHT] = 10 * clipped > samples ? 1.1 * high : high;
+            started = true;
+        }
+        double damping = 1e-3;
+        double sum = linearise(scale, profile, unknowns, normal, gradient);
+        for (int i = 0; i < MAX_STEPS; i++) {
+            System.arraycopy(normal, 0, damped, 0, normal.length);
+            for (int k = 0; k < UNKNOWNS; k++) {
+                damped[k * (UNKNOWNS + 1)] = normal[k * (UNKNOWNS + 1)] * (1 + damping) + 1e-9;
+                step[k] = gradient[k];
+            }
+            if (!Cholesky.factor(damped, UNKNOWNS)) {
+                return false;
+            }
+            Cholesky.solveLower(damped, UNKNOWNS, step);
+            Cholesky.solveUpper(damped, UNKNOWNS, step);
+            for (int k = 0; k < UNKNOWNS; k++) {
+                trial[k] = unknowns[k] - step[k];
+            }
+            trial[BLUR] = Math.min(LARGEST_BLUR_PX, Math.max(SMALLEST_BLUR_PX, trial[BLUR]));
+            trial[DARK] = Math.max(LEAST_LEVEL, trial[DARK]);
+            trial[BRIGHT] = Math.min(LARGEST_LEVEL, trial[BRIGHT]);
+            double moved = Math.abs(trial[OFFSET] - unknowns[OFFSET])
+                    + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx;
+            double trialSum = linearise(scale, profile, trial, trialNormal, trialGradient);
+            if (trialSum <= sum) {
+                System.arraycopy(trial, 0, unknowns, 0, UNKNOWNS);
+                System.arraycopy(trialNormal, 0, normal, 0, normal.length);
+                System.arraycopy(trialGradient, 0, gradient, 0, UNKNOWNS);
+                damping /= 10;
+                sum = trialSum;
+                if (moved < SETTLED_PX) {
+                    break;
+                }
+            } else {
+                damping *= 10;
+                if (damping > 1e6) {
+                    break;
+                }
+            }
+        }
+        return unknowns[BRIGHT] > unknowns[DARK] + 1;
+    }
+
+    private double linearise(GreyScale scale, EdgeProfile profile, double[] p, double[] n, double[] g) {
+        double lightDark = scale.light(p[DARK]);
+        double contrast = scale.light(p[BRIGHT]) - lightDark;
+        double darkSlope = scale.lightByGrey(p[DARK]);
+        double brightSlope = scale.lightByGrey(p[BRIGHT]);
+        double n00 = 0;
+        double n10 = 0;
+        double n11 = 0;
+        double n20 = 0;
+        double n21 = 0;
+        double n22 = 0;
+        double n30 = 0;
+        double n31 = 0;
+        double n32 = 0;
+        double n33 = 0;
+        double n40 = 0;
+        double n41 = 0;
+        double n42 = 0;
+        double n43 = 0;
+        double n44 = 0;
+        double g0 = 0;
+        double g1 = 0;
+        double g2 = 0;
+        double g3 = 0;
+        double g4 = 0;
+        double sum = 0;
+        for (int i = 0; i < samples; i++) {
+            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
+            double inside = window[i];
+            double share = base[i] + inside * profile.share;
+            scale.at(lightDark + contrast * share);
+            double residual = scale.grey - grey[i];
+            double byShare = scale.byLight * contrast * inside;
+            double r0 = -byShare * profile.byDistance;
+            double r1 = r0 * along[i];
+            double r2 = byShare * profile.byBlur;
+            double r3 = scale.byLight * darkSlope * (1 - share);
+            double r4 = scale.byLight * brightSlope * share;
+            sum += residual * residual;
+            g0 += r0 * residual;
+            g1 += r1 * residual;
+            g2 += r2 * residual;
+            g3 += r3 * residual;
+            g4 += r4 * residual;
+            n00 += r0 * r0;
+            n10 += r1 * r0;
+            n11 += r1 * r1;
+            n20 += r2 * r0;
+            n21 += r2 * r1;
+            n22 += r2 * r2;
+            n30 += r3 * r0;
+            n31 += r3 * r1;
+            n32 += r3 * r2;
+            n33 += r3 * r3;
+            n40 += r4 * r0;
+            n41 += r4 * r1;
+            n42 += r4 * r2;
+            n43 += r4 * r3;
+            n44 += r4 * r4;
+        }
+        g[0] = g0;
+        g[1] = g1;
+        g[2] = g2;
+        g[3] = g3;
+        g[4] = g4;
+        n[0] = n00;
+        n[5] = n10;
+        n[6] = n11;
+        n[10] = n20;
+        n[11] = n21;
+        n[12] = n22;
+        n[15] = n30;
+        n[16] = n31;
+        n[17] = n32;
+        n[18] = n33;
+        n[20] = n40;
+        n[21] = n41;
+        n[22] = n42;
+        n[23] = n43;
+        n[24] = n44;
+        for (int a = 0; a < UNKNOWNS; a++) {
+            for (int b = 0; b < a; b++) {
+                n[b * UNKNOWNS + a] = n[a * UNKNOWNS + b];
+            }
+        }
+        return sum;
+    }
+
+    /**
+     * Evaluates, at the solution, what the fit says of itself: the covariance of the line for noise of 1 grey level,
+     * residuals, and what it says of gamma.
+     *
+     * @param scale tone curve and noise
+     * @param profile turned to the side's normal
+     * @param withGamma whether the curve is a power whose gamma is asked for
+     * @return false where the information is singular
+     */
+    boolean conclude(GreyScale scale, EdgeProfile profile, boolean withGamma) {
+        double[] p = unknowns;
+        double lightDark = scale.light(p[DARK]);
+        double contrast = scale.light(p[BRIGHT]) - lightDark;
+        double darkSlope = scale.lightByGrey(p[DARK]);
+        double brightSlope = scale.lightByGrey(p[BRIGHT]);
+        Arrays.fill(normal, 0);
+        Arrays.fill(gammaRow, 0);
+        Arrays.fill(gradient, 0);
+        Arrays.fill(damped, 0);
+        Arrays.fill(leverage, 0);
+        double gammaSquares = 0;
+        double score = 0;
+        double weighted = 0;
+        double weights = 0;
+        int bright = 0;
+        int dark = 0;
+        int clipped = 0;
+        int crushed = 0;
+        for (int i = 0; i < samples; i++) {
+            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
+            double share = base[i] + window[i] * profile.share;
+            scale.at(lightDark + contrast * share);
+            double residual = scale.grey - grey[i];
+            double byShare = scale.byLight * contrast * window[i];
+            row[OFFSET] = -byShare * profile.byDistance;
+            row[SLOPE] = row[OFFSET] * along[i];
+            row[BLUR] = byShare * profile.byBlur;
+            row[DARK] = scale.byLight * darkSlope * (1 - share);
+            row[BRIGHT] = scale.byLight * brightSlope * share;
+            double w = row[OFFSET] * row[OFFSET];
+            weighted += w * residual * residual;
+            weights += w;
+            for (int a = 0; a < UNKNOWNS; a++) {
+                for (int b = 0; b <= a; b++) {
+                    double product = row[a] * row[b];
+                    normal[a * UNKNOWNS + b] += product;
+                    leverage[a * UNKNOWNS + b] += w * product;
+                }
+            }
+            if (withGamma && Math.abs(base[i]) < CLEAN_SHARE) {
+                for (int a = 0; a < UNKNOWNS; a++) {
+                    gradient[a] += row[a] * residual;
+                    for (int b = 0; b <= a; b++) {
+                        damped[a * UNKNOWNS + b] += row[a] * row[b];
+                    }
+                }
+                row[GAMMA] = scale.byGamma(p[DARK], p[BRIGHT], share);
+                gammaSquares += row[GAMMA] * row[GAMMA];
+                score -= row[GAMMA] * residual;
+                for (int a = 0; a < UNKNOWNS; a++) {
+                    gammaRow[a] += row[GAMMA] * row[a];
+                }
+            }
+            if (share > 0.9) {
+                bright++;
+                clipped += grey[i] > CLIPPED ? 1 : 0;
+            } else if (share < 0.1) {
+                dark++;
+                crushed += grey[i] < 0.5 ? 1 : 0;
+            }
+        }
+        clippedShare = bright == 0 ? 0 : (double) clipped / bright;
+        crushedShare = dark == 0 ? 0 : (double) crushed / dark;
+        for (int a = 0; a < UNKNOWNS; a++) {
+            normal[a * (UNKNOWNS + 1)] += 1e-9;
+            for (int b = 0; b < a; b++) {
+                normal[b * UNKNOWNS + a] = normal[a * UNKNOWNS + b];
+            }
+        }
+        double[] inverse = Cholesky.inverse(normal, UNKNOWNS);
+        if (inverse == null || !(weights > 0)) {
+            return false;
+        }
+        System.arraycopy(inverse, 0, covariance, 0, inverse.length);
+        // what the fit leaves of the noise of a pixel is 1 less its leverage
+        double taken = 0;
+        for (int a = 0; a < UNKNOWNS; a++) {
+            for (int b = 0; b < a; b++) {
+                taken += 2 * leverage[a * UNKNOWNS + b] * inverse[a * UNKNOWNS + b];
+            }
+            taken += leverage[a * (UNKNOWNS + 1)] * inverse[a * (UNKNOWNS + 1)];
+        }
+        squares = weighted / weights;
+        expectedSquares = Math.max(0.1, 1 - taken / weights);
+        degreesOfFreedom = samples - UNKNOWNS;
+        if (withGamma) {
+            gammaOfClean(gammaSquares, score);
+        }
+        return true;
+    }
+
+    /** Projects the side's own unknowns out of the score and the information of gamma. */
+    private void gammaOfClean(double gammaSquares, double score) {
+        gammaScore = 0;
+        gammaInformation = 0;
+        offsetByGamma = 0;
+        for (int a = 0; a < UNKNOWNS; a++) {
+            damped[a * (UNKNOWNS + 1)] += 1e-9;
+            for (int b = 0; b < a; b++) {
+                damped[b * UNKNOWNS + a] = damped[a * UNKNOWNS + b];
+            }
+        }
+        double[] inverse = Cholesky.inverse(damped, UNKNOWNS);
+        if (inverse == null) {
+            return;
+        }
+        double taken = 0;
+        double ofOthers = 0;
+        for (int a = 0; a < UNKNOWNS; a++) {
+            double s = 0;
+            for (int b = 0; b < UNKNOWNS; b++) {
+                s += inverse[a * UNKNOWNS + b] * gammaRow[b];
+            }
+            if (a == OFFSET) {
+                offsetByGamma = -s;
+            }
+            taken += s * gammaRow[a];
+            ofOthers += s * gradient[a];
+        }
+        gammaInformation = Math.max(0, gammaSquares - taken);
+        gammaScore = score + ofOthers;
+    }
+
+    /** Covariance of two unknowns for noise of 1 grey level. */
+    double covariance(int a, int b) {
+        return covariance[a * UNKNOWNS + b];
+    }
+}
