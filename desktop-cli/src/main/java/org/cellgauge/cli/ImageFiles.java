@@ -21,6 +21,7 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.StatedToneCurve;
 
 /**
  * Reads photos from files as the detector wants them: grey, as they are stored.
@@ -81,7 +82,11 @@ public final class ImageFiles {
                     throw refuse(file, "it cannot be opened; check its permissions", null);
                 }
                 // before the reader, which may leave no way back
-                ToneCurve toneCurve = StatedToneCurve.of(in);
+                ToneCurve toneCurve = StatedToneCurve.of((position, into) -> {
+                    in.seek(position);
+                    in.readFully(into);
+                });
+                in.seek(0);
                 return decoded(file, in).withToneCurve(toneCurve);
             }
         } catch (IOException e) {

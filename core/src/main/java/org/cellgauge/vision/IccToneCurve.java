@@ -1,4 +1,4 @@
-package org.cellgauge.cli;
+package org.cellgauge.vision;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -51,13 +51,13 @@ final class IccToneCurve {
             int at = HEADER_BYTES + 4 + TAG_BYTES * i;
             int offset = data.getInt(at + 4);
             int length = data.getInt(at + 8);
-            switch (data.getInt(at)) {
-                case GREY_CURVE -> grey = curve(slice(profile, offset, length));
-                case GREEN_CURVE -> green = curve(slice(profile, offset, length));
-                case DESCRIPTION -> named = isNamedSrgb(profile, offset, length);
-                default -> {
-                    // nothing about tones
-                }
+            int tag = data.getInt(at);
+            if (tag == GREY_CURVE) {
+                grey = curve(slice(profile, offset, length));
+            } else if (tag == GREEN_CURVE) {
+                green = curve(slice(profile, offset, length));
+            } else if (tag == DESCRIPTION) {
+                named = isNamedSrgb(profile, offset, length);
             }
         }
         if (grey == null && green == null) {
