@@ -93,7 +93,23 @@ public final class CellReader {
      * @throws InputRefusedException if the cell is faulty
      */
     public static Cell read(String text, String displayName, PinholeCamera camera) {
-        return new CellReader(null, null, camera).cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+        return read(text, displayName, camera, null);
+    }
+
+    /**
+     * Reads a cell file's text for a camera that is known otherwise, and with it how it makes grey values of light.
+     *
+     * @param text YAML
+     * @param displayName the name that messages give it
+     * @param camera the camera of the cell
+     * @param toneCurve what is stated with that camera; null: nothing. What the cell file states goes before it
+     * @return the cell
+     * @throws InputRefusedException if the cell is faulty
+     */
+    public static Cell read(String text, String displayName, PinholeCamera camera, ToneCurve toneCurve) {
+        CellReader reader = new CellReader(null, null, camera);
+        reader.cameraToneCurve = toneCurve;
+        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
     }
 
     /**
