@@ -5,18 +5,26 @@ import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.Projection;
+import org.cellgauge.light.ToneCurve;
 
 /**
  * Reads and judges BoofCV's calibration files (YAML) of the models {@code pinhole} and
  * {@code pinhole_radial_tangential}; the same keys may stand in a cell file.
  *
- * <p>{@code skew}, the radial coefficients (up to 3) and {@code t1}, {@code t2} are 0 where they are left out.
+ * <p>A key that BoofCV does not write may stand beside them: {@code tone_curve}, how the camera makes grey values of
+ * light ({@code auto}, {@code srgb}, {@code linear} or {@code gamma G}). {@code skew}, the radial coefficients (up to 3)
+ * and {@code t1}, {@code t2} are 0 where they are left out.
  */
 public final class CameraReader {
     /** Largest camera file that is read, bytes. */
     public static final int MAX_BYTES = 1 << 20;
 
+    /** The key of a camera file, and of a cell file, that states the tone curve. */
+    static final String TONE_CURVE = "tone_curve";
+
     private static final String WHAT = "camera file";
+    private static final String TONE_CURVE_REMEDY =
+            "auto, srgb, linear or gamma G (for instance gamma 2.2, then grey = light^(1/2.2))";
     private static final String PINHOLE_EXAMPLE =
             "pinhole: {fx: 581, fy: 581, cx: 640, cy: 360, width: 1280, height: 720}";
     private static final String EXAMPLE = "the keys of a BoofCV calibration file: model: pinhole_radial_tangential, "
@@ -57,6 +65,41 @@ public final class CameraReader {
         return of(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
     }
 
+    /**
+     * What a camera file's text says of the camera's tone curve.
+     *
+     * @param text YAML
+     * @param displayName the name that messages give it
+     * @return the stated curve, or null where there is none or {@code auto}
+     * @throws InputRefusedException if it is none, or not readable
+     */
+    public static ToneCurve toneCurve(String text, String displayName) {
+        return toneCurveOf(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+    }
+
+    /** What a mapping with a calibration file's keys says of the tone curve; null where nothing or {@code auto}. */
+    static ToneCurve toneCurveOf(YamlValue camera) {
+        return toneCurve(camera.mapping(EXAMPLE).optional(TONE_CURVE));
+    }
+
+    /** The tone curve of its words; null for {@code auto} and where nothing stands. */
+    static ToneCurve toneCurve(YamlValue value) {
+        if (value == null) {
+            return null;
+        }
+        String words = value.text(TONE_CURVE_REMEDY).trim();
+        if (words.equalsIgnoreCase("auto")) {
+            return null;
+        }
+        try {
+            return ToneCurve.of(words);
+        } catch (IllegalArgumentException e) {
+            String hint = words.matches("[\\d.]+") ? "; for a power write gamma " + words : "";
+            throw value.refused("\"" + words + "\" is no tone curve; write " + TONE_CURVE_REMEDY + ", G from "
+                    + plain(ToneCurve.LEAST_GAMMA) + " to " + plain(ToneCurve.LARGEST_GAMMA) + hint);
+        }
+    }
+
     /** The camera of a mapping with a calibration file's keys. */
     static PinholeCamera of(YamlValue value) {
         YamlMapping file = value.mapping(EXAMPLE);
@@ -69,7 +112,8 @@ public final class CameraReader {
             throw file.optional("model").refused("the camera model \"" + model
                     + "\" cannot be used; calibrate with the model " + WITH_DISTORTION + " or " + WITHOUT_DISTORTION);
         }
-        file.refuseUnknown(Arrays.asList("model", "pinhole", "radial_tangential", "version"));
+        file.refuseUnknown(Arrays.asList("model", "pinhole", "radial_tangential", "version", TONE_CURVE));
+        toneCurve(file.optional(TONE_CURVE));
         YamlValue version = file.optional("version");
         if (version != null) {
             version.whole(0, 0, "version: 0, or calibrate with a BoofCV of that version");

@@ -1,6 +1,7 @@
 package org.cellgauge.cell;
 
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.light.ToneCurve;
 
 /**
  * Writes cameras as BoofCV's calibration files (YAML), the form that {@link CameraReader} reads.
@@ -20,6 +21,22 @@ public final class CameraWriter {
      */
     public static String text(PinholeCamera camera) {
         return text(camera, "");
+    }
+
+    /**
+     * The text of a camera file that also states how the camera makes grey values of light.
+     *
+     * @param camera intrinsics and image size
+     * @param toneCurve the tone curve, or null: {@code auto}
+     * @return YAML, ended by a line feed
+     */
+    public static String text(PinholeCamera camera, ToneCurve toneCurve) {
+        return text(camera, "") + toneCurve(toneCurve);
+    }
+
+    /** The line of a cell or camera file that states the tone curve. */
+    static String toneCurve(ToneCurve toneCurve) {
+        return CameraReader.TONE_CURVE + ": " + (toneCurve == null ? "auto" : toneCurve.words()) + "\n";
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.light.ToneCurve;
 
 /** A robot cell as its cell file describes it; immutable. References and objects keep the order of the file. */
 public final class Cell {
@@ -14,6 +15,7 @@ public final class Cell {
     private final List<ObjectMarker> objects;
     private final OptionalDouble pixelStdPx;
     private final OptionalDouble targetStdMm;
+    private final ToneCurve toneCurve;
 
     /**
      * A cell.
@@ -29,6 +31,11 @@ public final class Cell {
      */
     public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm) {
+        this(camera, family, references, objects, pixelStdPx, targetStdMm, null);
+    }
+
+    private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
+            OptionalDouble pixelStdPx, OptionalDouble targetStdMm, ToneCurve toneCurve) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
@@ -47,6 +54,7 @@ public final class Cell {
         this.objects = Collections.unmodifiableList(new ArrayList<>(objects));
         this.pixelStdPx = pixelStdPx;
         this.targetStdMm = targetStdMm;
+        this.toneCurve = toneCurve;
     }
 
     private static void addOnce(java.util.Set<Integer> ids, int id) {
@@ -62,7 +70,7 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withCamera(PinholeCamera other) {
-        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm);
+        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm, toneCurve);
     }
 
     /**
@@ -73,7 +81,17 @@ public final class Cell {
      * @throws IllegalArgumentException if the target is not positive
      */
     public Cell withTarget(OptionalDouble stdMm) {
-        return new Cell(camera, family, references, objects, pixelStdPx, stdMm);
+        return new Cell(camera, family, references, objects, pixelStdPx, stdMm, toneCurve);
+    }
+
+    /**
+     * The same cell with another statement about the camera's tone curve.
+     *
+     * @param stated how the camera makes grey values of light, or null: to be estimated from each photo ("auto")
+     * @return a new cell
+     */
+    public Cell withToneCurve(ToneCurve stated) {
+        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, stated);
     }
 
     /**
@@ -128,5 +146,14 @@ public final class Cell {
      */
     public OptionalDouble targetStdMm() {
         return targetStdMm;
+    }
+
+    /**
+     * How the camera makes grey values of light, as the cell file or the camera file states it.
+     *
+     * @return the stated curve, or null where it is to be estimated from each photo ("auto")
+     */
+    public ToneCurve toneCurve() {
+        return toneCurve;
     }
 }

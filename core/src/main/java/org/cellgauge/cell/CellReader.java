@@ -15,14 +15,15 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.light.ToneCurve;
 
 /**
  * Reads and judges cell files (YAML, version 1).
  *
  * <p>Lengths are mm, angles degrees as in the file. Left out, {@code rotation_deg} is [0, 0, 0], {@code pixel_std_px}
- * is {@code auto}, {@code objects} and {@code target} are none. {@code placement} may be left out where every reference
- * states its own; a reference's {@code placement} and a reference's or object's {@code size_mm} replace only what they
- * state. Every refusal names file, line, key and remedy.
+ * is {@code auto}, {@code tone_curve} what the camera file says and else {@code auto}, {@code objects} and
+ * {@code target} are none. {@code placement} may be left out where every reference states its own; a reference's
+ * {@code placement} and a reference's or object's {@code size_mm} replace only what they state. Every refusal names file, line, key and remedy.
  */
 public final class CellReader {
     /** Largest cell file that is read, bytes. */
@@ -48,6 +49,7 @@ public final class CellReader {
     private final PinholeCamera given;
     private MarkerFamily family;
     private YamlValue generalSize;
+    private ToneCurve cameraToneCurve;
 
     private CellReader(CameraSource cameras, Path folder, PinholeCamera given) {
         this.cameras = cameras;
@@ -91,7 +93,23 @@ public final class CellReader {
      * @throws InputRefusedException if the cell is faulty
      */
     public static Cell read(String text, String displayName, PinholeCamera camera) {
-        return new CellReader(null, null, camera).cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+        return read(text, displayName, camera, null);
+    }
+
+    /**
+     * Reads a cell file's text for a camera that is known otherwise, and with it how it makes grey values of light.
+     *
+     * @param text YAML
+     * @param displayName the name that messages give it
+     * @param camera the camera of the cell
+     * @param toneCurve what is stated with that camera; null: nothing. What the cell file states goes before it
+     * @return the cell
+     * @throws InputRefusedException if the cell is faulty
+     */
+    public static Cell read(String text, String displayName, PinholeCamera camera, ToneCurve toneCurve) {
+        CellReader reader = new CellReader(null, null, camera);
+        reader.cameraToneCurve = toneCurve;
+        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
     }
 
     /**
@@ -131,7 +149,7 @@ public final class CellReader {
     private Cell cell(YamlValue top) {
         YamlMapping file = cellFile(top);
         file.refuseUnknown(Arrays.asList("cellgauge", "camera", "markers", "placement", "pixel_std_px",
-                "references", "objects", "target"));
+                CameraReader.TONE_CURVE, "references", "objects", "target"));
         PinholeCamera camera = given != null ? given : camera(file.required("camera", CAMERA_EXAMPLE));
         YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm");
         family = family(markers.required("family", "family: square-binary"));
@@ -150,12 +168,14 @@ public final class CellReader {
             target = OptionalDouble.of(file.optional("target").mapping("{std_mm: 1.0}, or delete it", "std_mm")
                     .required("std_mm", "std_mm: 1.0").positive("the largest deviation allowed, in mm"));
         }
-        return new Cell(camera, family, references, objects, pixelStdPx, target);
+        YamlValue toneCurve = file.optional(CameraReader.TONE_CURVE);
+        return new Cell(camera, family, references, objects, pixelStdPx, target)
+                .withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve));
     }
 
     private PinholeCamera camera(YamlValue value) {
         if (value.isMapping()) {
-            return CameraReader.of(value);
+            return camera(value, null, null);
         }
         String name = value.text(CAMERA_EXAMPLE);
         if (folder == null) {
@@ -165,7 +185,7 @@ public final class CellReader {
             } catch (IOException e) {
                 throw noCamera(value, name, e);
             }
-            return CameraReader.read(text, name);
+            return camera(null, text, name);
         }
         Path path;
         try {
@@ -182,7 +202,14 @@ public final class CellReader {
         } catch (InputRefusedException e) {
             throw new InputRefusedException(value.refused(e.getMessage()).getMessage(), e);
         }
-        return CameraReader.read(text, path.toString());
+        return camera(null, text, path.toString());
+    }
+
+    /** The camera of an inline mapping or of a file's text, what is said of its tone curve kept aside. */
+    private PinholeCamera camera(YamlValue inline, String text, String name) {
+        PinholeCamera camera = inline != null ? CameraReader.of(inline) : CameraReader.read(text, name);
+        cameraToneCurve = inline != null ? CameraReader.toneCurveOf(inline) : CameraReader.toneCurve(text, name);
+        return camera;
     }
 
     private static InputRefusedException noCamera(YamlValue value, String name, IOException e) {

@@ -39,6 +39,9 @@ public final class CellWriter {
         out.append("markers: {family: ").append(cell.family().familyName()).append("}\n");
         out.append("pixel_std_px: ").append(cell.pixelStdPx().isPresent()
                 ? CameraWriter.number(cell.pixelStdPx().getAsDouble()) : "auto").append('\n');
+        if (cell.toneCurve() != null) {
+            out.append(CameraWriter.toneCurve(cell.toneCurve()));
+        }
         out.append("references:\n");
         for (Reference reference : cell.references()) {
             out.append("  ").append(reference.id()).append(":\n");

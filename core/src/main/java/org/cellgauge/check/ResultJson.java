@@ -17,6 +17,7 @@ import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.statistics.Angles;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Ellipse;
+import org.cellgauge.vision.PhotoLight;
 import org.cellgauge.warning.Warning;
 
 /**
@@ -97,6 +98,10 @@ public final class ResultJson {
         json.endObject();
         json.name("settings");
         settings();
+        if (result.detections().light() != null) {
+            json.name("light");
+            light(result.detections().light());
+        }
         CellEstimate estimate = result.estimate();
         json.name("camera").beginObject();
         poseMembers(estimate.camera());
@@ -186,6 +191,7 @@ public final class ResultJson {
         json.name("pose_prior").value(result.posePrior());
         number("pixel_std_px", result.pixelStdPx());
         json.name("pixel_std_px_from").value(cell.pixelStdPx().isPresent() ? "cell file" : "residuals");
+        json.name("tone_curve").value(cell.toneCurve() == null ? "auto" : cell.toneCurve().words());
         json.name("marker_family").value(cell.family().familyName());
         json.name("camera_intrinsics");
         cameraIntrinsics();
@@ -205,6 +211,18 @@ public final class ResultJson {
             json.endObject();
         }
         json.endObject();
+        json.endObject();
+    }
+
+    /** What was found out about the photo's light. */
+    private void light(PhotoLight light) throws IOException {
+        json.beginObject();
+        json.name("tone_curve").value(light.toneCurve().words());
+        json.name("tone_curve_estimated").value(light.toneCurveEstimated());
+        number("blur_px", light.blurPx());
+        number("noise_grey", light.noiseGrey());
+        number("noise_degrees_of_freedom", light.noiseDegreesOfFreedom());
+        number("edge_shift_std_px", light.edgeShiftStdPx());
         json.endObject();
     }
 

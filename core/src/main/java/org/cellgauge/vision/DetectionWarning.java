@@ -18,7 +18,25 @@ public enum DetectionWarning implements WarningKind {
             + "in view: remove or cover the other"),
     /** The edges cannot be fitted, and the corners are those of the first look: id. */
     COARSE_CORNERS("marker %s: its edges are too blurred, short or covered to be measured finely; its corners are "
-            + "coarse");
+            + "coarse"),
+    /** Light is cut off above: share of the pixels beside markers' edges that are at the brightest value, percent. */
+    WHITES_CLIPPED("whites are clipped: %s %% of the pixels beside the markers' edges are at the brightest value, "
+            + "where light is not measured; expose less"),
+    /** Light is cut off below: share of the pixels beside markers' edges that are at the darkest value, percent. */
+    BLACKS_CRUSHED("blacks are crushed: %s %% of the pixels beside the markers' edges are at the darkest value, "
+            + "where light is not measured; expose more, or lower the contrast in the camera"),
+    /** An unsharp mask was at work: overshoot in percent of the step from black to white. */
+    SHARPENED("the photo is sharpened: grey values overshoot by %s %% of the step at the markers' edges; switch "
+            + "sharpening off in the camera"),
+    /** Cells run into each other: id, blur (standard deviation), px, side of a cell, px. */
+    TOO_BLURRED("marker %s: a blur of %s px is too much for cells of %s px, and its corners count for little; focus, "
+            + "hold still or come nearer"),
+    /** Noise and steps of grey are large against the markers' contrast: grey value of white. */
+    TOO_DARK("the markers' white is only %s of 255, so that noise and steps of grey weigh heavily; give more light or "
+            + "expose longer"),
+    /** A shadow or a reflection lies on a marker: id, change of the light on its white, percent. */
+    LIGHT_UNEVEN("marker %s: the light on its white changes by %s %% from one side to another; light it evenly, "
+            + "without shadows and reflections");
 
     private final String english;
 

@@ -20,6 +20,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.cellgauge.cell.InputFiles;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.light.ToneCurve;
 
 /**
  * Reads, judges and writes detections files: corners from any detector, in place of an image.
@@ -28,6 +30,13 @@ import org.cellgauge.cell.InputRefusedException;
  * "corners_px": [[x, y], [x, y], [x, y], [x, y]]}]}}. Corners are top-left, top-right, bottom-right, bottom-left of the
  * marker in its own frame, in px with pixel centres at +0.5. {@code name} may be left out. Every refusal names file,
  * line, column, key and remedy.
+ *
+ * <p>A detector that knows how precise its corners are says so: with a marker {@code "covariance_px2"}, the 8 x 8
+ * covariance of the corners' errors in their order u, v of each (px²), and beside it {@code "edge_shift": {"px": 0.1,
+ * "variance_px2": 0.01, "covariance_with_corners_px2": [8 values]}}, see {@link EdgeShift}; with the image's
+ * {@code "light": {"tone_curve": "srgb", "edge_shift_std_px": 0.1, "blur_px": 0.7, "noise_grey": 2}}, see
+ * {@link PhotoLight} (blur and noise may be left out, and so may {@code "tone_curve_estimated"}, which is then false,
+ * and {@code "noise_degrees_of_freedom"}).
  */
 public final class DetectionsFile {
     /** Largest detections file that is read, bytes. */
@@ -44,6 +53,16 @@ public final class DetectionsFile {
     private static final double MARGIN_PER_SIDE = 0.1;
     /** Share of the quadrilateral's area that a corner may point inwards by, for noise on markers seen edge-on. */
     private static final double CONCAVE_TOLERANCE = 0.05;
+    /** Difference of two values that mirror each other in a covariance, in the larger of them. */
+    private static final double SYMMETRY_TOLERANCE = 1e-6;
+    /** Share of a corner's variance that must be left once the others are known. */
+    private static final double LEAST_CONDITIONAL_SHARE = 1e-10;
+    private static final String COVARIANCE_REMEDY = "write the covariance of the corners' errors in square px as 8 rows "
+            + "of 8 numbers, in the order u, v of each corner, or leave the key out";
+    private static final String SHIFT_REMEDY = "write {\"px\": 0.1, \"variance_px2\": 0.01, "
+            + "\"covariance_with_corners_px2\": [8 numbers]}, or leave the key out";
+    private static final String LIGHT_REMEDY = "write {\"tone_curve\": \"srgb\", \"edge_shift_std_px\": 0.1, "
+            + "\"blur_px\": 0.7, \"noise_grey\": 2}, or leave the key out";
     // the one public way to the reader's line: its own text, "JsonReader at line 1 column 2 path $"
     private static final Pattern PLACE = Pattern.compile("line (\\d+) column (\\d+)");
 
@@ -52,6 +71,7 @@ public final class DetectionsFile {
     private String imageName;
     private int widthPx;
     private int heightPx;
+    private PhotoLight light;
 
     private DetectionsFile(JsonReader json, String file) {
         this.json = json;
@@ -108,7 +128,11 @@ public final class DetectionsFile {
     public static void write(Detections detections, Appendable out) throws IOException {
         out.append("{\"image\": {\"width\": ").append(String.valueOf(detections.widthPx())).append(", \"height\": ")
                 .append(String.valueOf(detections.heightPx())).append(", \"name\": ")
-                .append(new JsonPrimitive(detections.imageName()).toString()).append("},\n \"markers\": [");
+                .append(new JsonPrimitive(detections.imageName()).toString()).append("}");
+        if (detections.light() != null) {
+            write(detections.light(), out);
+        }
+        out.append(",\n \"markers\": [");
         String separator = "";
         for (MarkerObservation marker : detections.markers()) {
             double[] c = marker.cornersPx();
@@ -118,10 +142,48 @@ public final class DetectionsFile {
                 out.append(i == 0 ? "[" : ", [").append(String.valueOf(c[2 * i])).append(", ")
                         .append(String.valueOf(c[2 * i + 1])).append("]");
             }
-            out.append("]}");
+            out.append(']');
+            if (marker.covariancePx2() != null) {
+                out.append(",\n   \"covariance_px2\": [");
+                for (int row = 0; row < 8; row++) {
+                    out.append(row == 0 ? "" : ",\n    ");
+                    write(marker.covariancePx2(), 8 * row, out);
+                }
+                out.append(']');
+            }
+            if (marker.edgeShift() != null) {
+                out.append(",\n   \"edge_shift\": {\"px\": ").append(String.valueOf(marker.edgeShift().shiftPx()))
+                        .append(", \"variance_px2\": ").append(String.valueOf(marker.edgeShift().variancePx2()))
+                        .append(",\n    \"covariance_with_corners_px2\": ");
+                write(marker.edgeShift().covarianceWithCornersPx2(), 0, out);
+                out.append('}');
+            }
+            out.append('}');
             separator = ",";
         }
         out.append("]}\n");
+    }
+
+    private static void write(PhotoLight light, Appendable out) throws IOException {
+        out.append(",\n \"light\": {\"tone_curve\": ").append(new JsonPrimitive(light.toneCurve().words()).toString())
+                .append(", \"tone_curve_estimated\": ").append(String.valueOf(light.toneCurveEstimated()))
+                .append(", \"edge_shift_std_px\": ").append(String.valueOf(light.edgeShiftStdPx()));
+        String[] keys = {"blur_px", "noise_grey", "noise_degrees_of_freedom"};
+        double[] values = {light.blurPx(), light.noiseGrey(), light.noiseDegreesOfFreedom()};
+        for (int i = 0; i < keys.length; i++) {
+            if (Double.isFinite(values[i])) {
+                out.append(", \"").append(keys[i]).append("\": ").append(String.valueOf(values[i]));
+            }
+        }
+        out.append('}');
+    }
+
+    /** Eight values as a list. */
+    private static void write(double[] values, int from, Appendable out) throws IOException {
+        for (int i = 0; i < 8; i++) {
+            out.append(i == 0 ? "[" : ", ").append(String.valueOf(values[from + i]));
+        }
+        out.append(']');
     }
 
     private static Detections parse(String text, String file) {
@@ -150,9 +212,12 @@ public final class DetectionsFile {
         List<MarkerObservation> markers = new ArrayList<>();
         List<String> places = new ArrayList<>();
         while (json.hasNext()) {
-            switch (key(keys, "image", "markers")) {
+            switch (key(keys, "image", "light", "markers")) {
                 case "image":
                     image();
+                    break;
+                case "light":
+                    light();
                     break;
                 default:
                     markers(markers, places);
@@ -167,7 +232,7 @@ public final class DetectionsFile {
         for (int i = 0; i < markers.size(); i++) {
             judge(markers.get(i), places.get(i));
         }
-        return new Detections(imageName, widthPx, heightPx, markers);
+        return new Detections(imageName, widthPx, heightPx, markers, new ArrayList<>(), light);
     }
 
     private void image() throws IOException {
@@ -193,6 +258,55 @@ public final class DetectionsFile {
         json.endObject();
     }
 
+    private void light() throws IOException {
+        expect(JsonToken.BEGIN_OBJECT, "an object", LIGHT_REMEDY);
+        json.beginObject();
+        Set<String> keys = new HashSet<>();
+        ToneCurve toneCurve = null;
+        boolean estimated = false;
+        double edgeShiftStdPx = 0;
+        double blurPx = Double.NaN;
+        double noiseGrey = Double.NaN;
+        double degreesOfFreedom = Double.NaN;
+        while (json.hasNext()) {
+            switch (key(keys, "tone_curve", "tone_curve_estimated", "edge_shift_std_px", "blur_px", "noise_grey",
+                    "noise_degrees_of_freedom")) {
+                case "tone_curve":
+                    toneCurve = toneCurve();
+                    break;
+                case "tone_curve_estimated":
+                    expect(JsonToken.BOOLEAN, "true or false", "write true or false, or leave the key out");
+                    estimated = json.nextBoolean();
+                    break;
+                case "edge_shift_std_px":
+                    edgeShiftStdPx = notNegative("write a deviation in px, 0 where edges cannot be shifted");
+                    break;
+                case "blur_px":
+                    blurPx = notNegative("write a deviation in px, or leave the key out");
+                    break;
+                case "noise_grey":
+                    noiseGrey = notNegative("write a deviation in grey levels of 255, or leave the key out");
+                    break;
+                default:
+                    degreesOfFreedom = notNegative("write a number, or leave the key out");
+            }
+        }
+        require(keys, "tone_curve", "\"tone_curve\": \"srgb\"");
+        require(keys, "edge_shift_std_px", "\"edge_shift_std_px\": 0.1");
+        json.endObject();
+        light = new PhotoLight(toneCurve, estimated, blurPx, noiseGrey, degreesOfFreedom, edgeShiftStdPx);
+    }
+
+    private ToneCurve toneCurve() throws IOException {
+        expect(JsonToken.STRING, "a text", "write \"srgb\", \"linear\" or \"gamma G\", for instance \"gamma 2.2\"");
+        String place = place();
+        try {
+            return ToneCurve.of(json.nextString());
+        } catch (IllegalArgumentException e) {
+            throw new InputRefusedException(place + ": " + e.getMessage(), e);
+        }
+    }
+
     private void markers(List<MarkerObservation> markers, List<String> places) throws IOException {
         expect(JsonToken.BEGIN_ARRAY, "a list", "write [{\"id\": 944, \"corners_px\": [...]}]");
         json.beginArray();
@@ -204,8 +318,12 @@ public final class DetectionsFile {
             Set<String> keys = new HashSet<>();
             int id = 0;
             double[] corners = null;
+            double[] covariance = null;
+            EdgeShift shift = null;
+            String covariancePlace = null;
+            String shiftPlace = null;
             while (json.hasNext()) {
-                switch (key(keys, "id", "corners_px")) {
+                switch (key(keys, "id", "corners_px", "covariance_px2", "edge_shift")) {
                     case "id":
                         id = whole(0, MAX_ID, "write the marker's id");
                         String earlier = seen.putIfAbsent(id, json.getPath());
@@ -213,6 +331,14 @@ public final class DetectionsFile {
                             throw refused("marker " + id + " was already given as " + shown(earlier)
                                     + "; keep the true one of the two", null);
                         }
+                        break;
+                    case "covariance_px2":
+                        covariancePlace = place();
+                        covariance = covariance();
+                        break;
+                    case "edge_shift":
+                        shiftPlace = place();
+                        shift = edgeShift();
                         break;
                     default:
                         place = place();
@@ -222,7 +348,8 @@ public final class DetectionsFile {
             require(keys, "id", "\"id\": 944");
             require(keys, "corners_px", "\"corners_px\": [[x, y], [x, y], [x, y], [x, y]]");
             json.endObject();
-            markers.add(new MarkerObservation(id, corners));
+            judgePrecision(id, covariance, covariancePlace, shift, shiftPlace);
+            markers.add(new MarkerObservation(id, corners, covariance, shift));
             places.add(place);
         }
         json.endArray();
@@ -258,6 +385,130 @@ public final class DetectionsFile {
             throw new InputRefusedException(place + ": expected 4 corners, got " + count + "; " + CORNERS_REMEDY);
         }
         return corners;
+    }
+
+    private double[] covariance() throws IOException {
+        expect(JsonToken.BEGIN_ARRAY, "8 rows of 8 numbers", COVARIANCE_REMEDY);
+        String place = place();
+        json.beginArray();
+        double[] covariance = new double[64];
+        int rows = 0;
+        while (json.hasNext()) {
+            double[] row = eight(COVARIANCE_REMEDY);
+            if (rows < 8) {
+                System.arraycopy(row, 0, covariance, 8 * rows, 8);
+            }
+            rows++;
+        }
+        json.endArray();
+        if (rows != 8) {
+            throw new InputRefusedException(place + ": expected 8 rows, got " + rows + "; " + COVARIANCE_REMEDY);
+        }
+        return covariance;
+    }
+
+    private double[] eight(String remedy) throws IOException {
+        expect(JsonToken.BEGIN_ARRAY, "8 numbers", remedy);
+        String place = place();
+        json.beginArray();
+        double[] values = new double[8];
+        int count = 0;
+        while (json.hasNext()) {
+            double v = number();
+            if (count < 8) {
+                values[count] = v;
+            }
+            count++;
+        }
+        json.endArray();
+        if (count != 8) {
+            throw new InputRefusedException(place + ": expected 8 numbers, got " + count + "; " + remedy);
+        }
+        return values;
+    }
+
+    private EdgeShift edgeShift() throws IOException {
+        expect(JsonToken.BEGIN_OBJECT, "an object", SHIFT_REMEDY);
+        json.beginObject();
+        Set<String> keys = new HashSet<>();
+        double px = 0;
+        double variance = 0;
+        double[] withCorners = null;
+        while (json.hasNext()) {
+            switch (key(keys, "px", "variance_px2", "covariance_with_corners_px2")) {
+                case "px":
+                    px = number();
+                    break;
+                case "variance_px2":
+                    String place = place();
+                    variance = number();
+                    if (!(variance > 0)) {
+                        throw new InputRefusedException(place + ": expected a number above 0, got " + variance
+                                + "; write the variance of the shift's error in square px, or leave edge_shift out");
+                    }
+                    break;
+                default:
+                    withCorners = eight(SHIFT_REMEDY);
+            }
+        }
+        require(keys, "px", "\"px\": 0.1");
+        require(keys, "variance_px2", "\"variance_px2\": 0.01");
+        require(keys, "covariance_with_corners_px2",
+                "\"covariance_with_corners_px2\": [0, 0, 0, 0, 0, 0, 0, 0] where corners and shift share no errors");
+        json.endObject();
+        return new EdgeShift(px, variance, withCorners);
+    }
+
+    /** Refuses what cannot be the covariance of corners, or of corners and shift. */
+    private static void judgePrecision(int id, double[] covariance, String place, EdgeShift shift, String shiftPlace) {
+        if (covariance == null) {
+            if (shift != null) {
+                throw new InputRefusedException(shiftPlace + ": marker " + id + " states an edge shift without the "
+                        + "covariance of its corners; add covariance_px2, or leave edge_shift out");
+            }
+            return;
+        }
+        for (int i = 0; i < 8; i++) {
+            for (int j = 0; j < i; j++) {
+                double below = covariance[8 * i + j];
+                double above = covariance[8 * j + i];
+                if (Math.abs(below - above) > SYMMETRY_TOLERANCE * Math.max(Math.abs(below), Math.abs(above))) {
+                    throw new InputRefusedException(place + ": the covariance of marker " + id + " is not symmetric: "
+                            + above + " in row " + (j + 1) + ", column " + (i + 1) + ", but " + below + " in row "
+                            + (i + 1) + ", column " + (j + 1) + "; " + COVARIANCE_REMEDY);
+                }
+            }
+        }
+        if (!isCovariance(covariance, 8, null)) {
+            throw new InputRefusedException(place + ": the covariance of marker " + id + " is not positive definite: "
+                    + "some combination of its corners would have no variance or a negative one; " + COVARIANCE_REMEDY);
+        }
+        if (shift != null && !isCovariance(covariance, 9, shift)) {
+            throw new InputRefusedException(shiftPlace + ": the covariances of marker " + id + " and of its edge shift "
+                    + "contradict each other: together they are not positive definite; " + SHIFT_REMEDY);
+        }
+    }
+
+    /** Whether the covariance of corners, and of the shift as a ninth coordinate, is one. */
+    private static boolean isCovariance(double[] covariance, int n, EdgeShift shift) {
+        double[] joint = new double[n * n];
+        double[] withCorners = shift == null ? null : shift.covarianceWithCornersPx2();
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j <= i; j++) {
+                joint[n * i + j] = i < 8 ? covariance[8 * i + j] : j < 8 ? withCorners[j] : shift.variancePx2();
+            }
+        }
+        double[] factor = joint.clone();
+        if (!Cholesky.factor(factor, n)) {
+            return false;
+        }
+        for (int i = 0; i < n; i++) {
+            // what is left of a variance once the values before it are known; rounding alone leaves 1e-16 of it
+            if (!(factor[n * i + i] * factor[n * i + i] > LEAST_CONDITIONAL_SHARE * joint[n * i + i])) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Refuses corners that no picture of a marker's front can have. */
@@ -345,6 +596,15 @@ public final class DetectionsFile {
         if (Double.isInfinite(value)) {
             throw new InputRefusedException(place + ": expected a finite number, got " + text
                     + "; write a number in px");
+        }
+        return value;
+    }
+
+    private double notNegative(String remedy) throws IOException {
+        String place = place();
+        double value = number();
+        if (!(value >= 0)) {
+            throw new InputRefusedException(place + ": expected a number from 0 on, got " + value + "; " + remedy);
         }
         return value;
     }

@@ -1,5 +1,7 @@
 package org.cellgauge.vision;
 
+import org.cellgauge.light.ToneCurve;
+
 /**
  * A grey image as the detector reads it: one byte of luminance per pixel in an array that may be somebody else's.
  *
@@ -13,13 +15,16 @@ public final class GreyImage {
     private final int rowStride;
     private final int widthPx;
     private final int heightPx;
+    private final ToneCurve toneCurve;
 
-    private GreyImage(byte[] luminance, int offset, int rowStride, int widthPx, int heightPx) {
+    private GreyImage(byte[] luminance, int offset, int rowStride, int widthPx, int heightPx,
+            ToneCurve toneCurve) {
         this.luminance = luminance;
         this.offset = offset;
         this.rowStride = rowStride;
         this.widthPx = widthPx;
         this.heightPx = heightPx;
+        this.toneCurve = toneCurve;
     }
 
     /**
@@ -47,7 +52,7 @@ public final class GreyImage {
             throw new IllegalArgumentException(widthPx + " x " + heightPx + " px with row stride " + rowStride
                     + " take " + end + " bytes, the array has " + luminance.length);
         }
-        return new GreyImage(luminance, offset, rowStride, widthPx, heightPx);
+        return new GreyImage(luminance, offset, rowStride, widthPx, heightPx, null);
     }
 
     /**
@@ -61,6 +66,26 @@ public final class GreyImage {
      */
     public static GreyImage packed(byte[] luminance, int widthPx, int heightPx) {
         return wrap(luminance, 0, widthPx, widthPx, heightPx);
+    }
+
+    /**
+     * The same image with what its file or its camera says of its tone curve.
+     *
+     * @param stated how grey values were made of light; null: nothing is said
+     * @return a view of the same array
+     */
+    public GreyImage withToneCurve(ToneCurve stated) {
+        return new GreyImage(luminance, offset, rowStride, widthPx, heightPx, stated);
+    }
+
+    /**
+     * What the image's file or its camera says of its tone curve: where an estimate starts, not more, since files often
+     * say sRGB of whatever curve the camera has.
+     *
+     * @return how grey values were made of light; null where nothing is said
+     */
+    public ToneCurve toneCurve() {
+        return toneCurve;
     }
 
     /**

@@ -16,9 +16,10 @@ public final class PhotoLight {
      *
      * @param toneCurve the curve that grey values were read with
      * @param toneCurveEstimated whether it was estimated from the photo's edges and not stated
-     * @param blurPx optical blur of the edges, standard deviation, median over the markers, px
-     * @param noiseGrey noise of a grey value half-way between black and white, standard deviation, grey levels of 255
-     * @param noiseDegreesOfFreedom what that rests on
+     * @param blurPx optical blur of the edges, standard deviation, median over the markers, px; NaN: not known
+     * @param noiseGrey noise of a grey value half-way between black and white, standard deviation, grey levels of 255;
+     *     NaN: not known
+     * @param noiseDegreesOfFreedom what that rests on; NaN: not known
      * @param edgeShiftStdPx how far edges may lie from where this light puts them, all alike, before inner edges are
      *     looked at: standard deviation along the normal, px, not negative
      */
@@ -53,7 +54,7 @@ public final class PhotoLight {
     /**
      * Optical blur of the edges.
      *
-     * @return standard deviation, median over the markers, px
+     * @return standard deviation, median over the markers, px; NaN where it is not known
      */
     public double blurPx() {
         return blurPx;
@@ -62,7 +63,7 @@ public final class PhotoLight {
     /**
      * Noise of a grey value half-way between black and white.
      *
-     * @return standard deviation, grey levels of 255
+     * @return standard deviation, grey levels of 255; NaN where it is not known
      */
     public double noiseGrey() {
         return noiseGrey;
@@ -71,7 +72,7 @@ public final class PhotoLight {
     /**
      * What the noise rests on.
      *
-     * @return degrees of freedom
+     * @return degrees of freedom; NaN where they are not known
      */
     public double noiseDegreesOfFreedom() {
         return noiseDegreesOfFreedom;

@@ -15,6 +15,8 @@ import java.nio.file.Path;
 import org.cellgauge.geometry.PinholeCamera;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What a faultless cell file says is what the cell holds. */
 class CellReaderTest {
@@ -242,5 +244,37 @@ class CellReaderTest {
         assertArrayEquals(new double[] {xMm, yMm, zMm},
                 new double[] {r.placement().stdMm(0), r.placement().stdMm(1), r.placement().stdMm(2)});
         assertEquals(deg * Math.PI / 180, r.placement().stdRad(), 1e-16);
+    }
+
+    private static String words(Cell cell) {
+        return cell.toneCurve() == null ? "auto" : cell.toneCurve().words();
+    }
+
+    /** What the cell file says, what the camera file says, and which of them holds. */
+    @ParameterizedTest
+    @CsvSource({", , auto", "auto, , auto", "srgb, , srgb", "linear, , linear", "gamma 2.2, , gamma 2.2",
+        "gamma 1, , linear", "'\"gamma 1.8\"', , gamma 1.8", ", srgb, srgb", ", auto, auto", ", gamma 1.8, gamma 1.8",
+        "auto, gamma 1.8, auto", "linear, srgb, linear"})
+    void toneCurveOfTheCellFileWinsOverTheCameraFiles(String inCell, String inCamera, String expected) {
+        String camera = CAMERA + (inCamera == null ? "" : "tone_curve: " + inCamera + "\n");
+        String ofCell = CELL + (inCell == null ? "" : "tone_curve: " + inCell + "\n");
+        assertEquals(expected, words(CellReader.read(ofCell, "cell.yaml", name -> camera)));
+        String inline = ofCell.replaceFirst("camera: .*\n", "camera:\n  " + camera.trim().replace("\n", "\n  ") + "\n");
+        Cell cell = CellReader.read(inline, "cell.yaml", name -> {
+            throw new IOException("the camera stands in the cell file");
+        });
+        assertEquals(expected, words(cell));
+        assertEquals(expected, words(cell.withCamera(cell.camera()).withTarget(java.util.OptionalDouble.of(2))));
+        // a camera known otherwise: nothing is read of the file's
+        assertEquals(inCell == null ? "auto" : expected, words(CellReader.read(ofCell, "cell.yaml", cell.camera())));
+        assertEquals(expected, words(CellReader.read(ofCell, "cell.yaml", cell.camera(),
+                CameraReader.toneCurve(camera, "camera.yaml"))));
+    }
+
+    @Test
+    void faultyToneCurveOfACameraFileIsRefusedThere() {
+        InputRefusedException e = assertThrows(InputRefusedException.class,
+                () -> CellReader.read(CELL, "cell.yaml", name -> CAMERA + "tone_curve: gama 2.2\n"));
+        assertTrue(e.getMessage().startsWith("camera.yaml, line 4, tone_curve: "), e.getMessage());
     }
 }

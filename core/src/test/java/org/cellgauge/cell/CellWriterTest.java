@@ -2,6 +2,7 @@ package org.cellgauge.cell;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -13,6 +14,7 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.light.ToneCurve;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -163,5 +165,23 @@ class CellWriterTest {
         assertTrue(CameraWriter.text(plain).startsWith("model: pinhole\n"));
         PinholeCamera distorted = CameraReader.read(CellReaderTest.CAMERA, "original");
         assertEquals(distorted.toString(), CameraReader.read(CameraWriter.text(distorted), "written").toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"srgb", "linear", "gamma 2.2", "gamma 1.8765432109876543"})
+    void toneCurvesComeBack(String words) {
+        ToneCurve curve = ToneCurve.of(words);
+        Cell cell = CellReaderTest.read(CellReaderTest.CELL);
+        assertNull(again(cell).toneCurve());
+        Cell again = again(cell.withToneCurve(curve));
+        assertSame(cell, again);
+        assertEquals(words, again.toneCurve().words());
+        for (double light : new double[] {0.001, 0.2, 0.7}) {
+            assertEquals(curve.grey(light), again.toneCurve().grey(light));
+        }
+        String camera = CameraWriter.text(cell.camera(), curve);
+        assertEquals(words, CameraReader.toneCurve(camera, "camera.yaml").words());
+        assertArrayEquals(cell.camera().intrinsics(), CameraReader.read(camera, "camera.yaml").intrinsics());
+        assertNull(CameraReader.toneCurve(CameraWriter.text(cell.camera(), (ToneCurve) null), "camera.yaml"));
     }
 }

@@ -1,8 +1,11 @@
 package org.cellgauge.vision;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import org.cellgauge.light.ToneCurve;
 import org.junit.jupiter.api.Test;
 
 class GreyImageTest {
@@ -36,5 +39,18 @@ class GreyImageTest {
         assertThrows(IllegalArgumentException.class, () -> GreyImage.wrap(new byte[100], -1, 3, 3, 2));
         assertThrows(IllegalArgumentException.class, () -> GreyImage.packed(new byte[0], 0, 0));
         assertThrows(IllegalArgumentException.class, () -> GreyImage.packed(new byte[16], 65536, 65536));
+    }
+
+    @Test
+    void toneCurveIsANoteOnTheSamePixels() {
+        byte[] data = {9, 9, 1, 2, 9, 3, (byte) 200};
+        GreyImage image = GreyImage.wrap(data, 2, 3, 2, 2);
+        assertNull(image.toneCurve());
+        GreyImage noted = image.withToneCurve(ToneCurve.SRGB);
+        assertSame(ToneCurve.SRGB, noted.toneCurve());
+        assertSame(data, noted.luminance());
+        assertEquals(200, noted.get(1, 1));
+        assertNull(image.toneCurve());
+        assertNull(noted.withToneCurve(null).toneCurve());
     }
 }

@@ -19,7 +19,9 @@ import org.cellgauge.check.ReferenceFit;
 import org.cellgauge.check.VarianceBudget;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.check.WithoutMisplaced;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.vision.PhotoLight;
 import org.cellgauge.warning.Warning;
 
 /** A result in words and aligned columns, for people; ASCII, so that every terminal shows it. */
@@ -80,6 +82,9 @@ final class CheckText {
         references(result, text);
         text.append('\n').append(diagnosticsLine(result)).append('\n').append(acceptanceLine(result)).append('\n')
                 .append(laplaceLine(result)).append('\n');
+        if (result.detections().light() != null) {
+            text.append(wrap("Light: " + light(result), "        "));
+        }
         if (!result.warnings().isEmpty()) {
             text.append("\nWarnings\n");
             for (Warning warning : result.warnings()) {
@@ -283,6 +288,29 @@ final class CheckText {
                 result.iterationsPerChain(), result.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0),
                 fixed(d.essTailMin(), 0),
                 fixed(100 * d.mcseStdRelMax(), 1)), "        ").stripTrailing();
+    }
+
+    /** What was found out about the photo's light, in words; empty where corners came without any. */
+    static String light(CheckResult result) {
+        PhotoLight light = result.detections().light();
+        if (light == null) {
+            return "";
+        }
+        String blur = Double.isFinite(light.blurPx()) ? ", blur " + fixed(light.blurPx(), 2) + " px" : "";
+        String noise = Double.isFinite(light.noiseGrey())
+                ? ", noise " + fixed(light.noiseGrey(), 1) + " of 255 grey levels" : "";
+        return "tone curve " + toneCurve(light.toneCurve()) + (light.toneCurveEstimated() ? " (estimated)" : "") + blur
+                + noise + ", edges may be shifted by " + fixed(light.edgeShiftStdPx(), 3) + " px (std)";
+    }
+
+    /** A tone curve without needless digits; "auto" where none is stated. */
+    static String toneCurve(ToneCurve curve) {
+        if (curve == null) {
+            return "auto";
+        }
+        String[] words = curve.words().split(" ");
+        return words.length == 1 ? words[0]
+                : words[0] + " " + plain(Math.rint(100 * Double.parseDouble(words[1])) / 100);
     }
 
     private static String acceptanceLine(CheckResult result) {

@@ -345,6 +345,10 @@ final class HtmlReport {
         values.put("prior on the camera pose", result.posePrior() == null ? "none" : result.posePrior());
         values.put("pixel std", CheckText.fixed(result.pixelStdPx(), 4) + " px"
                 + (result.cell().pixelStdPx().isPresent() ? "" : " (estimated)"));
+        values.put("tone curve", CheckText.toneCurve(result.cell().toneCurve()));
+        if (result.detections().light() != null) {
+            values.put("light of the photo", CheckText.light(result));
+        }
         values.put("references used", result.referencesUsed().toString().replaceAll("[\\[\\]]", ""));
         sections.append("<details><summary>Settings</summary>\n<table>\n");
         values.forEach((name, value) -> sections.append("<tr><td>").append(escape(name))

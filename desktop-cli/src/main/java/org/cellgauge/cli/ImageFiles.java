@@ -6,6 +6,8 @@ import java.awt.image.ColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,15 +17,26 @@ import java.util.Locale;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.StatedToneCurve;
 
 /**
  * Reads photos from files as the detector wants them: grey, as they are stored.
  *
  * <p>A calibration speaks of stored pixels, so a note in the file that says which way up to show it (the orientation
  * of Exif) is not followed: photos to be measured and photos for calibration must be stored alike. Colours become grey
- * by the luma weights of ITU-R BT.601 (0.299, 0.587, 0.114) on the stored values; transparent parts lie on white.
+ * by the luma weights of ITU-R BT.601 (0.299, 0.587, 0.114) on the stored values; transparent parts lie on white. Light
+ * would have to be weighted before the tone curve and not after it; but markers are black and white, along their edges
+ * red, green and blue are alike but for the tint of the lamp, and of equal values any weights make the same. A tint
+ * multiplies the light of each colour by a factor of its own; a power takes that to a factor of grey, so that the sum
+ * is still the same power of the light.
+ *
+ * <p>What the file says of its tone curve goes with the image ({@link GreyImage#toneCurve()}): profiles, the chunks of
+ * PNG, Exif. JPEG, BMP and GIF files that say nothing are taken for sRGB, PNG and TIFF files say nothing then. Damaged
+ * notes of that kind count as none.
  */
 public final class ImageFiles {
     /** Largest image that is decoded, in pixels: four times what cameras on robots have, 400 MB as colour. */
@@ -31,6 +44,12 @@ public final class ImageFiles {
     private static final String FORMATS = "PNG, JPEG, BMP, TIFF or GIF";
     private static final String CMYK = "its colours are CMYK, made for print; save it as an RGB or grey image";
     private static final int CMYK_BANDS = 4;
+    private static final long MAX_BARE_BYTES = 200 << 20;
+    private static final int APP0 = 0xE0;
+    private static final int APP14 = 0xEE;
+    private static final int APP15 = 0xEF;
+    private static final int COMMENT = 0xFE;
+    private static final int START_OF_SCAN = 0xDA;
 
     private ImageFiles() {
     }
@@ -62,11 +81,66 @@ public final class ImageFiles {
                 if (in == null) {
                     throw refuse(file, "it cannot be opened; check its permissions", null);
                 }
-                return read(file, in);
+                // before the reader, which may leave no way back
+                ToneCurve toneCurve = StatedToneCurve.of((position, into) -> {
+                    in.seek(position);
+                    in.readFully(into);
+                });
+                in.seek(0);
+                return decoded(file, in).withToneCurve(toneCurve);
             }
         } catch (IOException e) {
             throw refuse(file, "it cannot be read (" + e.getMessage() + "); check the disk or copy it again", e);
         }
+    }
+
+    /** The pixels; where a JPEG cannot be read as it is, without the notes that come before them. */
+    private static GreyImage decoded(Path file, ImageInputStream in) throws IOException {
+        try {
+            return read(file, in);
+        } catch (InputRefusedException e) {
+            byte[] bare = withoutNotes(file);
+            if (bare == null) {
+                throw e;
+            }
+            // the JDK's reader stops at a damaged profile even where nobody asks for it
+            try (ImageInputStream again = new MemoryCacheImageInputStream(new ByteArrayInputStream(bare))) {
+                return read(file, again);
+            } catch (InputRefusedException notBecauseOfNotes) {
+                throw e;
+            }
+        }
+    }
+
+    /**
+     * A JPEG file without the segments of notes before its first scan: APP1 to APP13, APP15 and comments (APP0 and
+     * APP14 say how its colours are stored). Null for other files, damaged ones and those without notes.
+     */
+    private static byte[] withoutNotes(Path file) throws IOException {
+        if (Files.size(file) > MAX_BARE_BYTES) {
+            return null;
+        }
+        byte[] all = Files.readAllBytes(file);
+        if (all.length < 4 || (all[0] & 0xFF) != 0xFF || (all[1] & 0xFF) != 0xD8) {
+            return null;
+        }
+        ByteArrayOutputStream bare = new ByteArrayOutputStream(all.length);
+        bare.write(all, 0, 2);
+        int at = 2;
+        while (at + 4 <= all.length && (all[at] & 0xFF) == 0xFF && (all[at + 1] & 0xFF) != START_OF_SCAN) {
+            int marker = all[at + 1] & 0xFF;
+            int length = 2 + ((all[at + 2] & 0xFF) << 8 | all[at + 3] & 0xFF);
+            if (at + length > all.length) {
+                return null;
+            }
+            boolean note = marker > APP0 && marker <= APP15 && marker != APP14 || marker == COMMENT;
+            if (!note) {
+                bare.write(all, at, length);
+            }
+            at += length;
+        }
+        bare.write(all, at, all.length - at);
+        return bare.size() < all.length ? bare.toByteArray() : null;
     }
 
     private static GreyImage read(Path file, ImageInputStream in) throws IOException {
@@ -121,7 +195,8 @@ public final class ImageFiles {
     /** Remarks on what comes beside the pixels: previews, colour profiles, metadata. */
     private static boolean isHarmless(String warning) {
         String text = warning.toLowerCase(Locale.ROOT);
-        return text.contains("icc") || text.contains("thumb") || text.contains("metadata") || text.contains("jfif");
+        return text.contains("icc") || text.contains("color profile") || text.contains("thumb")
+                || text.contains("metadata") || text.contains("jfif");
     }
 
     /** The JPEG reader offers no type for CMYK colours it cannot convert. */

@@ -28,6 +28,10 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.light.ToneCurve;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.DetectionsFile;
+import org.cellgauge.vision.PhotoLight;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -132,6 +136,44 @@ class CheckCommandTest {
     }
 
     // ---- the result file
+
+    /** What a detector found out about the light is passed on, and what is stated of the tone curve is a setting. */
+    @Test
+    void lightOfThePhotoIsInEveryOutput() throws IOException {
+        CommandCall without = check("--detections", corners, "--target", 5, "--out", out);
+        assertFalse(without.out().contains("Light:"), without.out());
+        JsonObject result = json(out.resolve("corners.result.json"));
+        assertFalse(result.has("light"));
+        assertEquals("auto", result.getAsJsonObject("settings").get("tone_curve").getAsString());
+
+        Detections plain = DetectionsFile.read(corners);
+        StringBuilder lit = new StringBuilder();
+        DetectionsFile.write(new Detections("none.png", plain.widthPx(), plain.heightPx(), plain.markers(), List.of(),
+                new PhotoLight(ToneCurve.gamma(2.15625), true, 0.71, 1.96, 400, 0.035)), lit);
+        Path file = Files.writeString(folder.resolve("lit.json"), lit);
+        Files.writeString(cell, SmallCell.YAML + "tone_curve: srgb\n");
+        CommandCall call = check("--detections", file, "--target", 5, "--out", out);
+        assertTrue(call.out().replaceAll("\\s+", " ").contains("Light: tone curve gamma 2.16 (estimated), blur 0.71 px, "
+                + "noise 2.0 of 255 grey levels, edges may be shifted by 0.035 px (std)"), call.out());
+        result = json(out.resolve("lit.result.json"));
+        JsonObject light = result.getAsJsonObject("light");
+        assertEquals("gamma 2.15625", light.get("tone_curve").getAsString());
+        assertTrue(light.get("tone_curve_estimated").getAsBoolean());
+        assertEquals(0.71, light.get("blur_px").getAsDouble());
+        assertEquals(1.96, light.get("noise_grey").getAsDouble());
+        assertEquals(400, light.get("noise_degrees_of_freedom").getAsDouble());
+        assertEquals(0.035, light.get("edge_shift_std_px").getAsDouble());
+        assertEquals("srgb", result.getAsJsonObject("settings").get("tone_curve").getAsString());
+        String report = Files.readString(out.resolve("report.html"));
+        assertTrue(report.contains("<td>light of the photo</td>") && report.contains("gamma 2.16 (estimated)"), report);
+        assertTrue(report.contains("<tr><td>tone curve</td><td class=\"text\">srgb</td></tr>"));
+
+        // a detector that knows nothing of blur and noise
+        Files.writeString(file, lit.toString().replaceAll(", \"(blur|noise)[^,}]*", ""));
+        call = check("--detections", file, "--target", 5, "--out", out);
+        assertTrue(call.out().replaceAll("\\s+", " ").contains("gamma 2.16 (estimated), edges may be"), call.out());
+        assertTrue(json(out.resolve("lit.result.json")).getAsJsonObject("light").get("blur_px").isJsonNull());
+    }
 
     @Test
     void theResultFileHoldsWhatItsReadersCountOn() throws Exception {

@@ -1,6 +1,7 @@
 package org.cellgauge.android.camera;
 
 import java.nio.ByteBuffer;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
 
 /**
@@ -8,6 +9,9 @@ import org.cellgauge.vision.GreyImage;
  * outside of Java's, which the detector cannot read. One bulk copy per frame, rows as far apart as in the camera's.
  */
 final class LuminancePlane {
+    /** Cameras bend the tones of the frames that they show; how exactly they do not say. */
+    private static final ToneCurve START = ToneCurve.SRGB;
+
     private byte[] bytes = {};
 
     /**
@@ -18,7 +22,7 @@ final class LuminancePlane {
      * @param pixelStride bytes from one pixel to the next; 1 by Android's contract
      * @param widthPx width of the frame
      * @param heightPx height of the frame
-     * @return a view of an array that the next call writes over
+     * @return a view of an array that the next call writes over, said to be sRGB: a start, not more
      * @throws IllegalArgumentException if the plane has fewer bytes than such a frame takes, or rows overlap
      */
     GreyImage read(ByteBuffer plane, int rowStride, int pixelStride, int widthPx, int heightPx) {
@@ -38,7 +42,7 @@ final class LuminancePlane {
         }
         source.get(bytes, 0, (int) length);
         if (pixelStride == 1) {
-            return GreyImage.wrap(bytes, 0, rowStride, widthPx, heightPx);
+            return GreyImage.wrap(bytes, 0, rowStride, widthPx, heightPx).withToneCurve(START);
         }
         for (int y = 0; y < heightPx; y++) {
             int from = y * rowStride;
@@ -48,6 +52,6 @@ final class LuminancePlane {
                 bytes[to + x] = bytes[from + x * pixelStride];
             }
         }
-        return GreyImage.packed(bytes, widthPx, heightPx);
+        return GreyImage.packed(bytes, widthPx, heightPx).withToneCurve(START);
     }
 }

@@ -69,8 +69,12 @@ public final class DocumentLibrary implements CellLibrary {
 
     private CellDocument cell(String uri, String name, String text, String calibrationUri) {
         if (calibrationUri != null) {
-            PinholeCamera camera = calibration(calibrationUri);
-            return new CellDocument(name, uri, CellReader.read(text, name, camera), camera);
+            return documents.read(calibrationUri, CAMERA_FILE, true, (in, cameraName) -> {
+                String cameraText = InputFiles.text(in, cameraName, CAMERA_FILE, CameraReader.MAX_BYTES);
+                PinholeCamera camera = CameraReader.read(cameraText, cameraName);
+                return new CellDocument(name, uri, CellReader.read(text, name, camera,
+                        CameraReader.toneCurve(cameraText, cameraName)), camera);
+            });
         }
         StatedCamera stated = CellReader.statedCamera(text, name);
         if (stated.kind() == StatedCamera.Kind.INLINE) {
@@ -81,11 +85,6 @@ public final class DocumentLibrary implements CellLibrary {
             return new CellDocument(name, uri, cell, cell.camera());
         }
         return new CellDocument(name, uri, CellReader.read(text, name, PLACEHOLDER), null, stated.fileName());
-    }
-
-    private PinholeCamera calibration(String uri) {
-        return documents.read(uri, CAMERA_FILE, true, (in, name) -> CameraReader.read(
-                InputFiles.text(in, name, CAMERA_FILE, CameraReader.MAX_BYTES), name));
     }
 
     @Override

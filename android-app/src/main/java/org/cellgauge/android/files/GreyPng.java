@@ -5,14 +5,15 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 import java.io.IOException;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
 
 /**
  * Writes grey pictures as PNG files of 8 bits per pixel, without loss. Android's own encoder knows colour only and
  * would make them three times as large.
  *
- * <p>Format: W3C, "Portable Network Graphics (PNG) Specification (Third Edition)", chunks IHDR, IDAT and IEND; every
- * row is stored as differences from the one above (filter "Up").
+ * <p>Format: W3C, "Portable Network Graphics (PNG) Specification (Third Edition)", chunks IHDR, sRGB or gAMA where the
+ * picture's tone curve is known, IDAT and IEND; every row is stored as differences from the one above (filter "Up").
  */
 final class GreyPng {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
@@ -20,6 +21,8 @@ final class GreyPng {
     private static final byte GREY = 0;
     private static final byte FILTER_UP = 2;
     private static final int HEADER_BYTES = 13;
+    private static final byte PERCEPTUAL = 0;
+    private static final double GAMMA_UNIT = 100_000;
 
     private GreyPng() {
     }
@@ -41,9 +44,22 @@ final class GreyPng {
         header[8] = BITS;
         header[9] = GREY;
         chunk(out, "IHDR", header);
+        toneCurve(out, image.toneCurve());
         chunk(out, "IDAT", pixels(image));
         chunk(out, "IEND", new byte[0]);
         return out.toByteArray();
+    }
+
+    /** What the command line must start from when it makes the figures again. */
+    private static void toneCurve(ByteArrayOutputStream out, ToneCurve toneCurve) {
+        if (toneCurve == ToneCurve.SRGB) {
+            chunk(out, "sRGB", new byte[] {PERCEPTUAL});
+        } else if (toneCurve != null) {
+            byte[] gamma = new byte[4];
+            // one over the gamma at middle grey: that of a power
+            putInt(gamma, 0, (int) Math.round(GAMMA_UNIT * Math.log(toneCurve.grey(0.5)) / Math.log(0.5)));
+            chunk(out, "gAMA", gamma);
+        }
     }
 
     private static byte[] pixels(GreyImage image) {

@@ -10,10 +10,12 @@ import java.nio.ByteBuffer;
 import java.util.Locale;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.StatedToneCurve;
 
 /**
  * Reads photos as the command line does: colours become grey by the luma weights of ITU-R BT.601 (0.299, 0.587, 0.114)
- * on the stored values, transparent parts lie on white, and a note which way up to show the photo is not followed.
+ * on the stored values, transparent parts lie on white, a note which way up to show the photo is not followed, and what
+ * the file says of its tone curve goes with the photo.
  */
 final class PhotoReader {
     /** Largest file that is read, bytes. */
@@ -56,7 +58,7 @@ final class PhotoReader {
         try {
             byte[] file = bytes(in, name);
             ImageHeader.judge(file, name);
-            return grey(decoded(file, name, freeBytes));
+            return grey(decoded(file, name, freeBytes)).withToneCurve(StatedToneCurve.of(file));
         } catch (OutOfMemoryError e) {
             throw new InputRefusedException(name + ": it is too large for the memory of this device; scale it down "
                     + "before calibration and measurement alike, or check it with the command line", e);

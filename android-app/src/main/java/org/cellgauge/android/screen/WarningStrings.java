@@ -37,6 +37,18 @@ final class WarningStrings {
                 return R.string.warning_seen_twice;
             case COARSE_CORNERS:
                 return R.string.warning_coarse_corners;
+            case WHITES_CLIPPED:
+                return R.string.warning_whites_clipped;
+            case BLACKS_CRUSHED:
+                return R.string.warning_blacks_crushed;
+            case SHARPENED:
+                return R.string.warning_sharpened;
+            case TOO_BLURRED:
+                return R.string.warning_too_blurred;
+            case TOO_DARK:
+                return R.string.warning_too_dark;
+            case LIGHT_UNEVEN:
+                return R.string.warning_light_uneven;
             default:
                 return NONE;
         }

@@ -9,6 +9,7 @@ import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import org.cellgauge.android.files.Photo;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.overlay.ImageOrientation;
 import org.cellgauge.vision.GreyImage;
 
@@ -17,7 +18,7 @@ import org.cellgauge.vision.GreyImage;
  * file is written whole or not at all; one that is damaged counts as none.
  */
 public final class FrozenFrameFile {
-    private static final int MAGIC = 0x43474631;
+    private static final int MAGIC = 0x43474632;
     private static final int MOST_PIXELS = 100_000_000;
 
     /** What was frozen, and how it was held. */
@@ -63,6 +64,7 @@ public final class FrozenFrameFile {
         try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(new FileOutputStream(part)))) {
             out.writeInt(MAGIC);
             out.writeUTF(frame.photo.name());
+            out.writeUTF(image.toneCurve() == null ? "" : image.toneCurve().words());
             out.writeInt(frame.orientation.quarterTurnsClockwise());
             out.writeBoolean(frame.orientation.mirrored());
             out.writeInt(image.widthPx());
@@ -93,6 +95,7 @@ public final class FrozenFrameFile {
                 return null;
             }
             String name = in.readUTF();
+            String toneCurve = in.readUTF();
             ImageOrientation orientation = ImageOrientation.of(in.readInt(), in.readBoolean());
             int width = in.readInt();
             int height = in.readInt();
@@ -104,8 +107,10 @@ public final class FrozenFrameFile {
             if (in.readInt() != MAGIC) {
                 return null;
             }
-            return new Frame(new Photo(name, GreyImage.packed(luminance, width, height)), orientation);
-        } catch (IOException e) {
+            GreyImage image = GreyImage.packed(luminance, width, height);
+            return new Frame(new Photo(name, toneCurve.isEmpty() ? image
+                    : image.withToneCurve(ToneCurve.of(toneCurve))), orientation);
+        } catch (IOException | IllegalArgumentException e) {
             return null;
         }
     }

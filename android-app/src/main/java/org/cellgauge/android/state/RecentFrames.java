@@ -2,6 +2,7 @@ package org.cellgauge.android.state;
 
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
 
 /**
@@ -15,6 +16,7 @@ final class RecentFrames {
 
     private final Detections[] detections;
     private final byte[][] luminance;
+    private final ToneCurve[] toneCurves;
     private int next;
     private Photo key;
     private Detections keyDetections;
@@ -27,6 +29,7 @@ final class RecentFrames {
     RecentFrames(int count) {
         this.detections = new Detections[count];
         this.luminance = new byte[count][];
+        this.toneCurves = new ToneCurve[count];
     }
 
     /**
@@ -51,6 +54,7 @@ final class RecentFrames {
                     image.widthPx());
         }
         detections[next] = found;
+        toneCurves[next] = image.toneCurve();
         next = (next + 1) % room;
     }
 
@@ -69,7 +73,8 @@ final class RecentFrames {
         for (int i = 0; i < detections.length; i++) {
             if (detections[i] == chosen) {
                 key = new Photo(chosen.imageName(),
-                        GreyImage.packed(luminance[i], chosen.widthPx(), chosen.heightPx()));
+                        GreyImage.packed(luminance[i], chosen.widthPx(), chosen.heightPx())
+                                .withToneCurve(toneCurves[i]));
                 detections[i] = null;
                 luminance[i] = null;
             }

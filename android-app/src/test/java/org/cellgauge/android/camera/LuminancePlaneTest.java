@@ -42,6 +42,7 @@ class LuminancePlaneTest {
         GreyImage image = new LuminancePlane().read(plane, rowStride, pixelStride, width, height);
         assertEquals(width, image.widthPx());
         assertEquals(height, image.heightPx());
+        assertEquals("srgb", image.toneCurve().words());
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
                 assertEquals(pixel(x, y) & 0xFF, image.get(x, y), x + ", " + y);

@@ -122,6 +122,16 @@ public class DocumentLibraryTest {
     }
 
     @Test
+    public void toneCurveOfAChosenCalibrationHoldsUnlessTheCellStatesOne() throws IOException {
+        String camera = documents.add("tablet.yaml", (new String(Fixtures.bytes("distorted-4/camera.yaml"),
+                StandardCharsets.UTF_8) + "\ntone_curve: gamma 1.8\n").getBytes(StandardCharsets.UTF_8));
+        assertEquals("gamma 1.8", library.cell(add("a.yaml", cellText("")), camera).cell().toneCurve().words());
+        String linear = add("b.yaml", cellText("tone_curve: linear\n"));
+        assertEquals("linear", library.cell(linear, camera).cell().toneCurve().words());
+        assertEquals("linear", library.cell(linear, null).cell().toneCurve().words());
+    }
+
+    @Test
     public void faultsAreSaidWithTheNameThatTheUserSees() throws IOException {
         String message = refusal(add("mine.yaml", cellText(INLINE).replace("size_mm: 47", "size_mm: -47")), null);
         assertTrue(message, message.startsWith("shown mine.yaml, line "));

@@ -2,6 +2,7 @@ package org.cellgauge.android.files;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -10,10 +11,13 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.Random;
 import javax.imageio.ImageIO;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.StatedToneCurve;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is written is what another reader reads. */
 class GreyPngTest {
@@ -42,5 +46,16 @@ class GreyPngTest {
         byte[] again = GreyPng.encode(GreyImage.packed(pixels, 1280, 720));
         assertArrayEquals(pixels, readByJava(again, 1280, 720));
         assertTrue(again.length < 1.3 * original.length, again.length + " bytes in place of " + original.length);
+    }
+
+    /** What the tablet starts from is what the command line starts from when it makes the figures again. */
+    @ParameterizedTest
+    @ValueSource(strings = {"srgb", "linear", "gamma 2.2", "gamma 1.8"})
+    void toneCurveComesBack(String words) throws IOException {
+        byte[] pixels = {0, 50, 100, (byte) 200};
+        byte[] png = GreyPng.encode(GreyImage.packed(pixels, 2, 2).withToneCurve(ToneCurve.of(words)));
+        assertEquals(words, StatedToneCurve.of(png).words());
+        assertArrayEquals(pixels, readByJava(png, 2, 2));
+        assertNull(StatedToneCurve.of(GreyPng.encode(GreyImage.packed(pixels, 2, 2))));
     }
 }

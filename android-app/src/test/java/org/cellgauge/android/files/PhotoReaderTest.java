@@ -2,6 +2,7 @@ package org.cellgauge.android.files;
 
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
@@ -19,6 +20,7 @@ import java.util.Random;
 import javax.imageio.ImageIO;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cli.ImageFiles;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
 import org.junit.Rule;
 import org.junit.Test;
@@ -80,6 +82,16 @@ public class PhotoReaderTest {
         assertEquals(expected.widthPx(), actual.widthPx());
         assertEquals(expected.heightPx(), actual.heightPx());
         assertArrayEquals(Fixtures.pixels(expected), Fixtures.pixels(actual));
+        assertEquals(String.valueOf(expected.toneCurve()), String.valueOf(actual.toneCurve()));
+    }
+
+    @Test
+    public void whatTheFileSaysOfItsTonesGoesWithThePhoto() throws IOException {
+        BufferedImage image = scene(61, 47, BufferedImage.TYPE_3BYTE_BGR);
+        assertEquals("srgb", read(encoded(image, "jpg")).toneCurve().words());
+        assertNull(read(encoded(image, "png")).toneCurve());
+        GreyImage linear = GreyImage.packed(new byte[61 * 47], 61, 47).withToneCurve(ToneCurve.LINEAR);
+        assertEquals("linear", read(GreyPng.encode(linear)).toneCurve().words());
     }
 
     @Test

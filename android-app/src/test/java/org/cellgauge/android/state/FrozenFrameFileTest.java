@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Random;
 import org.cellgauge.android.files.Photo;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.overlay.ImageOrientation;
 import org.cellgauge.vision.GreyImage;
 import org.junit.jupiter.api.Test;
@@ -39,6 +40,18 @@ class FrozenFrameFileTest {
         assertEquals("frame-1.png", read.photo().name());
         assertArrayEquals(written.photo().luminance().luminance(), read.photo().luminance().luminance());
         assertEquals(written.orientation(), read.orientation());
+    }
+
+    @Test
+    void whatIsSaidOfItsTonesComesBackToo() throws IOException {
+        FrozenFrameFile file = new FrozenFrameFile(folder.toFile());
+        file.write(frame(1));
+        assertNull(file.read().photo().luminance().toneCurve());
+        for (ToneCurve curve : new ToneCurve[] {ToneCurve.SRGB, ToneCurve.gamma(1.8)}) {
+            GreyImage image = frame(1).photo().luminance().withToneCurve(curve);
+            file.write(new FrozenFrameFile.Frame(new Photo("frame.png", image), ImageOrientation.of(0, false)));
+            assertEquals(curve.words(), file.read().photo().luminance().toneCurve().words());
+        }
     }
 
     @Test

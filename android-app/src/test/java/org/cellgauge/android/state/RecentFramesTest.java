@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import java.util.Arrays;
 import java.util.Collections;
 import org.cellgauge.android.files.Photo;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
 import org.junit.jupiter.api.Test;
@@ -28,7 +29,7 @@ class RecentFramesTest {
         for (int y = 0; y < 2; y++) {
             Arrays.fill(padded, 1 + 6 * y, 1 + 6 * y + 4, (byte) grey);
         }
-        frames.keep(found, GreyImage.wrap(padded, 1, 6, 4, 2));
+        frames.keep(found, GreyImage.wrap(padded, 1, 6, 4, 2).withToneCurve(ToneCurve.gamma(1 + grey / 100.0)));
         Arrays.fill(padded, (byte) 0);
         return found;
     }
@@ -50,6 +51,7 @@ class RecentFramesTest {
             keep(100 + i);
         }
         assertArrayEquals(grey(20), photo.luminance().luminance());
+        assertEquals("gamma 1.2", photo.luminance().toneCurve().words());
         assertSame(photo, frames.choose(key), "asked again, the same");
     }
 
