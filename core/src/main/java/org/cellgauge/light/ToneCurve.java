@@ -19,7 +19,6 @@ public final class ToneCurve {
     public static final double LARGEST_GAMMA = 5;
 
     private static final double SRGB_TOE_GREY = 0.04045;
-    private static final double SRGB_TOE_SLOPE = 12.92;
     private static final double SRGB_OFFSET = 0.055;
 
     private enum Kind { GAMMA, SRGB }
@@ -48,9 +47,24 @@ public final class ToneCurve {
     }
 
     /**
+     * A curve like sRGB's with another power: what cameras make that follow sRGB more or less.
+     *
+     * @param power {@value #LEAST_GAMMA} to {@value #LARGEST_GAMMA}; 2.4 is {@link #SRGB}
+     * @return the curve, with a straight toe where sRGB has one
+     * @throws IllegalArgumentException if the power is outside its range
+     */
+    public static ToneCurve srgb(double power) {
+        if (!(power >= LEAST_GAMMA && power <= LARGEST_GAMMA)) {
+            throw new IllegalArgumentException("power must be between " + LEAST_GAMMA + " and " + LARGEST_GAMMA
+                    + ", not " + power);
+        }
+        return power == SRGB.gamma ? SRGB : new ToneCurve(Kind.SRGB, power);
+    }
+
+    /**
      * The curve of its words in files and options.
      *
-     * @param words {@code srgb}, {@code linear} or {@code gamma G}, G a number
+     * @param words {@code srgb}, {@code linear}, {@code gamma G} or {@code srgb G}, G a number
      * @return the curve
      * @throws IllegalArgumentException if the words are none of these; the message says what may stand there
      */
@@ -62,9 +76,11 @@ public final class ToneCurve {
         if (text.equals("linear")) {
             return LINEAR;
         }
-        if (text.startsWith("gamma ")) {
+        boolean likeSrgb = text.startsWith("srgb ");
+        if (text.startsWith("gamma ") || likeSrgb) {
             try {
-                return gamma(Double.parseDouble(text.substring("gamma ".length()).trim()));
+                double value = Double.parseDouble(text.substring(text.indexOf(' ')).trim());
+                return likeSrgb ? srgb(value) : gamma(value);
             } catch (NumberFormatException e) {
                 // said below
             }
@@ -84,7 +100,8 @@ public final class ToneCurve {
             return 0;
         }
         if (kind == Kind.SRGB) {
-            return light <= SRGB_TOE_GREY / SRGB_TOE_SLOPE ? SRGB_TOE_SLOPE * light
+            double toe = toeLight();
+            return light <= toe ? SRGB_TOE_GREY * light / toe
                     : (1 + SRGB_OFFSET) * Math.pow(light, 1 / gamma) - SRGB_OFFSET;
         }
         return gamma == 1 ? light : Math.pow(light, 1 / gamma);
@@ -101,10 +118,63 @@ public final class ToneCurve {
             return 0;
         }
         if (kind == Kind.SRGB) {
-            return grey <= SRGB_TOE_GREY ? grey / SRGB_TOE_SLOPE
+            return grey <= SRGB_TOE_GREY ? toeLight() * grey / SRGB_TOE_GREY
                     : Math.pow((grey + SRGB_OFFSET) / (1 + SRGB_OFFSET), gamma);
         }
         return gamma == 1 ? grey : Math.pow(grey, gamma);
+    }
+
+    private double toeLight() {
+        return Math.pow((SRGB_TOE_GREY + SRGB_OFFSET) / (1 + SRGB_OFFSET), gamma);
+    }
+
+    /**
+     * How fast grey changes with the power of the curve while the grey of black and white stays: what an estimate of
+     * the power goes by.
+     *
+     * @param darkGrey grey of black, above 0
+     * @param brightGrey grey of white, above it
+     * @param share of the light between black and white
+     * @return grey per unit of {@link #power()}
+     */
+    public double greyByPower(double darkGrey, double brightGrey, double share) {
+        double offset = offset();
+        double dark = (darkGrey + offset) / (1 + offset);
+        double bright = (brightGrey + offset) / (1 + offset);
+        double lightDark = Math.pow(dark, gamma);
+        double lightBright = Math.pow(bright, gamma);
+        double light = Math.max(1e-7, lightDark + (lightBright - lightDark) * share);
+        double change = lightDark * Math.log(dark) * (1 - share) + lightBright * Math.log(bright) * share;
+        return (1 + offset) * Math.pow(light, 1 / gamma) * (change / (gamma * light)
+                - Math.log(light) / (gamma * gamma));
+    }
+
+    /**
+     * The power of the curve.
+     *
+     * @return gamma of a power; 2.4 of sRGB
+     */
+    public double power() {
+        return gamma;
+    }
+
+    /**
+     * What is added to grey before the power is taken, as a share of white.
+     *
+     * @return 0.055 of sRGB and its kind, 0 of a plain power
+     */
+    public double offset() {
+        return kind == Kind.SRGB ? SRGB_OFFSET : 0;
+    }
+
+    /**
+     * The curve of the same kind with another power.
+     *
+     * @param power {@value #LEAST_GAMMA} to {@value #LARGEST_GAMMA}
+     * @return sRGB's kind for one of that kind, else a plain power
+     */
+    public ToneCurve withPower(double power) {
+        return kind == Kind.SRGB ? srgb(power) : gamma(power);
     }
 
     /**
@@ -125,7 +195,7 @@ public final class ToneCurve {
         if (isLinear()) {
             return "linear";
         }
-        return kind == Kind.SRGB ? "srgb" : "gamma " + gamma;
+        return kind == Kind.SRGB ? (this == SRGB ? "srgb" : "srgb " + gamma) : "gamma " + gamma;
     }
 
     @Override

@@ -144,7 +144,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         Set<Integer> ids = new HashSet<>();
         cell.references().forEach(r -> ids.add(r.id()));
         cell.objects().forEach(o -> ids.add(o.id()));
-        return new BoofMarkerDetector(cell.camera(), cell.family(), ids);
+        return new BoofMarkerDetector(cell.camera(), cell.family(), ids, RESIDUAL_LIMIT_PER_SIDE, cell.toneCurve());
     }
 
     private static BaseDetectFiducialSquare<GrayU8> squareBinary() {
@@ -195,33 +195,32 @@ public final class BoofMarkerDetector implements MarkerDetector {
         view.height = image.heightPx();
         Map<Integer, List<Candidate>> byId = new TreeMap<>();
         List<Warning> warnings = new ArrayList<>();
-        light.start(statedCurve, null);
+        light.start(statedCurve, image.toneCurve());
         edgesUsed = 0;
-        List<Candidate> candidates = new ArrayList<>();
+        List<Seen> seen = new ArrayList<>();
         try {
             squares.process(view);
             for (int i = 0; i < squares.getFound().size(); i++) {
                 FoundFiducial found = squares.getFound().get(i);
-                Candidate candidate = candidate(image, (int) found.id, found.distortedPixels, warnings);
-                if (candidate != null) {
-                    candidates.add(candidate);
-                }
+                seen.add(seen(image, (int) found.id, found.distortedPixels));
             }
         } finally {
             view.data = NO_PIXELS;
         }
         List<MarkerEdges> fitted = new ArrayList<>();
         List<boolean[]> read = new ArrayList<>();
-        for (Candidate candidate : candidates) {
-            if (candidate.edges != null) {
-                fitted.add(candidate.edges);
-                read.add(patterns.get(candidate.id));
+        for (Seen square : seen) {
+            if (square.edges != null && patterns.containsKey(square.idRead)) {
+                fitted.add(square.edges);
+                read.add(patterns.get(square.idRead));
             }
         }
         light.fit(image, fitted, read);
-        for (Candidate candidate : candidates) {
-            candidate.observe(light, residual);
-            byId.computeIfAbsent(candidate.id, k -> new ArrayList<>()).add(candidate);
+        for (Seen square : seen) {
+            Candidate candidate = candidate(image, square, warnings);
+            if (candidate != null) {
+                byId.computeIfAbsent(candidate.observation.id(), k -> new ArrayList<>()).add(candidate);
+            }
         }
         List<MarkerObservation> accepted = new ArrayList<>();
         byId.forEach((id, ofId) -> judge(id, ofId, accepted, warnings));
@@ -229,28 +228,51 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 fitted.isEmpty() ? null : light.light());
     }
 
-    private MarkerEdges nextEdges() {
-        if (edgesUsed == edges.size()) {
-            edges.add(new MarkerEdges(camera, familyPatterns.cells(), borderCells));
+    /** A square that BoofCV has read, with its sides fitted where that was possible. */
+    private static final class Seen {
+        final int idRead;
+        final double[] cornersPx;
+        final MarkerEdges edges;
+
+        Seen(int idRead, double[] cornersPx, MarkerEdges edges) {
+            this.idRead = idRead;
+            this.cornersPx = cornersPx;
+            this.edges = edges;
         }
-        return edges.get(edgesUsed);
     }
 
-    /** One square that BoofCV has read; null where it is no marker of the cell. */
-    private Candidate candidate(GreyImage image, int idRead, Quadrilateral_F64 q, List<Warning> warnings) {
+    private Seen seen(GreyImage image, int idRead, Quadrilateral_F64 q) {
         double[] corners = new double[8];
         put(q.a, corners, 0);
         put(q.b, corners, 2);
         put(q.c, corners, 4);
         put(q.d, corners, 6);
-        int id = idRead;
-        MarkerEdges marker = nextEdges();
+        if (edgesUsed == edges.size()) {
+            edges.add(new MarkerEdges(camera, familyPatterns.cells(), borderCells));
+        }
+        MarkerEdges own = edges.get(edgesUsed);
         boolean[] listed = patterns.get(idRead);
-        boolean[] white = listed != null ? listed : familyPatterns.white(idRead);
-        boolean refined = marker.fit(image, scale, corners, white);
+        if (!own.fit(image, scale, corners, listed != null ? listed : familyPatterns.white(idRead))) {
+            return new Seen(idRead, corners, null);
+        }
+        edgesUsed++;
+        return new Seen(idRead, corners, own);
+    }
+
+    /** One square that BoofCV has read, judged in the photo's light; null where it is no marker of the cell. */
+    private Candidate candidate(GreyImage image, Seen square, List<Warning> warnings) {
+        int id = square.idRead;
+        MarkerEdges marker = square.edges;
+        double[] corners = square.cornersPx;
+        boolean refined = marker != null;
         if (refined) {
+            boolean[] listed = patterns.get(id);
+            if (listed == null) {
+                listed = familyPatterns.white(id);
+                light.refit(image, marker, listed);
+            }
             marker.corners(corners);
-            white = white.clone();
+            boolean[] white = listed.clone();
             boolean certain = reader.read(image, corners, scale, marker.darkGrey(), marker.brightGrey(),
                     marker.blurPx(), white);
             id = NONE;
@@ -266,22 +288,22 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         // without its edges a reading rests on BoofCV's alone, and only a code with a checksum can stand on that
         if (!patterns.containsKey(id) || !refined && !hasChecksum) {
-            if (patterns.containsKey(idRead)) {
-                warnings.add(Warning.of(
-                        refined ? DetectionWarning.CELLS_DO_NOT_MATCH : DetectionWarning.EDGES_NOT_MEASURED, idRead,
-                        pixel(mean(corners, 0)), pixel(mean(corners, 1))));
+            if (patterns.containsKey(square.idRead)) {
+                warnings.add(Warning.of(refined ? DetectionWarning.CELLS_DO_NOT_MATCH
+                        : DetectionWarning.EDGES_NOT_MEASURED, square.idRead, pixel(mean(corners, 0)),
+                        pixel(mean(corners, 1))));
             }
             return null;
         }
         if (!refined) {
-            return new Candidate(id, null, corners);
+            return new Candidate(new MarkerObservation(id, corners), residual.impliedStdPx(corners), false);
         }
-        if (id != idRead) {
+        if (id != square.idRead) {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
-            marker.refit(image, scale, patterns.get(id), true);
+            light.refit(image, marker, patterns.get(id));
         }
-        edgesUsed++;
-        return new Candidate(id, marker, null);
+        MarkerObservation observation = marker.observation(id, light.noiseOfSides(marker));
+        return new Candidate(observation, residual.impliedStdPx(observation.cornersPx()), true);
     }
 
     private int listedId(boolean[] white) {
@@ -340,25 +362,14 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     private static final class Candidate {
-        private final int id;
-        private final MarkerEdges edges;
-        private final double[] coarseCornersPx;
-        private MarkerObservation observation;
-        private double impliedStdPx;
-        private boolean refined;
+        private final MarkerObservation observation;
+        private final double impliedStdPx;
+        private final boolean refined;
 
-        Candidate(int id, MarkerEdges edges, double[] coarseCornersPx) {
-            this.id = id;
-            this.edges = edges;
-            this.coarseCornersPx = coarseCornersPx;
-            this.refined = edges != null;
-        }
-
-        /** Takes corners and covariance from the edges, once the light is known. */
-        void observe(LightFit light, SquareResidual residual) {
-            observation = edges == null ? new MarkerObservation(id, coarseCornersPx)
-                    : edges.observation(id, light.noiseOfSides(edges));
-            impliedStdPx = residual.impliedStdPx(observation.cornersPx());
+        Candidate(MarkerObservation observation, double impliedStdPx, boolean refined) {
+            this.observation = observation;
+            this.impliedStdPx = impliedStdPx;
+            this.refined = refined;
         }
 
         double centre(int axis) {

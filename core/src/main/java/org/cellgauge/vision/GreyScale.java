@@ -23,10 +23,14 @@ final class GreyScale {
     double byLight;
 
     private ToneCurve curve;
-    private double gamma;
+    private double darkLight;
+    private double brightLight;
+    private double darkByPower;
+    private double brightByPower;
     private boolean linear;
     private double noise = 1.5;
     private final double[] table = new double[NODES + 1];
+    private final double[] slopeByLight = new double[NODES + 1];
     private final double[] lightOfByte = new double[257];
     private double perRoot;
 
@@ -41,8 +45,6 @@ final class GreyScale {
         }
         curve = other;
         linear = other.isLinear();
-        // the power that does to small changes near white what the curve does
-        gamma = 1 / ((other.grey(1) - other.grey(0.99)) / 0.01);
         perRoot = NODES / Math.sqrt(MOST_LIGHT);
         for (int i = 0; i <= 256; i++) {
             lightOfByte[i] = light(i);
@@ -51,16 +53,12 @@ final class GreyScale {
             double root = i / perRoot;
             table[i] = WHITE * other.grey(root * root);
         }
-    }
-
-    /**
-     * Takes a power as the curve.
-     *
-     * @param value its gamma
-     */
-    void setGamma(double value) {
-        set(ToneCurve.gamma(value));
-        gamma = value;
+        for (int i = 1; i < NODES && !linear; i++) {
+            // by the root from both neighbours, by the light by the chain rule
+            slopeByLight[i] = (table[i + 1] - table[i - 1]) * perRoot / 2 * perRoot / (2 * i);
+        }
+        slopeByLight[0] = slopeByLight[1];
+        slopeByLight[NODES] = slopeByLight[NODES - 1];
     }
 
     /** Standard deviation of the noise that may push grey values over the ends of the scale, grey levels. */
@@ -109,22 +107,35 @@ final class GreyScale {
     }
 
     /**
-     * Derivative of the grey of a share of light by gamma, the grey levels of dark and bright held; for a power.
+     * Prepares {@link #byPower} for the two sides of an edge.
      *
      * @param dark grey level of the dark side
      * @param bright grey level of the bright side
-     * @param share of the light that comes from the bright side
-     * @return grey levels per unit of gamma
      */
-    double byGamma(double dark, double bright, double share) {
-        double d = Math.max(dark, 0.25) / WHITE;
-        double b = Math.max(bright, 0.25) / WHITE;
-        double lightDark = curve.light(d);
-        double lightBright = curve.light(b);
-        double light = Math.max(LEAST_LIGHT, lightDark + (lightBright - lightDark) * share);
-        double change = lightDark * Math.log(d) * (1 - share) + lightBright * Math.log(b) * share;
-        double value = WHITE * curve.grey(light);
-        return value * (change / (gamma * light) - Math.log(light) / (gamma * gamma));
+    void setEnds(double dark, double bright) {
+        double offset = curve.offset();
+        double d = (Math.max(dark, 0.25) / WHITE + offset) / (1 + offset);
+        double b = (Math.max(bright, 0.25) / WHITE + offset) / (1 + offset);
+        darkLight = Math.pow(d, curve.power());
+        brightLight = Math.pow(b, curve.power());
+        darkByPower = darkLight * Math.log(d);
+        brightByPower = brightLight * Math.log(b);
+    }
+
+    /**
+     * Derivative of the grey of a share of light by the curve's power, the grey levels of dark and bright held; see
+     * {@link ToneCurve#greyByPower}.
+     *
+     * @param share of the light that comes from the bright side
+     * @return grey levels per unit of the power
+     */
+    double byPower(double share) {
+        double power = curve.power();
+        double light = Math.max(LEAST_LIGHT, darkLight + (brightLight - darkLight) * share);
+        double logarithm = Math.log(light);
+        double change = darkByPower * (1 - share) + brightByPower * share;
+        return WHITE * (1 + curve.offset()) * Math.exp(logarithm / power) * (change / (power * light)
+                - logarithm / (power * power));
     }
 
     /**
@@ -140,9 +151,9 @@ final class GreyScale {
             double root = Math.sqrt(Math.max(light, LEAST_LIGHT));
             double at = root * perRoot;
             int i = Math.min((int) at, NODES - 1);
-            double slope = table[i + 1] - table[i];
-            grey = table[i] + (at - i) * slope;
-            byLight = slope * perRoot / (2 * root);
+            double f = at - i;
+            grey = table[i] + f * (table[i + 1] - table[i]);
+            byLight = slopeByLight[i] + f * (slopeByLight[i + 1] - slopeByLight[i]);
         }
         if (grey < REACH * noise) {
             double z = grey / noise;

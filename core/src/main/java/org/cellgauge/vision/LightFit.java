@@ -8,28 +8,28 @@ import org.cellgauge.light.ToneCurve;
  * What the edges of all markers of a photo say together of its light: the tone curve, which skews every blurred edge
  * alike, and the noise.
  *
- * <p>The curve is a power, grey = light^(1/gamma), with a Gaussian prior about what the image file says; each round
- * fits all sides at one gamma, sums up score and information of gamma with the sides' own unknowns projected out, and
- * takes one Gauss-Newton step (variable projection: Golub and Pereyra, SIAM J. Numer. Anal. 1973). A curve that the
+ * <p>The curve is of the kind that the image file says (a power, if it says nothing), its power unknown with a Gaussian
+ * prior about what it says; each round fits all sides at one power, sums up score and information of the power with the
+ * sides' own unknowns projected out, and takes one Gauss-Newton step (variable projection: Golub and Pereyra, SIAM J. Numer. Anal. 1973). A curve that the
  * user states is taken as it is.
  */
 final class LightFit {
-    private static final double UNKNOWN_GAMMA = 1.6;
-    private static final double UNKNOWN_GAMMA_STD = 0.8;
-    private static final double SAID_GAMMA_STD = 0.25;
-    private static final double LEAST_GAMMA = 0.7;
-    private static final double LARGEST_GAMMA = 3.2;
-    /** How well the skew of edges can tell a gamma at best. */
-    private static final double MODEL_GAMMA_STD = 0.05;
+    private static final double UNKNOWN_POWER = 1.6;
+    private static final double UNKNOWN_POWER_STD = 0.8;
+    private static final double SAID_POWER_STD = 0.4;
+    private static final double LEAST_POWER = 0.7;
+    private static final double LARGEST_POWER = 3.2;
+    /** How well the skew of edges can tell a power at best. */
+    private static final double MODEL_POWER_STD = 0.05;
     /**
      * Edges that move into the dark are mostly the curve's doing: how far prints and sharpening move them beside it,
-     * px. So a shift that inner edges show speaks for another gamma.
+     * px. So a shift that inner edges show speaks for another power.
      */
-    private static final double SHIFT_STD_PX = 0.03;
+    private static final double SHIFT_STD_PX = 0.015;
     private static final double LARGEST_STEP = 0.8;
-    private static final int MOST_MARKERS = 10;
-    private static final int MAX_ROUNDS = 6;
-    /** A change of gamma that moves edges by less is none, px. */
+    private static final int MOST_MARKERS = 5;
+    private static final int MAX_ROUNDS = 5;
+    /** A change of the power that moves edges by less is none, px. */
     private static final double SETTLED_PX = 0.002;
     /**
      * How far edges may still lie from where a curve puts them, px: curves of cameras are no powers, lenses blur by no
@@ -43,9 +43,9 @@ final class LightFit {
     private static final double ROUNDING = Math.sqrt(1.0 / 12);
 
     private final GreyScale scale;
-    private double gamma;
-    private double gammaMean;
-    private double gammaStd;
+    private ToneCurve curve;
+    private double powerMean;
+    private double powerStd;
     private boolean estimated;
     private double noiseGrey;
     private double degreesOfFreedom;
@@ -68,15 +68,10 @@ final class LightFit {
             scale.set(stated);
             return;
         }
-        gammaMean = said == null ? UNKNOWN_GAMMA : powerLike(said);
-        gammaStd = said == null ? UNKNOWN_GAMMA_STD : SAID_GAMMA_STD;
-        gamma = gammaMean;
-        scale.setGamma(gamma);
-    }
-
-    /** The gamma that darkens middle grey as a curve does. */
-    private static double powerLike(ToneCurve curve) {
-        return Math.log(curve.light(0.5)) / Math.log(0.5);
+        curve = said == null ? ToneCurve.gamma(UNKNOWN_POWER) : said;
+        powerMean = curve.power();
+        powerStd = said == null ? UNKNOWN_POWER_STD : SAID_POWER_STD;
+        scale.set(curve);
     }
 
     /**
@@ -87,10 +82,10 @@ final class LightFit {
      * @param patterns what each of them was read as
      */
     void fit(GreyImage image, List<MarkerEdges> markers, List<boolean[]> patterns) {
-        // a dozen markers tell the curve as well as all: what is left is the model's
+        // some markers tell the curve as well as all: what is left is the model's
         List<MarkerEdges> some = markers.subList(0, Math.min(MOST_MARKERS, markers.size()));
         double information = 0;
-        double offsetByGamma = 0;
+        double offsetByPower = 0;
         for (int round = 0; estimated && round < MAX_ROUNDS; round++) {
             for (MarkerEdges marker : some) {
                 marker.measureShift(image, scale);
@@ -108,48 +103,59 @@ final class LightFit {
             for (MarkerEdges marker : some) {
                 for (int i = 0; i < 4; i++) {
                     SideFit side = marker.side(i);
-                    shapeScore += side.gammaScore / variance;
-                    shapeInformation += side.gammaInformation / variance;
-                    moved += side.gammaInformation * side.offsetByGamma;
-                    weight += side.gammaInformation;
+                    shapeScore += side.powerScore / variance;
+                    shapeInformation += side.powerInformation / variance;
+                    moved += side.powerInformation * side.offsetByPower;
+                    weight += side.powerInformation;
                 }
                 double w = marker.shiftWeight(variance);
                 shift += w * marker.shiftPx();
                 shiftWeight += w;
             }
-            offsetByGamma = weight > 0 ? moved / weight : 0;
-            // curves that are no powers, blur that is no Gaussian: however many pixels there are, gamma is no better
-            double deflated = 1 / (1 + shapeInformation * MODEL_GAMMA_STD * MODEL_GAMMA_STD);
+            offsetByPower = weight > 0 ? moved / weight : 0;
+            // curves that are no powers, blur that is no Gaussian: however many pixels there are, the power is no better
+            double deflated = 1 / (1 + shapeInformation * MODEL_POWER_STD * MODEL_POWER_STD);
             double shiftInformation = shiftWeight > 0 ? 1 / (SHIFT_STD_PX * SHIFT_STD_PX + 1 / shiftWeight) : 0;
-            double score = (gammaMean - gamma) / (gammaStd * gammaStd) + deflated * shapeScore
-                    + (shiftWeight > 0 ? shift / shiftWeight * offsetByGamma * shiftInformation : 0);
-            information = 1 / (gammaStd * gammaStd) + deflated * shapeInformation
-                    + offsetByGamma * offsetByGamma * shiftInformation;
+            double score = (powerMean - curve.power()) / (powerStd * powerStd) + deflated * shapeScore
+                    + (shiftWeight > 0 ? shift / shiftWeight * offsetByPower * shiftInformation : 0);
+            information = 1 / (powerStd * powerStd) + deflated * shapeInformation
+                    + offsetByPower * offsetByPower * shiftInformation;
             double step = Math.max(-LARGEST_STEP, Math.min(LARGEST_STEP, score / information));
-            double next = Math.max(LEAST_GAMMA, Math.min(LARGEST_GAMMA, gamma + step));
-            if (Math.abs((next - gamma) * offsetByGamma) < SETTLED_PX) {
+            double next = Math.max(LEAST_POWER, Math.min(LARGEST_POWER, curve.power() + step));
+            if (Math.abs((next - curve.power()) * offsetByPower) < SETTLED_PX) {
                 break;
             }
-            gamma = next;
-            scale.setGamma(gamma);
+            curve = curve.withPower(next);
+            scale.set(curve);
             for (int m = 0; m < some.size(); m++) {
-                some.get(m).refit(image, scale, patterns.get(m), true);
+                some.get(m).refitSamePixels(scale);
             }
         }
         for (int m = 0; m < markers.size(); m++) {
-            markers.get(m).refit(image, scale, patterns.get(m), false);
-            markers.get(m).measureShift(image, scale);
-            markers.get(m).conclude(scale, false);
+            refit(image, markers.get(m), patterns.get(m));
         }
         setNoise(markers);
-        double ofGamma = estimated ? offsetByGamma / Math.sqrt(information) : 0;
-        edgeShiftStdPx = Math.hypot(ofGamma, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
+        double ofPower = estimated ? offsetByPower / Math.sqrt(information) : 0;
+        edgeShiftStdPx = Math.hypot(ofPower, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
         double[] blurs = new double[markers.size()];
         for (int m = 0; m < blurs.length; m++) {
             blurs[m] = markers.get(m).blurPx();
         }
         Arrays.sort(blurs);
         blurPx = blurs.length == 0 ? 0 : blurs[blurs.length / 2];
+    }
+
+    /**
+     * Fits a marker in the light that was found.
+     *
+     * @param image the photo
+     * @param marker its edges, fitted before
+     * @param pattern what it was read as
+     */
+    void refit(GreyImage image, MarkerEdges marker, boolean[] pattern) {
+        marker.refit(image, scale, pattern);
+        marker.measureShift(image, scale);
+        marker.conclude(scale, false);
     }
 
     /** Noise of all sides together, those far out of line left out. */

@@ -44,7 +44,13 @@ final class MarkerEdges {
     /** Variance that a pixel's own square adds to the blur. */
     private static final double PIXEL_VARIANCE = 1.0 / 12;
     /** How far outwards the edge of the paper is looked for. */
-    private static final int PAPER_STEPS = 28;
+    private static final int PAPER_STEPS = 24;
+    private static final int PAPER_LINES = 3;
+    private static final int PAPER_ROUNDS = 4;
+    /** Beyond so many deviations of the blur from the band the edge of the paper need not be known well. */
+    private static final double FAR_BLURS = 4;
+    /** Variance that interpolating between pixels adds to the blur. */
+    private static final double INTERPOLATION_VARIANCE = 1.0 / 6;
     private static final double PAPER_STEP_PX = 0.5;
     /** A drop of the light by less than this share of the difference of white and black is no edge of the paper. */
     private static final double PAPER_CONTRAST = 0.06;
@@ -135,12 +141,33 @@ final class MarkerEdges {
      * @param image the same image
      * @param scale tone curve and noise
      * @param pattern white cells; kept, not copied
-     * @param once whether pixels are chosen once only: enough on the way to a tone curve
      * @return whether all sides were found
      */
-    boolean refit(GreyImage image, GreyScale scale, boolean[] pattern, boolean once) {
+    boolean refit(GreyImage image, GreyScale scale, boolean[] pattern) {
         white = pattern;
-        return passes(image, scale, once ? 1 : MAX_PASSES, BAND_STILL_GOOD_PX);
+        return passes(image, scale, MAX_PASSES, BAND_STILL_GOOD_PX);
+    }
+
+    /**
+     * Fits the same pixels again with another tone curve: enough on the way to one.
+     *
+     * @param scale tone curve and noise
+     * @return whether all sides were found
+     */
+    boolean refitSamePixels(GreyScale scale) {
+        for (SideFit side : sides) {
+            profile.turn(side.normalX, side.normalY);
+            if (!side.fit(scale, profile, FIRST_BLUR_PX)) {
+                return false;
+            }
+        }
+        for (int i = 0; i < CORNERS; i++) {
+            if (!intersect((i + CORNERS - 1) % CORNERS, i)) {
+                return false;
+            }
+        }
+        System.arraycopy(refined, 0, ideal, 0, 2 * CORNERS);
+        return true;
     }
 
     /** Turns what is known of the marker so that corner k becomes the first. */
@@ -381,22 +408,23 @@ final class MarkerEdges {
     }
 
     /** How white each row is at a place along the side, and how that changes where white spreads or all is stretched. */
-    private void setRowWhites(double t, double inverseStd, double perLength) {
+    private void setRowWhites(double t, double blur, double reach, double perLength) {
         for (int r = 0; r < rows; r++) {
             double sum = 0;
             double growth = 0;
             double stretch = 0;
             double[] at = ends[r];
             for (int k = 0; k < endCount[r]; k++) {
-                double z = (t - at[k]) * inverseStd;
+                double z = t - at[k];
                 double sign = (k & 1) == 0 ? 1 : -1;
-                if (z >= REACH) {
+                if (z >= reach) {
                     sum += sign;
-                } else if (z > -REACH) {
-                    double density = EdgeProfile.density(z) * inverseStd;
-                    sum += sign * EdgeProfile.tabulated(z);
-                    growth += density;
-                    stretch -= sign * density * at[k] * perLength;
+                } else if (z > -reach) {
+                    // a pixel is as wide along a side as across it
+                    profile.at(z, blur);
+                    sum += sign * profile.share;
+                    growth += profile.byDistance;
+                    stretch -= sign * profile.byDistance * at[k] * perLength;
                 }
             }
             rowWhite[r] = sum;
@@ -422,29 +450,32 @@ final class MarkerEdges {
         return side.fit(scale, profile, FIRST_BLUR_PX);
     }
 
-    /** Looks for the edge of the paper: where the light falls from its largest value beside the marker. */
+    /**
+     * Looks for the edge of the paper: a dark step beside the marker's own, blurred alike. The light's profile outwards,
+     * a mean over seven places along the side, is fitted by white, ground and the place of the edge (Gauss-Newton).
+     */
     private void findPaper(GreyImage image, GreyScale scale, SideFit side, double std) {
         double most = Double.NEGATIVE_INFINITY;
-        double least = Double.POSITIVE_INFINITY;
         int mostAt = 0;
         paperPx = Double.POSITIVE_INFINITY;
         paperShare = 0;
         double[] light = paperLight;
         for (int k = 0; k < PAPER_STEPS; k++) {
-            double d = 0.5 + PAPER_STEP_PX * k;
+            double d = paperDistance(k);
             double sum = 0;
-            for (int n = -1; n <= 1; n++) {
-                double t = 0.3 * n * side.lengthPx;
+            for (int n = -PAPER_LINES; n <= PAPER_LINES; n++) {
+                double t = 0.35 * n * side.lengthPx / PAPER_LINES;
                 toImage(side.middleX + side.tangentX * t + side.normalX * d,
                         side.middleY + side.tangentY * t + side.normalY * d, point, 0);
                 sum += scale.tabulatedLight(image.interpolate(point[0], point[1]));
             }
-            light[k] = sum / 3;
+            light[k] = sum / (2 * PAPER_LINES + 1);
             if (light[k] > most && d < 2 + 2.5 * std) {
                 most = light[k];
                 mostAt = k;
             }
         }
+        double least = Double.POSITIVE_INFINITY;
         int leastAt = mostAt;
         for (int k = mostAt; k < PAPER_STEPS; k++) {
             if (light[k] < least) {
@@ -455,17 +486,74 @@ final class MarkerEdges {
             }
         }
         double dark = side.started() ? scale.light(side.unknowns[SideFit.DARK]) : darkestInside(image, scale, side);
-        double contrast = most - dark;
-        if (!(contrast > 0) || most - least < PAPER_CONTRAST * contrast) {
+        if (!(most > dark) || most - least < PAPER_CONTRAST * (most - dark)) {
             return;
         }
         double half = (most + least) / 2;
+        double edge = Double.NaN;
         for (int k = mostAt + 1; k <= leastAt; k++) {
             if (light[k] < half) {
-                paperPx = 0.5 + PAPER_STEP_PX * (k - 1 + (light[k - 1] - half) / (light[k - 1] - light[k]));
-                paperShare = (most - least) / contrast;
+                edge = paperDistance(k - 1) + PAPER_STEP_PX * (light[k - 1] - half) / (light[k - 1] - light[k]);
+                break;
+            }
+        }
+        if (Double.isNaN(edge)) {
+            return;
+        }
+        paperPx = edge;
+        paperShare = Math.min(1.2, (most - least) / (most - dark));
+        if (edge < FAR_BLURS * std + BAND_PX) {
+            fitPaper(dark, most, least, edge, leastAt, Math.sqrt(std * std + INTERPOLATION_VARIANCE));
+        }
+    }
+
+    private static double paperDistance(int step) {
+        return 0.5 + PAPER_STEP_PX * step;
+    }
+
+    /** White, ground and place of the edge, by least squares over the profile as far as the ground is plain. */
+    private void fitPaper(double dark, double firstWhite, double firstGround, double firstEdge, int last, double std) {
+        double bright = firstWhite;
+        double ground = firstGround;
+        double edge = firstEdge;
+        double[] n = new double[9];
+        double[] g = new double[3];
+        for (int round = 0; round < PAPER_ROUNDS; round++) {
+            Arrays.fill(n, 0);
+            Arrays.fill(g, 0);
+            for (int k = 0; k <= last; k++) {
+                double d = paperDistance(k);
+                double marker = EdgeProfile.tabulated(d / std);
+                double z = (d - edge) / std;
+                double beyond = EdgeProfile.tabulated(z);
+                double residual = dark + (bright - dark) * marker - (bright - ground) * beyond - paperLight[k];
+                double byBright = marker - beyond;
+                double byEdge = (bright - ground) * EdgeProfile.density(z) / std;
+                g[0] += byBright * residual;
+                g[1] += beyond * residual;
+                g[2] += byEdge * residual;
+                n[0] += byBright * byBright;
+                n[3] += beyond * byBright;
+                n[4] += beyond * beyond;
+                n[6] += byEdge * byBright;
+                n[7] += byEdge * beyond;
+                n[8] += byEdge * byEdge;
+            }
+            for (int a = 0; a < 3; a++) {
+                n[4 * a] *= 1.001;
+            }
+            if (!Cholesky.factor(n, 3)) {
                 return;
             }
+            Cholesky.solveLower(n, 3, g);
+            Cholesky.solveUpper(n, 3, g);
+            bright -= g[0];
+            ground -= g[1];
+            edge -= g[2];
+        }
+        if (bright > dark && ground < bright && Math.abs(edge - firstEdge) < 1.5) {
+            paperPx = edge;
+            paperShare = (bright - ground) / (bright - dark);
         }
     }
 
@@ -493,7 +581,7 @@ final class MarkerEdges {
                         + EdgeProfile.tabulated((half - t) * inverseStd) - 1;
                 double more = 0;
                 if (-d > depth[0] + depthSlope[0] * t - REACH * std) {
-                    more += innerShare(t, -d, blur, inverseStd);
+                    more += innerShare(t, -d, blur, REACH * std);
                 }
                 if (d > paperPx - REACH * std) {
                     more -= paperShare * EdgeProfile.tabulated((d - paperPx) * inverseStd);
@@ -504,8 +592,8 @@ final class MarkerEdges {
     }
 
     /** Light from the white cells of the pattern at a place along a side and a depth. */
-    private double innerShare(double t, double z, double blur, double inverseStd) {
-        setRowWhites(t, inverseStd, 0);
+    private double innerShare(double t, double z, double blur, double reach) {
+        setRowWhites(t, blur, reach, 0);
         double share = 0;
         double beforeRow = 0;
         for (int r = 0; r < rows; r++) {
@@ -591,13 +679,13 @@ final class MarkerEdges {
      * Evaluates what the fits say of themselves.
      *
      * @param scale tone curve and noise
-     * @param withGamma whether the curve is a power whose gamma is asked for
+     * @param withPower whether the power of the curve is asked for
      * @return false where the information of a side is singular
      */
-    boolean conclude(GreyScale scale, boolean withGamma) {
+    boolean conclude(GreyScale scale, boolean withPower) {
         for (SideFit side : sides) {
             profile.turn(side.normalX, side.normalY);
-            if (!side.conclude(scale, profile, withGamma)) {
+            if (!side.conclude(scale, profile, withPower)) {
                 return false;
             }
         }
@@ -622,7 +710,6 @@ final class MarkerEdges {
             SideFit side = sides[i];
             double blur = side.unknowns[SideFit.BLUR];
             double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
-            double inverseStd = 1 / std;
             profile.turn(side.normalX, side.normalY);
             setPattern(i);
             double cell = side.lengthPx / cells;
@@ -645,7 +732,7 @@ final class MarkerEdges {
                     if (z < shallow || z > deep || t < -halfLength || t > halfLength) {
                         continue;
                     }
-                    setRowWhites(t, inverseStd, 2 / side.lengthPx);
+                    setRowWhites(t, blur, REACH * std, 2 / side.lengthPx);
                     double share = 0;
                     double bySlide = 0;
                     double byShift = 0;
@@ -663,7 +750,7 @@ final class MarkerEdges {
                         beforeGrowth = lateral;
                     }
                     if (z < REACH * std) {
-                        profile.at(-z, blur);
+                        profile.at(-z - side.unknowns[SideFit.OFFSET] - side.unknowns[SideFit.SLOPE] * t, blur);
                         share += profile.share;
                     }
                     scale.at(lightDark + contrast * share);

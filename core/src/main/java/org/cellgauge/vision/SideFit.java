@@ -20,8 +20,8 @@ final class SideFit {
     static final int BLUR = 2;
     static final int DARK = 3;
     static final int BRIGHT = 4;
-    /** Columns of the derivative that is kept at the end: the unknowns and gamma. */
-    private static final int GAMMA = 5;
+    /** Columns of the derivative that is kept at the end: the unknowns and power. */
+    private static final int POWER = 5;
     private static final int COLUMNS = 6;
 
     private static final int MAX_STEPS = 20;
@@ -32,8 +32,8 @@ final class SideFit {
     /** A bright side that is clipped may be as bright as this, in grey levels of the tone curve's continuation. */
     private static final double LARGEST_LEVEL = 400;
     /**
-     * Gamma is judged by pixels with less light than this from elsewhere, as a share of white: what is taken as given of
-     * that light hangs on gamma itself.
+     * Power is judged by pixels with less light than this from elsewhere, as a share of white: what is taken as given of
+     * that light hangs on power itself.
      */
     private static final double CLEAN_SHARE = 0.003;
     /** Grey level from which on a value is taken for clipped. */
@@ -68,24 +68,27 @@ final class SideFit {
     private final double[] row = new double[COLUMNS];
     private final double[] leverage = new double[UNKNOWNS * UNKNOWNS];
     private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
-    private final double[] gammaRow = new double[UNKNOWNS];
+    private final double[] powerRow = new double[UNKNOWNS];
     private boolean started;
 
     /** Position-weighted sum of squared residuals of the pixels and what it would be for noise of 1 grey level. */
     double squares;
     double expectedSquares;
     double degreesOfFreedom;
-    /** Score and information of gamma from this side, for noise of 1 grey level, its own unknowns projected out. */
-    double gammaScore;
-    double gammaInformation;
-    /** Change of the offset by gamma, px. */
-    double offsetByGamma;
+    /** Score and information of power from this side, for noise of 1 grey level, its own unknowns projected out. */
+    double powerScore;
+    double powerInformation;
+    /** Change of the offset by power, px. */
+    double offsetByPower;
     /** Share of the pixels of the bright side that are clipped at white, and of the dark side at black. */
     double clippedShare;
     double crushedShare;
 
+    /** Drops the pixels; the line is where the side's new coordinates have it. */
     void clear() {
         samples = 0;
+        unknowns[OFFSET] = 0;
+        unknowns[SLOPE] = 0;
     }
 
     /** Forgets the last fit: the next one starts from the grey values alone. */
@@ -138,9 +141,9 @@ final class SideFit {
         if (samples < 4 * UNKNOWNS) {
             return false;
         }
-        unknowns[OFFSET] = 0;
-        unknowns[SLOPE] = 0;
         if (!started) {
+            unknowns[OFFSET] = 0;
+            unknowns[SLOPE] = 0;
             double low = Double.POSITIVE_INFINITY;
             double high = Double.NEGATIVE_INFINITY;
             int clipped = 0;
@@ -285,25 +288,28 @@ final class SideFit {
 
     /**
      * Evaluates, at the solution, what the fit says of itself: the covariance of the line for noise of 1 grey level,
-     * residuals, and what it says of gamma.
+     * residuals, and what it says of power.
      *
      * @param scale tone curve and noise
      * @param profile turned to the side's normal
-     * @param withGamma whether the curve is a power whose gamma is asked for
+     * @param withPower whether the curve is a power whose power is asked for
      * @return false where the information is singular
      */
-    boolean conclude(GreyScale scale, EdgeProfile profile, boolean withGamma) {
+    boolean conclude(GreyScale scale, EdgeProfile profile, boolean withPower) {
         double[] p = unknowns;
         double lightDark = scale.light(p[DARK]);
         double contrast = scale.light(p[BRIGHT]) - lightDark;
         double darkSlope = scale.lightByGrey(p[DARK]);
         double brightSlope = scale.lightByGrey(p[BRIGHT]);
+        if (withPower) {
+            scale.setEnds(p[DARK], p[BRIGHT]);
+        }
         Arrays.fill(normal, 0);
-        Arrays.fill(gammaRow, 0);
+        Arrays.fill(powerRow, 0);
         Arrays.fill(gradient, 0);
         Arrays.fill(damped, 0);
         Arrays.fill(leverage, 0);
-        double gammaSquares = 0;
+        double powerSquares = 0;
         double score = 0;
         double weighted = 0;
         double weights = 0;
@@ -332,18 +338,18 @@ final class SideFit {
                     leverage[a * UNKNOWNS + b] += w * product;
                 }
             }
-            if (withGamma && Math.abs(base[i]) < CLEAN_SHARE) {
+            if (withPower && Math.abs(base[i]) < CLEAN_SHARE) {
                 for (int a = 0; a < UNKNOWNS; a++) {
                     gradient[a] += row[a] * residual;
                     for (int b = 0; b <= a; b++) {
                         damped[a * UNKNOWNS + b] += row[a] * row[b];
                     }
                 }
-                row[GAMMA] = scale.byGamma(p[DARK], p[BRIGHT], share);
-                gammaSquares += row[GAMMA] * row[GAMMA];
-                score -= row[GAMMA] * residual;
+                row[POWER] = scale.byPower(share);
+                powerSquares += row[POWER] * row[POWER];
+                score -= row[POWER] * residual;
                 for (int a = 0; a < UNKNOWNS; a++) {
-                    gammaRow[a] += row[GAMMA] * row[a];
+                    powerRow[a] += row[POWER] * row[a];
                 }
             }
             if (share > 0.9) {
@@ -378,17 +384,17 @@ final class SideFit {
         squares = weighted / weights;
         expectedSquares = Math.max(0.1, 1 - taken / weights);
         degreesOfFreedom = samples - UNKNOWNS;
-        if (withGamma) {
-            gammaOfClean(gammaSquares, score);
+        if (withPower) {
+            powerOfClean(powerSquares, score);
         }
         return true;
     }
 
-    /** Projects the side's own unknowns out of the score and the information of gamma. */
-    private void gammaOfClean(double gammaSquares, double score) {
-        gammaScore = 0;
-        gammaInformation = 0;
-        offsetByGamma = 0;
+    /** Projects the side's own unknowns out of the score and the information of power. */
+    private void powerOfClean(double powerSquares, double score) {
+        powerScore = 0;
+        powerInformation = 0;
+        offsetByPower = 0;
         for (int a = 0; a < UNKNOWNS; a++) {
             damped[a * (UNKNOWNS + 1)] += 1e-9;
             for (int b = 0; b < a; b++) {
@@ -404,16 +410,16 @@ final class SideFit {
         for (int a = 0; a < UNKNOWNS; a++) {
             double s = 0;
             for (int b = 0; b < UNKNOWNS; b++) {
-                s += inverse[a * UNKNOWNS + b] * gammaRow[b];
+                s += inverse[a * UNKNOWNS + b] * powerRow[b];
             }
             if (a == OFFSET) {
-                offsetByGamma = -s;
+                offsetByPower = -s;
             }
-            taken += s * gammaRow[a];
+            taken += s * powerRow[a];
             ofOthers += s * gradient[a];
         }
-        gammaInformation = Math.max(0, gammaSquares - taken);
-        gammaScore = score + ofOthers;
+        powerInformation = Math.max(0, powerSquares - taken);
+        powerScore = score + ofOthers;
     }
 
     /** Covariance of two unknowns for noise of 1 grey level. */

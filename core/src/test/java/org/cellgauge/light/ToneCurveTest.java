@@ -18,7 +18,7 @@ class ToneCurveTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"linear", "srgb", "gamma 1.8", "gamma 2.2"})
+    @ValueSource(strings = {"linear", "srgb", "gamma 1.8", "gamma 2.2", "srgb 2.1"})
     void lightAndGreyUndoEachOther(String words) {
         ToneCurve curve = ToneCurve.of(words);
         assertEquals(words, curve.words());
@@ -32,6 +32,23 @@ class ToneCurveTest {
     @Test
     void halfTheGreyIsAFifthOfTheLight() {
         assertEquals(0.2176, ToneCurve.gamma(2.2).light(0.5), 1e-4);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"linear", "srgb", "gamma 2.2", "srgb 1.7"})
+    void derivativeByThePowerIsTheDifference(String words) {
+        ToneCurve curve = ToneCurve.of(words);
+        double dark = 0.2;
+        double bright = 0.9;
+        double h = 1e-5;
+        for (double share = 0.01; share < 1; share += 0.14) {
+            double[] grey = new double[2];
+            for (int k = 0; k < 2; k++) {
+                ToneCurve other = curve.withPower(curve.power() + (2 * k - 1) * h);
+                grey[k] = other.grey(other.light(dark) + (other.light(bright) - other.light(dark)) * share);
+            }
+            assertEquals((grey[1] - grey[0]) / (2 * h), curve.greyByPower(dark, bright, share), 1e-6);
+        }
     }
 
     @Test
