@@ -27,8 +27,10 @@ final class LightFit {
      */
     private static final double SHIFT_STD_PX = 0.015;
     private static final double LARGEST_STEP = 0.8;
+    /** Edges that have moved by more than this leave the light that was taken as given about them stale, px. */
+    private static final double STALE_PX = 0.03;
     private static final int MOST_MARKERS = 5;
-    private static final int MAX_ROUNDS = 5;
+    private static final int MAX_ROUNDS = 6;
     /** A change of the power that moves edges by less is none, px. */
     private static final double SETTLED_PX = 0.002;
     /**
@@ -86,6 +88,7 @@ final class LightFit {
         List<MarkerEdges> some = markers.subList(0, Math.min(MOST_MARKERS, markers.size()));
         double information = 0;
         double offsetByPower = 0;
+        double stale = 0;
         for (int round = 0; estimated && round < MAX_ROUNDS; round++) {
             for (MarkerEdges marker : some) {
                 marker.measureShift(image, scale);
@@ -125,10 +128,17 @@ final class LightFit {
             if (Math.abs((next - curve.power()) * offsetByPower) < SETTLED_PX) {
                 break;
             }
+            stale += Math.abs((next - curve.power()) * offsetByPower);
             curve = curve.withPower(next);
             scale.set(curve);
+            boolean anew = stale > STALE_PX;
+            stale = anew ? 0 : stale;
             for (int m = 0; m < some.size(); m++) {
-                some.get(m).refitSamePixels(scale);
+                if (anew) {
+                    some.get(m).refit(image, scale, patterns.get(m));
+                } else {
+                    some.get(m).refitSamePixels(scale);
+                }
             }
         }
         for (int m = 0; m < markers.size(); m++) {
