@@ -81,7 +81,7 @@ final class CoverageStudyRun {
         CellTruth seen = options.markerPx() == null ? nominal : atSide(cell, nominal, options.markerPx());
         Sensor sensor = options.sensor(command);
         TruthPrior prior = priors.apply(cell, seen);
-        CoverageFigures figures = run(new OneCell(prior),
+        CoverageFigures figures = run(OneCell.inFullView(prior),
                 new RenderedPhotos(sensor, options.jpegQuality(), options.printGainMm()), progress);
         Map<String, Object> settings = settings();
         settings.put("marker_px", meanSidePx(cell, seen));
@@ -200,7 +200,7 @@ final class CoverageStudyRun {
                 PhotoGrid.renumbered(given, nominal.worldFromObjects())) : nominal;
         try {
             TruthPrior prior = priors.apply(cell, atSide(cell, named, row.markerPx()));
-            return run(new OneCell(prior), new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm()),
+            return run(OneCell.inFullView(prior), new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm()),
                     done -> { });
         } catch (InputRefusedException e) {
             command.getErr().println(row.name() + ": " + e.getMessage());
