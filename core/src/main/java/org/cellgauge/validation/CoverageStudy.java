@@ -264,7 +264,7 @@ public final class CoverageStudy {
 
     // ---- corners
 
-    private static void corners(SimulatedCell simulated, Detections seen, Outcome outcome) {
+    static void corners(SimulatedCell simulated, Detections seen, Outcome outcome) {
         List<Integer> ids = new ArrayList<>();
         simulated.cell().references().forEach(r -> ids.add(r.id()));
         simulated.cell().objects().forEach(o -> ids.add(o.id()));

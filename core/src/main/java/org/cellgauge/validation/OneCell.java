@@ -15,11 +15,8 @@ import org.cellgauge.sampling.RandomStreams;
 /** The same cell again and again, built anew each time: placement errors, camera and objects are drawn. Immutable. */
 public final class OneCell implements CellSource {
     private static final int ATTEMPTS = 1000;
-    /** Of a marker's longest side: half the diagonal of its white paper, and a little. */
-    private static final double ROOM = 1.05;
-    /** Of a marker's longest side, and in px: paper beyond the corners, and what blur needs. */
-    private static final double PAPER = 0.2;
-    private static final double BEYOND_PAPER_PX = 5;
+    /** White paper by the marker's size, and a little. */
+    private static final double PAPER = 1.45;
 
     private final TruthPrior prior;
     private final boolean inFullView;
@@ -70,25 +67,22 @@ public final class OneCell implements CellSource {
 
     private static boolean isInFullView(SimulatedCell simulated) {
         Cell cell = simulated.cell();
-        List<double[]> corners = new ArrayList<>();
-        cell.references().forEach(r -> corners.add(simulated.cornersPx(r.id())));
-        cell.objects().forEach(o -> corners.add(simulated.cornersPx(o.id())));
-        for (int a = 0; a < corners.size(); a++) {
-            double[] px = corners.get(a);
+        List<double[]> papers = new ArrayList<>();
+        cell.references().forEach(r -> papers.add(paper(simulated.cornersPx(r.id()))));
+        cell.objects().forEach(o -> papers.add(paper(simulated.cornersPx(o.id()))));
+        double width = cell.camera().widthPx();
+        double height = cell.camera().heightPx();
+        double[] image = {0, 0, width, 0, width, height, 0, height};
+        for (int a = 0; a < papers.size(); a++) {
+            double[] px = papers.get(a);
+            for (int i = 0; px != null && i < 8; i += 2) {
+                px = px[i] > 0 && px[i] < image[2] && px[i + 1] > 0 && px[i + 1] < image[5] ? px : null;
+            }
             if (px == null) {
                 return false;
             }
-            double beyond = PAPER * longestSide(px) + BEYOND_PAPER_PX;
-            for (int i = 0; i < 8; i += 2) {
-                if (!(px[i] > beyond && px[i + 1] > beyond && px[i] < cell.camera().widthPx() - beyond
-                        && px[i + 1] < cell.camera().heightPx() - beyond)) {
-                    return false;
-                }
-            }
             for (int b = 0; b < a; b++) {
-                double[] other = corners.get(b);
-                if (Math.hypot(mean(px, 0) - mean(other, 0), mean(px, 1) - mean(other, 1))
-                        < ROOM * (longestSide(px) + longestSide(other))) {
+                if (!apart(px, papers.get(b)) && !apart(papers.get(b), px)) {
                     return false;
                 }
             }
@@ -96,17 +90,42 @@ public final class OneCell implements CellSource {
         return true;
     }
 
-    private static double mean(double[] px, int axis) {
-        return (px[axis] + px[axis + 2] + px[axis + 4] + px[axis + 6]) / 4;
+    /** Outline of a marker's paper, 8 values, or null without corners. */
+    private static double[] paper(double[] px) {
+        if (px == null) {
+            return null;
+        }
+        double u = (px[0] + px[2] + px[4] + px[6]) / 4;
+        double v = (px[1] + px[3] + px[5] + px[7]) / 4;
+        double[] paper = new double[8];
+        for (int i = 0; i < 8; i += 2) {
+            paper[i] = u + PAPER * (px[i] - u);
+            paper[i + 1] = v + PAPER * (px[i + 1] - v);
+        }
+        return paper;
     }
 
-    private static double longestSide(double[] px) {
-        double longest = 0;
+    /** Whether a side of one quadrilateral lies between it and the other. */
+    private static boolean apart(double[] one, double[] other) {
         for (int k = 0; k < 4; k++) {
             int next = (k + 1) % 4;
-            longest = Math.max(longest, Math.hypot(px[2 * next] - px[2 * k], px[2 * next + 1] - px[2 * k + 1]));
+            double nx = one[2 * next + 1] - one[2 * k + 1];
+            double ny = one[2 * k] - one[2 * next];
+            double least = Double.POSITIVE_INFINITY;
+            double most = Double.NEGATIVE_INFINITY;
+            double own = 0;
+            for (int i = 0; i < 4; i++) {
+                double along = nx * (other[2 * i] - one[2 * k]) + ny * (other[2 * i + 1] - one[2 * k + 1]);
+                least = Math.min(least, along);
+                most = Math.max(most, along);
+                double inside = nx * (one[2 * i] - one[2 * k]) + ny * (one[2 * i + 1] - one[2 * k + 1]);
+                own = Math.abs(inside) > Math.abs(own) ? inside : own;
+            }
+            if (own > 0 ? most < 0 : least > 0) {
+                return true;
+            }
         }
-        return longest;
+        return false;
     }
 
     @Override
