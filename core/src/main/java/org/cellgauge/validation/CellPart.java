@@ -77,7 +77,7 @@ final class CellPart {
     }
 
     /** Draws of one quantity, chain by chain. */
-    private static double[] column(CheckResult result, String quantity) {
+    static double[] column(CheckResult result, String quantity) {
         int q = result.layout().indexOf(quantity);
         int total = 0;
         for (Draws chain : result.draws()) {
@@ -95,7 +95,7 @@ final class CellPart {
     }
 
     /** Rotation matrices of all draws of a pose, 9 values each. */
-    private static double[] rotations(CheckResult result, String prefix) {
+    static double[] rotations(CheckResult result, String prefix) {
         double[] psi = column(result, prefix + "_psi_rad");
         double[] theta = column(result, prefix + "_theta_rad");
         double[] phi = column(result, prefix + "_phi_rad");
@@ -242,7 +242,7 @@ final class CellPart {
     }
 
     /** The rotation that the rotation vectors of the draws start from: undone from the first draw. */
-    private static double[] referenceRotation(double[][] columns, double[] rotations) {
+    static double[] referenceRotation(double[][] columns, double[] rotations) {
         double[] back = new double[9];
         double[] reference = new double[9];
         Rotations.exp(-columns[3][0], -columns[4][0], -columns[5][0], back);

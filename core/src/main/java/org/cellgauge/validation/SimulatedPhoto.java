@@ -63,7 +63,7 @@ public final class SimulatedPhoto {
     }
 
     /** Shifted along the world's axes and turned about its own centre by a rotation vector in the world. */
-    private static RigidTransform misplaced(Reference reference, RandomGenerator random) {
+    static RigidTransform misplaced(Reference reference, RandomGenerator random) {
         Placement p = reference.placement();
         double[] t = reference.worldFromMarker().translationMm();
         for (int i = 0; i < 3; i++) {

@@ -2,10 +2,6 @@ package org.cellgauge.validation;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.function.IntConsumer;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
@@ -52,11 +48,11 @@ public final class Validation {
     private static final int RANKS_PER_BIN = 5;
     private static final int[] BINS = {20, 10, 5, 4, 2};
 
-    private static final long STREAM_TRUTH = 101;
-    private static final long STREAM_PLACEMENT = 102;
-    private static final long STREAM_NOISE = 103;
-    private static final long STREAM_CHECK = 104;
-    private static final long STREAM_RANKS = 105;
+    static final long STREAM_TRUTH = 101;
+    static final long STREAM_PLACEMENT = 102;
+    static final long STREAM_NOISE = 103;
+    static final long STREAM_CHECK = 104;
+    static final long STREAM_RANKS = 105;
 
     private final TruthPrior prior;
     private final ValidationSettings settings;
@@ -91,33 +87,7 @@ public final class Validation {
     }
 
     private ValidationResult run(IntConsumer progress) {
-        ExecutorService executor = Executors.newFixedThreadPool(settings.threads(), task -> {
-            Thread thread = new Thread(task, "cellgauge-validation");
-            thread.setDaemon(true);
-            return thread;
-        });
-        List<Outcome> outcomes = new ArrayList<>();
-        try {
-            List<Future<Outcome>> futures = new ArrayList<>();
-            for (int i = 0; i < settings.simulations(); i++) {
-                int index = i;
-                futures.add(executor.submit(() -> simulate(index)));
-            }
-            for (Future<Outcome> future : futures) {
-                outcomes.add(future.get());
-                progress.accept(outcomes.size());
-            }
-        } catch (ExecutionException e) {
-            if (e.getCause() instanceof RuntimeException) {
-                throw (RuntimeException) e.getCause();
-            }
-            throw new IllegalStateException(e.getCause());
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException("interrupted", e);
-        } finally {
-            executor.shutdownNow();
-        }
+        List<Outcome> outcomes = InOrder.run(settings.simulations(), settings.threads(), this::simulate, progress);
         return summary(outcomes);
     }
 

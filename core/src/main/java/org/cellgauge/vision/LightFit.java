@@ -29,6 +29,10 @@ final class LightFit {
     private static final double LARGEST_STEP = 0.8;
     /** Edges that have moved by more than this leave the light that was taken as given about them stale, px. */
     private static final double STALE_PX = 0.03;
+    /** Where to look first when nothing is known of the curve. */
+    private static final double[] SCANNED = {1, 1.4, 1.8, 2.3};
+    /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
+    private static final double SURPRISE_PX = 0.1;
     private static final int MOST_MARKERS = 5;
     private static final int MAX_ROUNDS = 6;
     /** A change of the power that moves edges by less is none, px. */
@@ -49,6 +53,7 @@ final class LightFit {
     private double powerMean;
     private double powerStd;
     private boolean estimated;
+    private boolean said;
     private double noiseGrey;
     private double degreesOfFreedom;
     private double edgeShiftStdPx;
@@ -62,17 +67,18 @@ final class LightFit {
      * Starts on a photo.
      *
      * @param stated the curve that the user states, or null
-     * @param said the curve that the image file says, or null
+     * @param ofFile the curve that the image file says, or null
      */
-    void start(ToneCurve stated, ToneCurve said) {
+    void start(ToneCurve stated, ToneCurve ofFile) {
         estimated = stated == null;
+        said = ofFile != null;
         if (stated != null) {
             scale.set(stated);
             return;
         }
-        curve = said == null ? ToneCurve.gamma(UNKNOWN_POWER) : said;
+        curve = ofFile == null ? ToneCurve.gamma(UNKNOWN_POWER) : ofFile;
         powerMean = curve.power();
-        powerStd = said == null ? UNKNOWN_POWER_STD : SAID_POWER_STD;
+        powerStd = ofFile == null ? UNKNOWN_POWER_STD : SAID_POWER_STD;
         scale.set(curve);
     }
 
@@ -89,6 +95,9 @@ final class LightFit {
         double information = 0;
         double offsetByPower = 0;
         double stale = 0;
+        if (estimated && !said && !some.isEmpty()) {
+            scan(image, some, patterns);
+        }
         for (int round = 0; estimated && round < MAX_ROUNDS; round++) {
             for (MarkerEdges marker : some) {
                 marker.measureShift(image, scale);
@@ -123,6 +132,12 @@ final class LightFit {
                     + (shiftWeight > 0 ? shift / shiftWeight * offsetByPower * shiftInformation : 0);
             information = 1 / (powerStd * powerStd) + deflated * shapeInformation
                     + offsetByPower * offsetByPower * shiftInformation;
+            if (round == 0 && said && Math.abs(score / information * offsetByPower) > SURPRISE_PX) {
+                // not the curve that the file says: Gauss-Newton from far off may end beside the best one
+                said = false;
+                scan(image, some, patterns);
+                continue;
+            }
             double step = Math.max(-LARGEST_STEP, Math.min(LARGEST_STEP, score / information));
             double next = Math.max(LEAST_POWER, Math.min(LARGEST_POWER, curve.power() + step));
             if (Math.abs((next - curve.power()) * offsetByPower) < SETTLED_PX) {
@@ -153,6 +168,30 @@ final class LightFit {
         }
         Arrays.sort(blurs);
         blurPx = blurs.length == 0 ? 0 : blurs[blurs.length / 2];
+    }
+
+    /** Starts at the power, of a few, under which the sides leave the smallest residuals. */
+    private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
+        ToneCurve best = curve;
+        double least = Double.POSITIVE_INFINITY;
+        for (double power : SCANNED) {
+            scale.set(curve.withPower(power));
+            for (int m = 0; m < some.size(); m++) {
+                some.get(m).refit(image, scale, patterns.get(m));
+                some.get(m).measureShift(image, scale);
+                some.get(m).conclude(scale, false);
+            }
+            setNoise(some);
+            if (noiseGrey < least) {
+                least = noiseGrey;
+                best = scale.curve();
+            }
+        }
+        curve = best;
+        scale.set(curve);
+        for (int m = 0; m < some.size(); m++) {
+            some.get(m).refit(image, scale, patterns.get(m));
+        }
     }
 
     /**

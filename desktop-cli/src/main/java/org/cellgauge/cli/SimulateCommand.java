@@ -17,12 +17,14 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cli.render.Backdrop;
 import org.cellgauge.cli.render.CellSimulation;
+import org.cellgauge.cli.render.GreyJpeg;
 import org.cellgauge.cli.render.GreyPng;
 import org.cellgauge.cli.render.Scene;
 import org.cellgauge.cli.render.SceneTruth;
 import org.cellgauge.cli.render.Sensor;
 import org.cellgauge.cli.render.TruthFile;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.light.ToneCurve;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -33,7 +35,8 @@ import picocli.CommandLine.Spec;
 /** {@code cellgauge simulate}: renders photos of a cell with known truth. */
 @Command(name = "simulate", mixinStandardHelpOptions = true, sortOptions = false,
         versionProvider = Main.Version.class,
-        description = "Renders photos of a cell with known truth: NAME.png and, beside it, NAME.truth.json.",
+        description = "Renders photos of a cell with known truth: NAME.png (NAME.jpg with --jpeg) and, beside it, "
+                + "NAME.truth.json.",
         footer = {"", "Example:",
             "  cellgauge simulate --cell cell.yaml --object 5=370,295,0,0,0,20 \\",
             "      --camera-pose 418,106,1070,3.08rad,0.10rad,0.02rad --out photos",
@@ -103,9 +106,37 @@ public final class SimulateCommand implements Callable<Integer> {
             description = "Adds shot noise: electrons at full scale, for instance 10000; 0 is none (${DEFAULT-VALUE}).")
     private double fullWellElectrons;
 
-    @Option(names = "--gamma", paramLabel = "GAMMA", defaultValue = "1",
-            description = "Tone curve: grey = 255 light^(1/gamma); 1 is a linear sensor (${DEFAULT-VALUE}).")
-    private double gamma;
+    @Option(names = "--tone-curve", paramLabel = "srgb|linear|\"gamma G\"",
+            description = "Tone curve: grey values of light, as the camera makes them (linear).")
+    private String toneCurve;
+
+    @Option(names = "--gamma", paramLabel = "GAMMA",
+            description = "Short for --tone-curve \"gamma GAMMA\": grey = 255 light^(1/gamma); 1 is a linear sensor.")
+    private Double gamma;
+
+    @Option(names = "--exposure", paramLabel = "X", defaultValue = "1",
+            description = "What light is multiplied by before the tone curve; above 1.2 white paper is clipped, 0.1 is a "
+                    + "dark photo (${DEFAULT-VALUE}).")
+    private double exposure;
+
+    @Option(names = "--unsharp", paramLabel = "AMOUNT,RADIUS_PX",
+            description = "Unsharp mask, as phones have it, on the grey values: AMOUNT times the difference to a copy "
+                    + "blurred by RADIUS_PX is added, for instance 0.6,1.2 (none).")
+    private String unsharp;
+
+    @Option(names = "--jpeg", paramLabel = "QUALITY",
+            description = "Writes a JPEG file of this quality, 1 to 100, in place of a PNG.")
+    private Integer jpegQuality;
+
+    @Option(names = "--no-profile",
+            description = "Leaves out the note on the tone curve that PNG files of cameras carry.")
+    private boolean noProfile;
+
+    @Option(names = "--print-gain", paramLabel = "MM", defaultValue = "0",
+            preprocessor = PoseArgument.MayBeNegative.class,
+            description = "Ink spreads: every dark region of a print is larger by MM on all sides, below 0 smaller "
+                    + "(${DEFAULT-VALUE}).")
+    private double printGainMm;
 
     @Option(names = "--vignetting", paramLabel = "SHARE", defaultValue = "0.15",
             description = "Share of the light that the image's corners lose (${DEFAULT-VALUE}).")
@@ -143,6 +174,7 @@ public final class SimulateCommand implements Callable<Integer> {
         try {
             Cell cell = CellReader.read(cellFile);
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, poses);
+            PhotoOptions.requirePrintable(spec.commandLine(), cell, printGainMm);
             RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
             makeFolder();
             run(cell, new CellSimulation(cell, camera, poses, settings), poses, sensor);
@@ -164,10 +196,13 @@ public final class SimulateCommand implements Callable<Integer> {
         for (int i = 0; i < count; i++) {
             String base = count == 1 ? name : name + String.format(Locale.ROOT, "-%0" + digits + "d", i + 1);
             CellSimulation.Photo photo = simulation.photo(i, sensor);
-            String truth = TruthFile.json(cell, photo, base + ".png", seed, i, settingsByName(photo), command());
+            String imageName = base + (jpegQuality == null ? ".png" : ".jpg");
+            String truth = TruthFile.json(cell, photo, imageName, seed, i, settingsByName(photo, sensor), command());
             Map<Path, byte[]> files = new LinkedHashMap<>();
             files.put(out.resolve(base + ".truth.json"), truth.getBytes(StandardCharsets.UTF_8));
-            files.put(out.resolve(base + ".png"), GreyPng.encode(photo.image()));
+            files.put(out.resolve(imageName), jpegQuality == null
+                    ? GreyPng.encode(photo.image(), noProfile ? ToneCurve.LINEAR : sensor.toneCurve())
+                    : GreyJpeg.encode(photo.image(), jpegQuality));
             WholeFiles.write(files);
             files.keySet().forEach(stdout::println);
             stdout.flush();
@@ -190,7 +225,8 @@ public final class SimulateCommand implements Callable<Integer> {
 
     private Sensor sensor() {
         try {
-            return new Sensor(blurPx, noiseGrey, fullWellElectrons, gamma, vignetting, gradient);
+            return PhotoOptions.unsharp(new Sensor(blurPx, noiseGrey, fullWellElectrons,
+                    PhotoOptions.toneCurve(toneCurve, gamma), exposure, 0, 1, vignetting, gradient), unsharp);
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
         }
@@ -208,13 +244,19 @@ public final class SimulateCommand implements Callable<Integer> {
         } catch (IllegalArgumentException e) {
             throw usage("--texture: " + e.getMessage());
         }
+        if (jpegQuality != null && (jpegQuality < 1 || jpegQuality > 100)) {
+            throw usage("--jpeg: the quality must be between 1 and 100, not " + jpegQuality);
+        }
+        if (!Double.isFinite(printGainMm)) {
+            throw usage("--print-gain: must be a number of mm, not " + printGainMm);
+        }
         String[] jitter = cameraJitter.split(",", -1);
         try {
             double mm = Double.parseDouble(jitter[0].trim());
             double degrees = Double.parseDouble(jitter[jitter.length - 1].trim());
             if (jitter.length == 2 && mm >= 0 && degrees >= 0 && Double.isFinite(mm + degrees)) {
                 return new CellSimulation.Settings(seed, placementErrors.equals("draw"), mm, Math.toRadians(degrees),
-                        texture, quietZone);
+                        texture, quietZone, printGainMm);
             }
         } catch (NumberFormatException e) {
             // said below, as for negative values
@@ -229,14 +271,33 @@ public final class SimulateCommand implements Callable<Integer> {
         Files.createDirectories(out);
     }
 
-    private Map<String, Object> settingsByName(CellSimulation.Photo photo) {
+    /** What is as it was before there was a choice is left out, so that older truths stay what they were. */
+    private Map<String, Object> settingsByName(CellSimulation.Photo photo, Sensor sensor) {
         Map<String, Object> settings = new LinkedHashMap<>();
         settings.put("placement_errors", placementErrors);
         settings.put("camera_jitter_mm_deg", cameraJitter);
         settings.put("blur_px", blurPx);
         settings.put("noise_grey", noiseGrey);
         settings.put("full_well_electrons", fullWellElectrons);
-        settings.put("gamma", gamma);
+        if (sensor.toneCurve() != ToneCurve.SRGB) {
+            settings.put("gamma", gamma != null ? gamma : PhotoOptions.gamma(sensor.toneCurve()));
+        }
+        if (!sensor.toneCurve().isLinear()) {
+            settings.put("tone_curve", sensor.toneCurve().words());
+        }
+        if (exposure != 1) {
+            settings.put("exposure", exposure);
+        }
+        if (unsharp != null) {
+            settings.put("unsharp_amount", sensor.unsharpAmount());
+            settings.put("unsharp_radius_px", sensor.unsharpRadiusPx());
+        }
+        if (jpegQuality != null) {
+            settings.put("jpeg_quality", jpegQuality);
+        }
+        if (printGainMm != 0) {
+            settings.put("print_gain_mm", printGainMm);
+        }
         settings.put("vignetting", vignetting);
         settings.put("gradient", gradient);
         settings.put("texture_contrast", texture);

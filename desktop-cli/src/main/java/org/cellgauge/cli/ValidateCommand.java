@@ -1,5 +1,6 @@
 package org.cellgauge.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -35,6 +36,9 @@ import picocli.CommandLine.Spec;
             "  cellgauge validate --cell cell.yaml --object 5=370,295,0,0,0,20 \\",
             "      --camera-pose 418,106,1070,3.08rad,0.10rad,0.02rad --spread 0,0 --simulations 1000",
             "  cellgauge validate --cell cell.yaml --model corner-cube --json",
+            "  cellgauge validate --cell cell.yaml --photos --tone-curve srgb --blur-px 1.2 --marker-px 32",
+            "  cellgauge validate --cell cell.yaml --photos --grid --simulations 400 --out grid.md",
+            "  cellgauge validate --random-layouts --simulations 400",
             "",
             "Angles are in degrees, as in the cell file, unless they end in 'rad'.",
             "Each check runs until it has converged and the Monte Carlo error of every standard deviation is below",
@@ -56,7 +60,8 @@ public final class ValidateCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Option(names = "--cell", required = true, paramLabel = "CELL", description = "The cell file.")
+    @Option(names = "--cell", paramLabel = "CELL",
+            description = "The cell file. Needed, but for --random-layouts.")
     private Path cellFile;
 
     @Option(names = "--simulations", paramLabel = "N", defaultValue = "200",
@@ -91,6 +96,9 @@ public final class ValidateCommand implements Callable<Integer> {
     private boolean json;
 
     @Mixin
+    private StudyOptions study;
+
+    @Mixin
     private CheckOptions options;
 
     /**
@@ -101,14 +109,33 @@ public final class ValidateCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         CheckSettings check = options.settings(spec.commandLine());
+        study.check(spec.commandLine());
+        if (cellFile == null && !study.randomLayouts()) {
+            throw new ParameterException(spec.commandLine(), "Missing required option: '--cell=CELL'");
+        }
         ParsedSpread spreads = parseSpread();
         Map<Integer, RigidTransform> given = ObjectPoses.parse(spec.commandLine(), objects);
         try {
+            if (study.randomLayouts()) {
+                requireNoCell();
+                return study(check).randomLayouts(json, pixelStdPx, this::progress);
+            }
             Cell cell = CellReader.read(cellFile);
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, given);
             Map<Integer, RigidTransform> poses = CellTruth.objectPoses(cell, given);
             RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
-            TruthPrior prior = prior(cell, new CellTruth(camera, poses), spreads);
+            CellTruth nominal = new CellTruth(camera, poses);
+            if (study.photos()) {
+                if (pixelStdPx != null) {
+                    throw new ParameterException(spec.commandLine(), "--pixel-std is the noise of drawn corners; with "
+                            + "--photos it is the detector's: leave it out, or say what the check is told with "
+                            + "--state-pixel-std");
+                }
+                CoverageStudyRun run = study(check);
+                return study.grid() ? run.grid(cell, nominal, (c, n) -> prior(c, n, spreads), json)
+                        : run.oneCell(cell, nominal, (c, n) -> prior(c, n, spreads), json, this::progress);
+            }
+            TruthPrior prior = prior(cell, nominal, spreads);
             ValidationSettings settings = settings(cell, check);
             ValidationResult result = Validation.run(prior, settings, this::progress);
             ValidationText text = new ValidationText(prior, settings, result);
@@ -118,7 +145,26 @@ public final class ValidateCommand implements Callable<Integer> {
             return exitCode(result);
         } catch (InputRefusedException e) {
             return main.report(e, ExitCodes.INPUT_REFUSED, spec.commandLine());
+        } catch (IOException e) {
+            return main.report(e, ExitCodes.INTERNAL_ERROR, spec.commandLine());
         }
+    }
+
+    private CoverageStudyRun study(CheckSettings check) {
+        return new CoverageStudyRun(spec.commandLine(), study, lessPrecise(check), simulations);
+    }
+
+    private void requireNoCell() {
+        String given = cellFile != null ? "--cell" : !objects.isEmpty() ? "--object"
+                : cameraPose != null ? "--camera-pose" : study.photos() && pixelStdPx != null ? "--pixel-std" : null;
+        if (given != null) {
+            throw new ParameterException(spec.commandLine(), "--random-layouts makes its own cells"
+                    + (study.photos() ? " and photos" : "") + ": leave out " + given);
+        }
+    }
+
+    private CheckSettings lessPrecise(CheckSettings check) {
+        return options.hasPrecision() ? check : check.toBuilder().targetMcseStdRel(MCSE_STD_REL).build();
     }
 
     private static int exitCode(ValidationResult result) {
@@ -141,9 +187,7 @@ public final class ValidateCommand implements Callable<Integer> {
         }
         double pixels = pixelStdPx != null ? pixelStdPx : cell.pixelStdPx().getAsDouble();
         try {
-            CheckSettings each = options.hasPrecision() ? check
-                    : check.toBuilder().targetMcseStdRel(MCSE_STD_REL).build();
-            return new ValidationSettings(simulations, each, pixels, check.threads());
+            return new ValidationSettings(simulations, lessPrecise(check), pixels, check.threads());
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());
         }

@@ -12,11 +12,13 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.cellgauge.geometry.MarkerGeometry;
@@ -158,7 +160,9 @@ class SimulateCommandTest {
     @ValueSource(strings = {"--noise=-1", "--noise=x", "--blur-px=-0.1", "--gamma=0", "--count=0", "--texture=0.9",
         "--placement-errors=some", "--object=77=1,2,3", "--object=5=1,2", "--object=x=1,2,3", "--object=5",
         "--camera-pose=1,2", "--camera-jitter=1", "--camera-jitter=-1,0", "--name=../a", "--name=", "--unknown",
-        "--vignetting=2", "--gradient=2", "--quiet-zone=-1", "--shot-noise=-1", "--seed=1.5"})
+        "--vignetting=2", "--gradient=2", "--quiet-zone=-1", "--shot-noise=-1", "--seed=1.5", "--tone-curve=bright",
+        "--tone-curve=gamma 9", "--exposure=0", "--unsharp=1", "--unsharp=-1,1", "--unsharp=1,0", "--jpeg=0",
+        "--jpeg=101", "--print-gain=3", "--print-gain=NaN"})
     void badOptionIsAUsageErrorAndWritesNothing(String option) {
         Path target = folder.resolve("photos");
         assertEquals(2, simulate(target, option));
@@ -185,5 +189,68 @@ class SimulateCommandTest {
         assertEquals(0, simulate(folder.resolve("photos"), "--camera-pose", "0,0,600,180,0,0", "--object",
                 "5=1000,0,0"));
         assertTrue(err.contains("marker 5 is not wholly inside"), err);
+    }
+
+    @Test
+    void gammaIsShortForToneCurve() throws IOException {
+        assertEquals(2, simulate(folder.resolve("both"), "--gamma", "2.2", "--tone-curve", "srgb"));
+        assertTrue(err.contains("--gamma is short for --tone-curve"), err);
+        assertEquals(0, simulate(folder.resolve("one"), "--gamma", "2.2"), err);
+        assertEquals(0, simulate(folder.resolve("two"), "--tone-curve", "gamma 2.2"), err);
+        assertArrayEquals(Files.readAllBytes(folder.resolve("one/photo.png")),
+                Files.readAllBytes(folder.resolve("two/photo.png")));
+    }
+
+    private String png(String name, String... more) throws IOException {
+        assertEquals(0, simulate(folder.resolve(name), more), err);
+        return Files.readString(folder.resolve(name).resolve("photo.png"), StandardCharsets.ISO_8859_1);
+    }
+
+    /** Chunks of ISO/IEC 15948: sRGB with an intent, gAMA with 100000 / gamma as four bytes. */
+    @Test
+    void pngSaysWhichToneCurveItHas() throws IOException {
+        String linear = png("linear");
+        assertFalse(linear.contains("sRGB") || linear.contains("gAMA"));
+        assertTrue(png("srgb", "--tone-curve", "srgb").contains("sRGB"));
+        String gamma = png("gamma", "--gamma", "2.2");
+        int at = gamma.indexOf("gAMA") + 4;
+        assertTrue(at > 4);
+        assertEquals(Math.round(1e5 / 2.2), (gamma.charAt(at) << 24) + (gamma.charAt(at + 1) << 16)
+                + (gamma.charAt(at + 2) << 8) + gamma.charAt(at + 3));
+        String bare = png("bare", "--tone-curve", "srgb", "--no-profile");
+        assertFalse(bare.contains("sRGB") || bare.contains("gAMA"));
+    }
+
+    @Test
+    void jpegIsGreyAndStandsInTheTruth() throws IOException {
+        Path target = folder.resolve("photos");
+        assertEquals(0, simulate(target, "--jpeg", "85", "--tone-curve", "srgb", "--exposure", "1.95", "--unsharp",
+                "0.6,1.2", "--print-gain", "0.2"), err);
+        assertEquals(List.of("photo.jpg", "photo.truth.json"), names(target));
+        BufferedImage picture = ImageIO.read(target.resolve("photo.jpg").toFile());
+        assertEquals(1, picture.getRaster().getNumBands());
+        JsonObject truth = JsonParser.parseString(Files.readString(target.resolve("photo.truth.json")))
+                .getAsJsonObject();
+        assertEquals("photo.jpg", truth.getAsJsonObject("image").get("name").getAsString());
+        JsonObject settings = truth.getAsJsonObject("settings");
+        assertEquals("srgb", settings.get("tone_curve").getAsString());
+        assertEquals(1.95, settings.get("exposure").getAsDouble());
+        assertEquals(0.6, settings.get("unsharp_amount").getAsDouble());
+        assertEquals(1.2, settings.get("unsharp_radius_px").getAsDouble());
+        assertEquals(85, settings.get("jpeg_quality").getAsInt());
+        assertEquals(0.2, settings.get("print_gain_mm").getAsDouble());
+    }
+
+    /** What was not asked for does not stand in the truth, as before it could be asked for. */
+    @Test
+    void truthOfAnOldCallIsWhatItWas() throws IOException {
+        Path target = folder.resolve("photos");
+        assertEquals(0, simulate(target), err);
+        JsonObject settings = JsonParser.parseString(Files.readString(target.resolve("photo.truth.json")))
+                .getAsJsonObject().getAsJsonObject("settings");
+        assertEquals(Set.of("placement_errors", "camera_jitter_mm_deg", "blur_px", "noise_grey",
+                "full_well_electrons", "gamma", "vignetting", "gradient", "texture_contrast", "quiet_zone"),
+                settings.keySet());
+        assertEquals(1, settings.get("gamma").getAsDouble());
     }
 }

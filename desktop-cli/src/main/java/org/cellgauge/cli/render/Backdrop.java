@@ -47,6 +47,15 @@ public final class Backdrop {
     }
 
     /**
+     * Whether the wall has no texture.
+     *
+     * @return true if its reflectance is {@link #MEAN_REFLECTANCE} everywhere
+     */
+    public boolean isPlain() {
+        return contrast == 0;
+    }
+
+    /**
      * Reflectance around a place on the wall.
      *
      * @param xMm world x, mm
@@ -56,39 +65,74 @@ public final class Backdrop {
      * @return between 0 and 1
      */
     public double reflectance(double xMm, double yMm, double softnessMm) {
-        if (contrast == 0) {
-            return MEAN_REFLECTANCE;
-        }
-        double sum = 0;
-        double weights = 0;
-        double weight = 1;
-        double wave = LONGEST_WAVE_MM;
-        for (int octave = 0; octave < OCTAVES; octave++) {
-            weights += weight;
-            double cycles = softnessMm / (2 * wave);
-            double faded = weight;
-            if (cycles > 0.02) {
-                faded *= Math.exp(-2 * Math.PI * Math.PI * cycles * cycles);
-            }
-            if (faded > 1e-4) {
-                sum += faded * lattice(xMm / wave, yMm / wave, octave);
-            }
-            weight *= OCTAVE_GAIN;
-            wave /= 2;
-        }
-        return MEAN_REFLECTANCE + contrast * sum / weights;
+        return sampler().reflectance(xMm, yMm, softnessMm);
     }
 
-    private double lattice(double x, double y, int octave) {
-        double floorX = Math.floor(x);
-        double floorY = Math.floor(y);
-        long ix = (long) floorX;
-        long iy = (long) floorY;
-        double fx = quintic(x - floorX);
-        double fy = quintic(y - floorY);
-        double top = mix(hash(ix, iy, octave), hash(ix + 1, iy, octave), fx);
-        double bottom = mix(hash(ix, iy + 1, octave), hash(ix + 1, iy + 1, octave), fx);
-        return mix(top, bottom, fy);
+    /**
+     * A reader of this wall for one thread, quick for places that lie close to each other.
+     *
+     * @return a new reader
+     */
+    Sampler sampler() {
+        return new Sampler();
+    }
+
+    /** Keeps the lattice points around the place it looked at last, octave by octave. */
+    final class Sampler {
+        private final long[] latticeX = new long[OCTAVES];
+        private final long[] latticeY = new long[OCTAVES];
+        private final double[] corners = new double[4 * OCTAVES];
+        private final boolean[] known = new boolean[OCTAVES];
+
+        private Sampler() {
+        }
+
+        /** As {@link Backdrop#reflectance}. */
+        double reflectance(double xMm, double yMm, double softnessMm) {
+            if (contrast == 0) {
+                return MEAN_REFLECTANCE;
+            }
+            double sum = 0;
+            double weights = 0;
+            double weight = 1;
+            double wave = LONGEST_WAVE_MM;
+            for (int octave = 0; octave < OCTAVES; octave++) {
+                weights += weight;
+                double cycles = softnessMm / (2 * wave);
+                double faded = weight;
+                if (cycles > 0.02) {
+                    faded *= Math.exp(-2 * Math.PI * Math.PI * cycles * cycles);
+                }
+                if (faded > 1e-4) {
+                    sum += faded * lattice(xMm / wave, yMm / wave, octave);
+                }
+                weight *= OCTAVE_GAIN;
+                wave /= 2;
+            }
+            return MEAN_REFLECTANCE + contrast * sum / weights;
+        }
+
+        private double lattice(double x, double y, int octave) {
+            double floorX = Math.floor(x);
+            double floorY = Math.floor(y);
+            long ix = (long) floorX;
+            long iy = (long) floorY;
+            int k = 4 * octave;
+            if (!known[octave] || latticeX[octave] != ix || latticeY[octave] != iy) {
+                known[octave] = true;
+                latticeX[octave] = ix;
+                latticeY[octave] = iy;
+                corners[k] = hash(ix, iy, octave);
+                corners[k + 1] = hash(ix + 1, iy, octave);
+                corners[k + 2] = hash(ix, iy + 1, octave);
+                corners[k + 3] = hash(ix + 1, iy + 1, octave);
+            }
+            double fx = quintic(x - floorX);
+            double fy = quintic(y - floorY);
+            double top = mix(corners[k], corners[k + 1], fx);
+            double bottom = mix(corners[k + 2], corners[k + 3], fx);
+            return mix(top, bottom, fy);
+        }
     }
 
     private static double quintic(double t) {

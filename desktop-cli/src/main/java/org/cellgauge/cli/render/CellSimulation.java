@@ -39,9 +39,24 @@ public final class CellSimulation {
      * 0
      * @param textureContrast as in {@link Backdrop#textured}
      * @param quietZone as in {@link Scene#quietZone}
+     * @param printGainMm as in {@link Scene#printGainMm}
      */
     public record Settings(long seed, boolean placementErrors, double jitterMm, double jitterRad,
-            double textureContrast, double quietZone) {
+            double textureContrast, double quietZone, double printGainMm) {
+        /**
+         * Prints without a gain.
+         *
+         * @param seed as above
+         * @param placementErrors as above
+         * @param jitterMm as above
+         * @param jitterRad as above
+         * @param textureContrast as above
+         * @param quietZone as above
+         */
+        public Settings(long seed, boolean placementErrors, double jitterMm, double jitterRad,
+                double textureContrast, double quietZone) {
+            this(seed, placementErrors, jitterMm, jitterRad, textureContrast, quietZone, 0);
+        }
     }
 
     /**
@@ -123,6 +138,7 @@ public final class CellSimulation {
      * @param index which of the endless series that the seed starts, from 0 on
      * @param sensor how it is taken
      * @return the photo with its truth
+     * @throws IllegalArgumentException if the print gain is half a cell of some marker or more
      */
     public Photo photo(int index, Sensor sensor) {
         Map<Integer, RigidTransform> references = new LinkedHashMap<>();
@@ -131,7 +147,7 @@ public final class CellSimulation {
         Scene.Builder scene = Scene.of(cell.camera(), jittered(motion))
                 .backdrop(settings.textureContrast() > 0
                         ? Backdrop.textured(settings.textureContrast(), settings.seed()) : Backdrop.plain())
-                .quietZone(settings.quietZone());
+                .quietZone(settings.quietZone()).printGainMm(settings.printGainMm());
         String family = cell.family().familyName();
         for (Reference reference : cell.references()) {
             RigidTransform actual = settings.placementErrors() ? misplaced(reference, placement)

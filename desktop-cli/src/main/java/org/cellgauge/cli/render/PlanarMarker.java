@@ -26,8 +26,13 @@ final class PlanarMarker {
     private final double paperMm;
     private final double cellMm;
     private final int cells;
-    /** Colours over the bands nothing, paper, cells…, paper, nothing in both directions; rows from the top. */
+    /**
+     * Colours over the bands nothing, paper, cells…, paper, nothing in both directions; rows from the top. With a print
+     * gain a band about each border between cells stands between the bands of these.
+     */
     private final double[] colour;
+    /** How far the band about a border reaches to each side, mm. */
+    private final double strayMm;
     private final int bands;
     /** Bounding box of the paper in the image, px; the whole plane where it cannot be bounded. */
     private final double[] boundsPx = new double[4];
@@ -37,33 +42,36 @@ final class PlanarMarker {
      *
      * @param marker the marker
      * @param quietZone width of the paper around it as a share of its size
+     * @param printGainMm by how much its dark regions grow on all sides, mm
      * @param cameraFromWorld inverse pose of the camera
      * @param camera intrinsics
      * @return null if the marker's plane is seen edge-on
      */
-    static PlanarMarker of(SceneMarker marker, double quietZone, RigidTransform cameraFromWorld, PinholeCamera camera) {
+    static PlanarMarker of(SceneMarker marker, double quietZone, double printGainMm, RigidTransform cameraFromWorld,
+            PinholeCamera camera) {
         RigidTransform cameraFromMarker = cameraFromWorld.compose(marker.worldFromMarker());
         double[] r = cameraFromMarker.rotation();
         double[] t = cameraFromMarker.translationMm();
         double facing = -(r[2] * t[0] + r[5] * t[1] + r[8] * t[2]);
         double distance = Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
         return Math.abs(facing) <= 1e-9 * distance ? null
-                : new PlanarMarker(marker, quietZone, cameraFromMarker, facing > 0, camera);
+                : new PlanarMarker(marker, quietZone, printGainMm, cameraFromMarker, facing > 0, camera);
     }
 
-    private PlanarMarker(SceneMarker marker, double quietZone, RigidTransform cameraFromMarker, boolean front,
-            PinholeCamera camera) {
+    private PlanarMarker(SceneMarker marker, double quietZone, double printGainMm, RigidTransform cameraFromMarker,
+            boolean front, PinholeCamera camera) {
         halfMm = marker.sizeMm() / 2;
         paperMm = halfMm + quietZone * marker.sizeMm();
         cells = marker.pattern().cells();
         cellMm = marker.sizeMm() / cells;
-        bands = cells + 4;
-        colour = colours(marker, front);
+        strayMm = Math.abs(printGainMm);
+        bands = strayMm == 0 ? cells + 4 : 2 * cells + 5;
+        colour = colours(marker, front, printGainMm > 0);
         invert(cameraFromMarker);
         bound(cameraFromMarker, camera.intrinsics());
     }
 
-    private double[] colours(SceneMarker marker, boolean front) {
+    private double[] colours(SceneMarker marker, boolean front, boolean darkGrows) {
         double[] r = marker.worldFromMarker().rotation();
         double sign = front ? 1 : -1;
         double cosine = sign * (r[2] * LIGHT[0] + r[5] * LIGHT[1] + r[8] * LIGHT[2]);
@@ -72,20 +80,40 @@ final class PlanarMarker {
         double[] out = new double[bands * bands];
         for (int row = 0; row < bands; row++) {
             for (int column = 0; column < bands; column++) {
-                int cellRow = row - 2;
-                int cellColumn = column - 2;
                 double value;
                 if (row == 0 || column == 0 || row == bands - 1 || column == bands - 1) {
                     value = NOTHING;
-                } else if (!front || cellRow < 0 || cellColumn < 0 || cellRow >= cells || cellColumn >= cells) {
+                } else if (!front) {
                     value = WHITE * light;
                 } else {
-                    value = light * (marker.pattern().isWhite(cellRow, cellColumn) ? WHITE : BLACK);
+                    value = light * (isDark(marker.pattern(), row, column, darkGrows) ? BLACK : WHITE);
                 }
                 out[row * bands + column] = value;
             }
         }
         return out;
+    }
+
+    /** Whether the place where two bands cross is printed: about a border, as the cells on both sides let it be. */
+    private boolean isDark(MarkerPattern pattern, int row, int column, boolean darkGrows) {
+        boolean any = false;
+        boolean all = true;
+        for (int r = cellBefore(row); r <= cellAfter(row); r++) {
+            for (int c = cellBefore(column); c <= cellAfter(column); c++) {
+                boolean dark = r >= 0 && c >= 0 && r < cells && c < cells && !pattern.isWhite(r, c);
+                any |= dark;
+                all &= dark;
+            }
+        }
+        return darkGrows ? any : all;
+    }
+
+    private int cellBefore(int band) {
+        return strayMm == 0 ? band - 2 : Math.floorDiv(band - 1, 2) - 1;
+    }
+
+    private int cellAfter(int band) {
+        return strayMm == 0 ? band - 2 : Math.floorDiv(band, 2) - 1;
     }
 
     private void invert(RigidTransform cameraFromMarker) {
@@ -152,6 +180,22 @@ final class PlanarMarker {
         return boundsPx[0] <= u1 && boundsPx[2] >= u0 && boundsPx[1] <= v1 && boundsPx[3] >= v0;
     }
 
+    /**
+     * The pixels that hold the paper and some pixels around it.
+     *
+     * @param reachPx how many pixels around it
+     * @param widthPx image width
+     * @param heightPx image height
+     * @return first column, first row, columns, rows; null if the image holds none of them
+     */
+    int[] boundsWithin(int reachPx, int widthPx, int heightPx) {
+        int left = (int) Math.max(0, Math.floor(boundsPx[0] - reachPx));
+        int top = (int) Math.max(0, Math.floor(boundsPx[1] - reachPx));
+        int right = (int) Math.min(widthPx, Math.ceil(boundsPx[2] + reachPx));
+        int bottom = (int) Math.min(heightPx, Math.ceil(boundsPx[3] + reachPx));
+        return left < right && top < bottom ? new int[] {left, top, right - left, bottom - top} : null;
+    }
+
     /** 1/depth in 1/mm where the ray (x, y, 1) meets the marker's plane; not positive: behind the camera. */
     double inverseDepth(double x, double y) {
         return fromRay[6] * x + fromRay[7] * y + fromRay[8];
@@ -210,6 +254,9 @@ final class PlanarMarker {
     }
 
     private int band(double placeMm) {
+        if (strayMm > 0) {
+            return bandWithStrays(placeMm);
+        }
         if (placeMm < -halfMm) {
             return placeMm < -paperMm ? 0 : 1;
         }
@@ -217,5 +264,16 @@ final class PlanarMarker {
             return placeMm >= paperMm ? bands - 1 : bands - 2;
         }
         return 2 + Math.min(cells - 1, (int) ((placeMm + halfMm) / cellMm));
+    }
+
+    private int bandWithStrays(double placeMm) {
+        if (placeMm < -paperMm || placeMm >= paperMm) {
+            return placeMm < 0 ? 0 : bands - 1;
+        }
+        double along = placeMm + halfMm;
+        int border = (int) Math.min(cells, Math.max(0, Math.rint(along / cellMm)));
+        double off = along - border * cellMm;
+        // the band about border k is number 2k + 2
+        return 2 * border + (off < -strayMm ? 1 : off < strayMm ? 2 : 3);
     }
 }

@@ -20,6 +20,7 @@ public final class Scene {
     private final List<SceneMarker> markers;
     private final Backdrop backdrop;
     private final double quietZone;
+    private final double printGainMm;
 
     private Scene(Builder builder) {
         this.camera = builder.camera;
@@ -27,6 +28,7 @@ public final class Scene {
         this.markers = Collections.unmodifiableList(new ArrayList<>(builder.markers));
         this.backdrop = builder.backdrop;
         this.quietZone = builder.quietZone;
+        this.printGainMm = builder.printGainMm;
     }
 
     /**
@@ -85,6 +87,15 @@ public final class Scene {
         return quietZone;
     }
 
+    /**
+     * By how much every dark region of a print is larger than its pattern has it.
+     *
+     * @return mm on each side; negative: smaller
+     */
+    public double printGainMm() {
+        return printGainMm;
+    }
+
     /** Collects the parts of a {@link Scene}. Not safe for several threads. */
     public static final class Builder {
         private final PinholeCamera camera;
@@ -92,6 +103,7 @@ public final class Scene {
         private final List<SceneMarker> markers = new ArrayList<>();
         private Backdrop backdrop = Backdrop.plain();
         private double quietZone = DEFAULT_QUIET_ZONE;
+        private double printGainMm;
 
         private Builder(PinholeCamera camera, RigidTransform worldFromCamera) {
             this.camera = camera;
@@ -150,11 +162,32 @@ public final class Scene {
         }
 
         /**
+         * Sets how far ink spreads: every dark region of every print grows by so much on all sides, so that white cells
+         * shrink and the outer square has sides longer by twice as much. Where a marker should have its corners stays
+         * what its size says.
+         *
+         * @param mm on each side, less than half a cell of every marker; negative: dark regions shrink
+         * @return this builder
+         */
+        public Builder printGainMm(double mm) {
+            this.printGainMm = mm;
+            return this;
+        }
+
+        /**
          * Finishes the scene.
          *
          * @return the scene
+         * @throws IllegalArgumentException if the print gain is not finite or half a cell or more of some marker
          */
         public Scene build() {
+            for (SceneMarker marker : markers) {
+                double mostMm = marker.sizeMm() / marker.pattern().cells() / 2;
+                if (!(Math.abs(printGainMm) < mostMm)) {
+                    throw new IllegalArgumentException("print gain must be below half a cell of every marker, "
+                            + mostMm + " mm of marker " + marker.id() + ", not " + printGainMm + " mm");
+                }
+            }
             return new Scene(this);
         }
     }

@@ -36,7 +36,8 @@ public final class SceneTruth {
         RigidTransform cameraFromWorld = scene.worldFromCamera().inverse();
         List<PlanarMarker> papers = new ArrayList<>();
         for (SceneMarker marker : scene.markers()) {
-            papers.add(PlanarMarker.of(marker, scene.quietZone(), cameraFromWorld, scene.camera()));
+            papers.add(PlanarMarker.of(marker, scene.quietZone(), scene.printGainMm(), cameraFromWorld,
+                    scene.camera()));
         }
         List<MarkerInImage> out = new ArrayList<>();
         for (int m = 0; m < papers.size(); m++) {

@@ -3,18 +3,21 @@ package org.cellgauge.cli.render;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import boofcv.alg.distort.brown.LensDistortionBrown;
 import boofcv.struct.calib.CameraPinholeBrown;
 import boofcv.struct.distort.Point2Transform2_F64;
 import georegression.struct.point.Point2D_F64;
+import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import org.apache.commons.math3.special.Erf;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -242,6 +245,11 @@ class SceneRendererTest {
     }
 
     private static void assertNoise(double variance, Sensor sensor) {
+        assertNoise(variance, sensor, 1);
+    }
+
+    /** @param correlation by what the error of the variance grows as pixels share noise */
+    private static void assertNoise(double variance, Sensor sensor, double correlation) {
         Scene plain = Scene.of(PinholeCamera.ideal(200, 200, 300, 300, 100, 100), FROM_ABOVE).build();
         RandomGenerator random = new Well19937c(9);
         byte[] a = SceneRenderer.render(plain, sensor, random).luminance();
@@ -253,7 +261,7 @@ class SceneRendererTest {
         }
         double expected = 2 * (variance + 1.0 / 12);
         // five standard errors of a variance from n values: 5 sqrt(2 / n)
-        assertEquals(expected, sum / a.length, expected * 5 * Math.sqrt(2.0 / a.length));
+        assertEquals(expected, sum / a.length, correlation * expected * 5 * Math.sqrt(2.0 / a.length));
     }
 
     @Test
@@ -285,5 +293,220 @@ class SceneRendererTest {
         }
         // half a grey level
         assertTrue(largest < 0.5 / 255, "largest step " + 255 * largest + " grey levels");
+    }
+
+    // ---- what cameras and prints do
+
+    /** A black square of 40 mm at 1 px per mm, its left edge at column 30, before a plain wall. */
+    private static Scene square(double printGainMm) {
+        return Scene.of(PinholeCamera.ideal(100, 80, 1000, 1000, 50, 40), FROM_ABOVE).quietZone(0.4)
+                .printGainMm(printGainMm).marker(new SceneMarker(1, 40, MarkerPattern.solidBlack(),
+                        RigidTransform.ofEuler(0, 0, 0, 0, 0, 0))).build();
+    }
+
+    /**
+     * Blurring in light and the curve after it: the grey of a blurred edge is that of the light's Gaussian profile. At
+     * gamma 2.2 the pixels beside the edge so lie far from half of the grey.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"linear", "srgb", "gamma 1.8", "gamma 2.2"})
+    void greyOfABlurredEdgeIsTheCurveOfItsLight(String words) {
+        ToneCurve curve = ToneCurve.of(words);
+        double blur = 1.2;
+        GreyImage image = SceneRenderer.render(square(0), Sensor.IDEAL.withBlurPx(blur).withToneCurve(curve),
+                new Well19937c(1));
+        for (int column = 26; column < 34; column++) {
+            double dark = integralOfNormal((column + 1 - 30) / blur) - integralOfNormal((column - 30) / blur);
+            double light = PlanarMarker.WHITE - (PlanarMarker.WHITE - PlanarMarker.BLACK) * blur * dark;
+            // 0.003 of the contrast as for the light, the slope of the curves is at most 6 there; and rounding
+            assertEquals(255 * curve.grey(light), image.get(column, 40), 0.5 + 255 * 0.003 * 6, "column " + column);
+        }
+    }
+
+    @Test
+    void lightBeyondFullScaleIsWhite() {
+        Sensor sensor = Sensor.IDEAL.withToneCurve(ToneCurve.SRGB);
+        GreyImage bright = SceneRenderer.render(square(0), sensor.withExposure(1.95), new Well19937c(1));
+        GreyImage dark = SceneRenderer.render(square(0), sensor.withExposure(0.1), new Well19937c(1));
+        assertEquals(255, bright.get(25, 40));
+        assertEquals(Math.round(255 * ToneCurve.SRGB.grey(1.95 * PlanarMarker.BLACK)), bright.get(50, 40));
+        assertEquals(Math.round(255 * ToneCurve.SRGB.grey(0.1 * PlanarMarker.WHITE)), dark.get(25, 40));
+        assertEquals(Math.round(255 * ToneCurve.SRGB.grey(0.1 * PlanarMarker.BLACK)), dark.get(50, 40));
+    }
+
+    /** Beside a sharp edge of height h the blurred copy differs by h times the Gaussian's share on the other side. */
+    @Test
+    void unsharpMaskOvershootsByItsShareOfTheGaussian() {
+        double amount = 0.5;
+        double radius = 1.3;
+        int far = 6;
+        double[] weight = new double[far + 1];
+        double total = 0;
+        for (int k = -far; k <= far; k++) {
+            total += Math.exp(-k * k / (2 * radius * radius));
+        }
+        for (int k = 0; k <= far; k++) {
+            weight[k] = Math.exp(-k * k / (2 * radius * radius)) / total;
+        }
+        Sensor sensor = Sensor.IDEAL.withUnsharp(amount, radius);
+        GreyImage image = SceneRenderer.render(square(0), sensor, new Well19937c(1));
+        double white = 255 * PlanarMarker.WHITE;
+        double black = 255 * PlanarMarker.BLACK;
+        for (int away = 0; away < 5; away++) {
+            double share = 0;
+            for (int k = away + 1; k <= far; k++) {
+                share += weight[k];
+            }
+            double overshoot = amount * (white - black) * share;
+            assertEquals(Math.min(255, white + overshoot), image.get(29 - away, 40), 0.6, away + " px before the edge");
+            assertEquals(Math.max(0, black - overshoot), image.get(30 + away, 40), 0.6, away + " px behind the edge");
+        }
+    }
+
+    /** A mask of amount 1 doubles noise nearly, more exactly by the norm of its kernel. */
+    @Test
+    void unsharpMaskAmplifiesNoiseByTheNormOfItsKernel() {
+        double amount = 1;
+        double radius = 1;
+        double norm = 0;
+        double total = 0;
+        for (int k = -4; k <= 4; k++) {
+            total += Math.exp(-k * k / 2.0);
+        }
+        for (int x = -4; x <= 4; x++) {
+            for (int y = -4; y <= 4; y++) {
+                double kernel = (x == 0 && y == 0 ? 1 + amount : 0)
+                        - amount * Math.exp(-(x * x + y * y) / 2.0) / (total * total);
+                norm += kernel * kernel;
+            }
+        }
+        assertEquals(Math.sqrt(norm), UnsharpMask.of(Sensor.IDEAL.withUnsharp(amount, radius)).noiseGain(), 1e-12);
+        assertNoise(norm * 4, Sensor.IDEAL.withNoiseGrey(2).withUnsharp(amount, radius), 1.5);
+    }
+
+    /** Ink that spreads adds a rim: 4 s g + 4 g² of a square of side s; where it shrinks, the same with -g. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-1.3, -0.2, 0, 0.2, 0.75, 2})
+    void printGainChangesTheAreaOfBlack(double gainMm) {
+        float[] light = SceneRenderer.light(square(gainMm), Sensor.IDEAL);
+        double dark = 0;
+        for (int row = 12; row < 68; row++) {
+            for (int column = 22; column < 78; column++) {
+                dark += (PlanarMarker.WHITE - light[row * 100 + column]) / (PlanarMarker.WHITE - PlanarMarker.BLACK);
+            }
+        }
+        double side = 40 + 2 * gainMm;
+        // each edge within 0.0024 px
+        assertEquals(side * side, dark, 0.0024 * 4 * side + 1e-3);
+    }
+
+    /** White cells shrink by the gain on all four sides: their area in the middle of a marker tells it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-0.4, 0.4})
+    void printGainShrinksWhiteCells(double gainMm) {
+        double area = 0;
+        MarkerPattern pattern = MarkerPattern.of("square-binary", 22);
+        double cellMm = 5;
+        // the area of all places farther than the gain from black, on a grid of a twentieth of a millimetre
+        int fine = 100;
+        for (int i = -fine; i < 9 * fine; i++) {
+            for (int j = -fine; j < 9 * fine; j++) {
+                double x = (i + 0.5) / fine * cellMm;
+                double y = (j + 0.5) / fine * cellMm;
+                boolean anyDark = false;
+                boolean allDark = true;
+                for (int corner = 0; corner < 4; corner++) {
+                    double reach = Math.abs(gainMm);
+                    int column = (int) Math.floor((x + (corner % 2 == 0 ? -reach : reach)) / cellMm);
+                    int row = (int) Math.floor((y + (corner < 2 ? -reach : reach)) / cellMm);
+                    boolean dark = row >= 0 && column >= 0 && row < 8 && column < 8 && !pattern.isWhite(row, column);
+                    anyDark |= dark;
+                    allDark &= dark;
+                }
+                area += (gainMm > 0 ? anyDark : allDark) ? cellMm * cellMm / fine / fine : 0;
+            }
+        }
+        // 4 px per mm
+        Scene scene = Scene.of(PinholeCamera.ideal(240, 240, 4000, 4000, 120, 120), FROM_ABOVE).quietZone(0.2)
+                .printGainMm(gainMm).marker("square-binary", 22, 8 * cellMm, RigidTransform.ofEuler(0, 0, 0, 0, 0, 0))
+                .build();
+        float[] light = SceneRenderer.light(scene, Sensor.IDEAL);
+        double dark = 0;
+        for (int row = 20; row < 220; row++) {
+            for (int column = 20; column < 220; column++) {
+                dark += (PlanarMarker.WHITE - light[row * 240 + column]) / (PlanarMarker.WHITE - PlanarMarker.BLACK);
+            }
+        }
+        assertEquals(area, dark / 16, 0.005 * area);
+    }
+
+    @Test
+    void printGainOfHalfACellIsRefused() {
+        Scene.Builder scene = Scene.of(PinholeCamera.ideal(8, 8, 300, 300, 4, 4), FROM_ABOVE)
+                .marker("square-binary", 5, 40, RigidTransform.ofEuler(0, 0, 0, 0, 0, 0)).printGainMm(2.5);
+        assertThrows(IllegalArgumentException.class, scene::build);
+    }
+
+    /** The quick picture is the whole one where a detector looks closely, and the wall's mean elsewhere. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, -0.25})
+    void quickPictureIsTheWholeOneAroundMarkers(double k1) {
+        double[] lens = PinholeCamera.ideal(200, 150, 300, 300, 100, 75).intrinsics();
+        lens[PinholeCamera.K1] = k1;
+        PinholeCamera camera = PinholeCamera.of(200, 150, lens);
+        Scene scene = Scene.of(camera, FROM_ABOVE).marker("square-binary", 5, 90,
+                RigidTransform.ofEuler(20, -10, 0, 0.2, 0.1, 0.4)).marker("square-binary", 9, 60,
+                RigidTransform.ofEuler(-200, 100, 0, 0, 0, 0)).build();
+        Sensor sensor = Sensor.USUAL.withNoiseGrey(0).withToneCurve(ToneCurve.SRGB).withUnsharp(0.6, 1);
+        GreyImage whole = SceneRenderer.render(scene, sensor, new Well19937c(1));
+        GreyImage quick = SceneRenderer.renderNearMarkers(scene, sensor, new Well19937c(1));
+        List<SceneTruth.MarkerInImage> truth = SceneTruth.of(scene);
+        int near = 0;
+        for (int row = 0; row < 150; row++) {
+            for (int column = 0; column < 200; column++) {
+                boolean ofMarker = false;
+                for (SceneTruth.MarkerInImage marker : truth) {
+                    double u = 0;
+                    double v = 0;
+                    for (double[] corner : marker.cornersPx()) {
+                        u += corner[0] / 4;
+                        v += corner[1] / 4;
+                    }
+                    ofMarker |= Math.hypot(u - column - 0.5, v - row - 0.5) < 25;
+                }
+                near += ofMarker ? 1 : 0;
+                // the wall's light is that of blocks of 8 px, and falls by 0.5 a grey level in 4 px here
+                assertEquals(whole.get(column, row), quick.get(column, row), !ofMarker ? 2 : k1 == 0 ? 0 : 1);
+            }
+        }
+        assertTrue(near > 1500, "two markers are looked at closely");
+    }
+
+    @Test
+    void quickPictureHasTheNoiseOfTheWholeOne() {
+        Scene plain = Scene.of(PinholeCamera.ideal(200, 200, 300, 300, 100, 100), FROM_ABOVE).build();
+        Sensor sensor = Sensor.IDEAL.withNoiseGrey(3).withFullWellElectrons(4000).withGamma(2.2);
+        GreyImage whole = SceneRenderer.render(plain, sensor, new Well19937c(2));
+        GreyImage quick = SceneRenderer.renderNearMarkers(plain, sensor, new Well19937c(2));
+        // the table's 4096 draws have a deviation good to 1.1 %, that of the pixels to 0.35 %: four standard errors
+        assertEquals(1, deviation(quick) / deviation(whole), 0.05);
+        assertEquals(mean(whole), mean(quick), 4 * 5 / Math.sqrt(4096));
+    }
+
+    private static double mean(GreyImage image) {
+        double sum = 0;
+        for (byte b : image.luminance()) {
+            sum += b & 0xFF;
+        }
+        return sum / image.luminance().length;
+    }
+
+    private static double deviation(GreyImage image) {
+        double mean = mean(image);
+        double sum = 0;
+        for (byte b : image.luminance()) {
+            sum += ((b & 0xFF) - mean) * ((b & 0xFF) - mean);
+        }
+        return Math.sqrt(sum / image.luminance().length);
     }
 }

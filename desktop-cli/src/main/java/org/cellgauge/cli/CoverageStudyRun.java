@@ -1,0 +1,329 @@
+package org.cellgauge.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.BiFunction;
+import java.util.function.IntConsumer;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.MarkerFamily;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.cli.render.RenderedPhotos;
+import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.geometry.MarkerGeometry;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.validation.CellSource;
+import org.cellgauge.validation.CellTruth;
+import org.cellgauge.validation.CoverageFigures;
+import org.cellgauge.validation.CoverageStudy;
+import org.cellgauge.validation.DetectionSource;
+import org.cellgauge.validation.DrawnCorners;
+import org.cellgauge.validation.OneCell;
+import org.cellgauge.validation.RandomLayouts;
+import org.cellgauge.validation.TruthPrior;
+import org.cellgauge.vision.BoofThreads;
+import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
+
+/** {@code validate} with {@code --photos} or {@code --random-layouts}. */
+final class CoverageStudyRun {
+    /** More photos without a figure than this share of all say that coverage of the others means little. */
+    private static final double MOST_WITHOUT_FIGURE = 0.05;
+
+    private final CommandLine command;
+    private final StudyOptions options;
+    private final CheckSettings check;
+    private final int simulations;
+
+    CoverageStudyRun(CommandLine command, StudyOptions options, CheckSettings check, int simulations) {
+        this.command = command;
+        this.options = options;
+        this.check = check;
+        this.simulations = simulations;
+        if (simulations < 1 || simulations > 1_000_000) {
+            throw new ParameterException(command, "simulations must be between 1 and 1000000, not " + simulations);
+        }
+        if (check.estimate() != CheckSettings.Estimate.NONE) {
+            throw new ParameterException(command, "a validation takes the camera as the cell file has it");
+        }
+        // each simulation is one thread's; BoofCV would spread its part over all cores
+        BoofThreads.useOne();
+    }
+
+    // ---- one cell
+
+    /**
+     * Photos of one cell.
+     *
+     * @param given the cell
+     * @param nominal poses of the camera and of every object
+     * @param priors makes the prior of the truths of a cell and nominal poses
+     * @param json whether figures are printed as JSON
+     * @param progress told what is done
+     * @return the exit code
+     */
+    int oneCell(Cell given, CellTruth nominal, BiFunction<Cell, CellTruth, TruthPrior> priors, boolean json,
+            IntConsumer progress) {
+        PhotoOptions.requirePrintable(command, given, options.printGainMm());
+        Cell cell = options.stated(command, given);
+        CellTruth seen = options.markerPx() == null ? nominal : atSide(cell, nominal, options.markerPx());
+        Sensor sensor = options.sensor(command);
+        TruthPrior prior = priors.apply(cell, seen);
+        CoverageFigures figures = run(OneCell.inFullView(prior),
+                new RenderedPhotos(sensor, options.jpegQuality(), options.printGainMm()), progress);
+        Map<String, Object> settings = settings();
+        settings.put("marker_px", meanSidePx(cell, seen));
+        settings.put("spread_mm", prior.stdMm());
+        settings.put("spread_rad", prior.stdRad());
+        addSensor(settings, sensor);
+        return print(figures, settings, json, String.format(Locale.ROOT, "photos with %s, blur %s px, light times %s, "
+                + "markers of %.1f px, seed %d", sensor.toneCurve().words(), CheckText.plain(sensor.blurPx()),
+                CheckText.plain(sensor.exposure()), meanSidePx(cell, seen), check.seed()));
+    }
+
+    // ---- random layouts
+
+    int randomLayouts(boolean json, Double pixelStdPx, IntConsumer progress) {
+        CellSource cells;
+        DetectionSource detections;
+        String what;
+        Map<String, Object> settings = settings();
+        settings.put("random_layouts", true);
+        if (options.photos()) {
+            Sensor sensor = options.sensor(command);
+            OptionalDouble stated = options.statedPixelStd(command);
+            cells = RandomLayouts.withNoise(MarkerFamily.SQUARE_BINARY,
+                    stated == null ? OptionalDouble.empty() : stated);
+            detections = new RenderedPhotos(sensor, options.jpegQuality(), options.printGainMm());
+            what = "a layout for each, photos with " + sensor.toneCurve().words() + ", blur "
+                    + CheckText.plain(sensor.blurPx()) + " px";
+            addSensor(settings, sensor);
+        } else {
+            cells = pixelStdPx == null ? RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY)
+                    : RandomLayouts.withNoise(MarkerFamily.SQUARE_BINARY, OptionalDouble.of(pixelStdPx));
+            detections = DrawnCorners.asStated();
+            what = "a layout for each, corners drawn with the stated noise";
+        }
+        return print(run(cells, detections, progress), settings, json, what + ", seed " + check.seed());
+    }
+
+    // ---- grid
+
+    /**
+     * The whole table.
+     *
+     * @param given the cell
+     * @param nominal poses of the camera and of every object
+     * @param priors makes the prior of the truths of a cell and nominal poses
+     * @param json whether each row is printed as a JSON document in place of a line of a table
+     * @return the exit code
+     * @throws IOException if the file of the rows cannot be read or written
+     */
+    int grid(Cell given, CellTruth nominal, BiFunction<Cell, CellTruth, TruthPrior> priors, boolean json)
+            throws IOException {
+        List<PhotoGrid.Row> rows = new ArrayList<>();
+        for (PhotoGrid.Row row : PhotoGrid.rows(options.sensor(command))) {
+            if (options.onlyWords().stream().allMatch(row.name()::contains)) {
+                rows.add(row);
+            }
+        }
+        if (rows.isEmpty()) {
+            throw new ParameterException(command, "--only: no row of the grid has all of these words; names are like '"
+                    + PhotoGrid.rows(options.sensor(command)).get(0).name() + "'");
+        }
+        Path file = options.out();
+        List<String> done = file != null && Files.exists(file) ? Files.readAllLines(file) : List.of();
+        PrintWriter out = command.getOut();
+        PrintWriter err = command.getErr();
+        if (!json) {
+            out.print(head());
+        }
+        if (file != null && done.isEmpty()) {
+            Files.writeString(file, head());
+        }
+        boolean covered = true;
+        boolean told = true;
+        int at = 0;
+        for (PhotoGrid.Row row : rows) {
+            at++;
+            String start = "| " + String.join(" | ", row.cells()) + " | ";
+            String known = done.stream().filter(line -> line.startsWith(start)).findFirst().orElse(null);
+            if (known != null) {
+                err.println("[" + at + "/" + rows.size() + "] " + row.name() + ": already in " + file);
+                err.flush();
+                if (!json) {
+                    out.println(known);
+                    out.flush();
+                }
+                continue;
+            }
+            CoverageFigures figures = row(row, given, nominal, priors);
+            String line = start + (figures == null ? "refused |"
+                    : String.join(" | ", new StudyText(figures).markdownRow()) + " |");
+            if (file != null) {
+                Files.write(file, (line + "\n").getBytes(StandardCharsets.UTF_8), StandardOpenOption.APPEND);
+            }
+            if (json && figures != null) {
+                Map<String, Object> settings = settings();
+                settings.put("row", row.name());
+                addSensor(settings, row.sensor());
+                out.print(new StudyText(figures).json(settings, Main.version()));
+            } else if (!json) {
+                out.println(line);
+            }
+            out.flush();
+            covered &= figures != null && StudyText.covers(figures);
+            told &= figures != null && StudyText.withoutFigure(figures) <= MOST_WITHOUT_FIGURE;
+            err.println("[" + at + "/" + rows.size() + "] " + row.name());
+            err.flush();
+        }
+        return !told ? ExitCodes.NO_FIGURE : covered ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
+    }
+
+    /** Figures of one row; null, with a message, if its markers do not fit into the image. */
+    private CoverageFigures row(PhotoGrid.Row row, Cell given, CellTruth nominal,
+            BiFunction<Cell, CellTruth, TruthPrior> priors) {
+        Cell cell = options.stated(command, row.aprilTags() ? PhotoGrid.withAprilTags(given) : given);
+        CellTruth named = row.aprilTags() ? new CellTruth(nominal.worldFromCamera(),
+                PhotoGrid.renumbered(given, nominal.worldFromObjects())) : nominal;
+        try {
+            TruthPrior prior = priors.apply(cell, atSide(cell, named, row.markerPx()));
+            return run(OneCell.inFullView(prior), new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm()),
+                    done -> { });
+        } catch (InputRefusedException e) {
+            command.getErr().println(row.name() + ": " + e.getMessage());
+            return null;
+        }
+    }
+
+    private static String head() {
+        List<String> titles = new ArrayList<>(PhotoGrid.titles());
+        titles.addAll(StudyText.COLUMNS);
+        return "| " + String.join(" | ", titles) + " |\n" + "|---".repeat(titles.size()) + "|\n";
+    }
+
+    // ---- common
+
+    private CoverageFigures run(CellSource cells, DetectionSource detections, IntConsumer progress) {
+        return CoverageStudy.run(cells, detections, check, simulations, check.threads(), progress);
+    }
+
+    private Map<String, Object> settings() {
+        Map<String, Object> settings = new LinkedHashMap<>();
+        settings.put("simulations", simulations);
+        settings.put("seed", check.seed());
+        settings.put("model", check.model().optionName());
+        settings.put("photos", options.photos());
+        return settings;
+    }
+
+    private void addSensor(Map<String, Object> settings, Sensor sensor) {
+        settings.put("tone_curve", sensor.toneCurve().words());
+        settings.put("blur_px", sensor.blurPx());
+        settings.put("exposure", sensor.exposure());
+        settings.put("unsharp_amount", sensor.unsharpAmount());
+        settings.put("unsharp_radius_px", sensor.unsharpRadiusPx());
+        settings.put("noise_grey", sensor.noiseGrey());
+        settings.put("full_well_electrons", sensor.fullWellElectrons());
+        settings.put("vignetting", sensor.vignetting());
+        settings.put("gradient", sensor.gradient());
+        settings.put("jpeg_quality", options.jpegQuality());
+        settings.put("print_gain_mm", options.printGainMm());
+        OptionalDouble stated = options.statedPixelStd(command);
+        settings.put("stated_pixel_std_px", stated == null ? "as in the cell" : stated.isPresent()
+                ? stated.getAsDouble() : "auto");
+    }
+
+    private int print(CoverageFigures figures, Map<String, Object> settings, boolean json, String what) {
+        StudyText text = new StudyText(figures);
+        PrintWriter out = command.getOut();
+        out.print(json ? text.json(settings, Main.version()) : text.text(what));
+        out.flush();
+        return StudyText.withoutFigure(figures) > MOST_WITHOUT_FIGURE ? ExitCodes.NO_FIGURE
+                : StudyText.covers(figures) ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
+    }
+
+    /**
+     * The nominal poses with the camera moved along the line to the references' centroid until the markers' sides are
+     * so long on average. Camera, layout and placement stay what they are, as when a user steps nearer: a longer focal
+     * length would need a larger image, and be another camera. Objects keep their places in the world.
+     *
+     * @param cell the cell
+     * @param nominal poses
+     * @param sidePx average side, px
+     * @return poses
+     */
+    static CellTruth atSide(Cell cell, CellTruth nominal, double sidePx) {
+        double[] centroid = new double[3];
+        for (Reference r : cell.references()) {
+            for (int i = 0; i < 3; i++) {
+                centroid[i] += r.worldFromMarker().translationMm()[i] / cell.references().size();
+            }
+        }
+        RigidTransform camera = nominal.worldFromCamera();
+        CellTruth moved = nominal;
+        // sides go nearly as the inverse of the distance: a few rounds bring them there
+        for (int round = 0; round < 20; round++) {
+            double factor = meanSidePx(cell, moved) / sidePx;
+            double[] t = camera.translationMm();
+            for (int i = 0; i < 3; i++) {
+                t[i] = centroid[i] + factor * (t[i] - centroid[i]);
+            }
+            camera = RigidTransform.of(camera.rotation(), t);
+            moved = new CellTruth(camera, nominal.worldFromObjects());
+            if (!(Math.abs(factor - 1) > 1e-6)) {
+                break;
+            }
+        }
+        if (!(Math.abs(meanSidePx(cell, moved) / sidePx - 1) < 0.01)) {
+            throw new InputRefusedException("no distance of the camera makes markers " + CheckText.plain(sidePx)
+                    + " px wide; give another --marker-px or --camera-pose");
+        }
+        return moved;
+    }
+
+    /** Average side of the cell's markers as the nominal camera sees them, px; NaN if one is behind it. */
+    static double meanSidePx(Cell cell, CellTruth nominal) {
+        RigidTransform cameraFromWorld = nominal.worldFromCamera().inverse();
+        double sum = 0;
+        int sides = 0;
+        for (Reference r : cell.references()) {
+            sum += sidesPx(cell, cameraFromWorld.compose(r.worldFromMarker()), r.sizeMm());
+            sides += MarkerGeometry.CORNERS;
+        }
+        for (ObjectMarker o : cell.objects()) {
+            sum += sidesPx(cell, cameraFromWorld.compose(nominal.worldFromObjects().get(o.id())), o.sizeMm());
+            sides += MarkerGeometry.CORNERS;
+        }
+        return sum / sides;
+    }
+
+    private static double sidesPx(Cell cell, RigidTransform cameraFromMarker, double sizeMm) {
+        double[] corners = MarkerGeometry.cornersMm(cameraFromMarker, sizeMm);
+        double[][] px = new double[MarkerGeometry.CORNERS][];
+        double sum = 0;
+        for (int k = 0; k < px.length; k++) {
+            px[k] = cell.camera().project(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+            if (px[k] == null) {
+                return Double.NaN;
+            }
+        }
+        for (int k = 0; k < px.length; k++) {
+            double[] next = px[(k + 1) % px.length];
+            sum += Math.hypot(next[0] - px[k][0], next[1] - px[k][1]);
+        }
+        return sum;
+    }
+}
