@@ -57,6 +57,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     public static final double RESIDUAL_LIMIT_PER_SIDE = 0.02;
 
+    /**
+     * Largest blur as a share of the width of the black border: beyond it inside and outside of the border run into one
+     * another, and what the fit takes as given of their light is no longer good to a hundredth of a pixel.
+     */
+    private static final double BLUR_LIMIT = 0.26;
+
     private final PinholeCamera camera;
     /** Patterns of the ids to report. */
     private final Map<Integer, boolean[]> patterns = new TreeMap<>();
@@ -216,6 +222,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
             }
         }
         light.fit(image, fitted, read);
+        light.warn(fitted, warnings);
+        if (light.curveIsOpen()) {
+            throw new InputRefusedException(imageName + ": whites are clipped, and then nothing in the photo tells its "
+                    + "tone curve, without which edges are not where they seem; expose less, or state tone_curve in "
+                    + "the cell file");
+        }
         for (Seen square : seen) {
             Candidate candidate = candidate(image, square, warnings);
             if (candidate != null) {
@@ -301,6 +313,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (id != square.idRead) {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
             light.refit(image, marker, patterns.get(id));
+        }
+        if (marker.blurPx() > BLUR_LIMIT * borderCells * marker.cellPx()) {
+            warnings.add(Warning.of(DetectionWarning.TOO_BLURRED, id, Decimal.of(marker.blurPx(), 1),
+                    Decimal.of(marker.cellPx(), 1)));
+            return null;
         }
         MarkerObservation observation = marker.observation(id, light.noiseOfSides(marker));
         return new Candidate(observation, residual.impliedStdPx(observation.cornersPx()), true);

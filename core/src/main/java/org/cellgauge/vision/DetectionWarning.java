@@ -29,8 +29,8 @@ public enum DetectionWarning implements WarningKind {
     SHARPENED("the photo is sharpened: grey values overshoot by %s %% of the step at the markers' edges; switch "
             + "sharpening off in the camera"),
     /** Cells run into each other: id, blur (standard deviation), px, side of a cell, px. */
-    TOO_BLURRED("marker %s: a blur of %s px is too much for cells of %s px, and its corners count for little; focus, "
-            + "hold still or come nearer"),
+    TOO_BLURRED("marker %s is left out: a blur of %s px is too much for cells of %s px; focus, hold still or come "
+            + "nearer"),
     /** Noise and steps of grey are large against the markers' contrast: grey value of white. */
     TOO_DARK("the markers' white is only %s of 255, so that noise and steps of grey weigh heavily; give more light or "
             + "expose longer"),

@@ -3,6 +3,7 @@ package org.cellgauge.vision;
 import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.light.ToneCurve;
+import org.cellgauge.warning.Warning;
 
 /**
  * What the edges of all markers of a photo say together of its light: the tone curve, which skews every blurred edge
@@ -33,6 +34,13 @@ final class LightFit {
     private static final double[] SCANNED = {1, 1.4, 1.8, 2.3};
     /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
     private static final double SURPRISE_PX = 0.1;
+    private static final double CLIPPED_SHARE = 0.1;
+    private static final double CRUSHED_SHARE = 0.4;
+    private static final double OVERSHOOT = 0.025;
+    /** Difference of white and black below which steps of grey weigh heavily, grey levels. */
+    private static final double DARK_CONTRAST = 40;
+    /** A power this near to the one that the file says bears it out. */
+    private static final double CONFIRMED_POWER = 0.35;
     private static final int MOST_MARKERS = 5;
     private static final int MAX_ROUNDS = 6;
     /** A change of the power that moves edges by less is none, px. */
@@ -53,7 +61,10 @@ final class LightFit {
     private double powerMean;
     private double powerStd;
     private boolean estimated;
+    /** Whether the file's word on its curve still stands. */
     private boolean said;
+    private boolean fileSaid;
+    private double clippedShare;
     private double noiseGrey;
     private double degreesOfFreedom;
     private double edgeShiftStdPx;
@@ -72,6 +83,8 @@ final class LightFit {
     void start(ToneCurve stated, ToneCurve ofFile) {
         estimated = stated == null;
         said = ofFile != null;
+        fileSaid = said;
+        clippedShare = 0;
         if (stated != null) {
             scale.set(stated);
             return;
@@ -242,6 +255,64 @@ final class LightFit {
             out[i] = own > OUT_OF_LINE * ofAll ? Math.sqrt(own) : noiseGrey;
         }
         return out;
+    }
+
+    /**
+     * What is to be said of the light.
+     *
+     * @param markers edges of the photo's markers, fitted in this light
+     * @param warnings receives it
+     */
+    void warn(List<MarkerEdges> markers, List<Warning> warnings) {
+        if (markers.isEmpty()) {
+            return;
+        }
+        int sides = 4 * markers.size();
+        double[] clipped = new double[sides];
+        double[] crushed = new double[sides];
+        double[] overshoot = new double[sides];
+        double[] white = new double[sides];
+        double[] contrast = new double[sides];
+        for (int k = 0; k < sides; k++) {
+            SideFit side = markers.get(k / 4).side(k % 4);
+            clipped[k] = side.clippedShare;
+            crushed[k] = side.crushedShare;
+            overshoot[k] = side.overshoot;
+            white[k] = side.unknowns[SideFit.BRIGHT];
+            contrast[k] = side.unknowns[SideFit.BRIGHT] - side.unknowns[SideFit.DARK];
+        }
+        clippedShare = median(clipped);
+        if (clippedShare > CLIPPED_SHARE) {
+            warnings.add(Warning.of(DetectionWarning.WHITES_CLIPPED, percent(clippedShare)));
+        }
+        if (median(crushed) > CRUSHED_SHARE) {
+            warnings.add(Warning.of(DetectionWarning.BLACKS_CRUSHED, percent(median(crushed))));
+        }
+        if (median(overshoot) > OVERSHOOT && clippedShare < CLIPPED_SHARE) {
+            warnings.add(Warning.of(DetectionWarning.SHARPENED, percent(median(overshoot))));
+        }
+        if (median(contrast) < DARK_CONTRAST) {
+            warnings.add(Warning.of(DetectionWarning.TOO_DARK, (int) Math.round(median(white))));
+        }
+    }
+
+    private static int percent(double share) {
+        return (int) Math.round(100 * share);
+    }
+
+    private static double median(double[] values) {
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        return sorted[sorted.length / 2];
+    }
+
+    /**
+     * Whether whites are clipped and the curve is not known beforehand: then nothing tells the two apart, and edges lie
+     * wherever the curve puts them.
+     */
+    boolean curveIsOpen() {
+        return estimated && clippedShare > CLIPPED_SHARE
+                && !(fileSaid && Math.abs(curve.power() - powerMean) < CONFIRMED_POWER);
     }
 
     /** What was found. */

@@ -19,7 +19,7 @@ import org.cellgauge.geometry.Projection;
  */
 final class MarkerEdges {
     private static final int CORNERS = 4;
-    private static final int MAX_PASSES = 3;
+    private static final int MAX_PASSES = 6;
     /** A line that moved further than this has left the band it was fitted in: its pixels are chosen again. */
     private static final double BAND_STILL_GOOD_PX = 0.05;
     /** The same while the tone curve is not known yet. */
@@ -78,6 +78,8 @@ final class MarkerEdges {
     private final int[] endCount = new int[ROWS];
     private int rows;
     private final double[] rowWhite = new double[ROWS];
+    private final double[] rowByBlur = new double[ROWS];
+    private double innerByBlur;
     private final double[] rowGrowth = new double[ROWS];
     private final double[] rowStretch = new double[ROWS];
 
@@ -214,7 +216,7 @@ final class MarkerEdges {
                 }
             }
             System.arraycopy(refined, 0, ideal, 0, 2 * CORNERS);
-            if (moved < stillGoodPx && blurMoved < 4 * stillGoodPx) {
+            if (moved < stillGoodPx && blurMoved < 0.4 * stillGoodPx) {
                 return true;
             }
         }
@@ -413,6 +415,7 @@ final class MarkerEdges {
             double sum = 0;
             double growth = 0;
             double stretch = 0;
+            double byBlur = 0;
             double[] at = ends[r];
             for (int k = 0; k < endCount[r]; k++) {
                 double z = t - at[k];
@@ -423,11 +426,13 @@ final class MarkerEdges {
                     // a pixel is as wide along a side as across it
                     profile.at(z, blur);
                     sum += sign * profile.share;
+                    byBlur += sign * profile.byBlur;
                     growth += profile.byDistance;
                     stretch -= sign * profile.byDistance * at[k] * perLength;
                 }
             }
             rowWhite[r] = sum;
+            rowByBlur[r] = byBlur;
             rowGrowth[r] = growth;
             rowStretch[r] = stretch;
         }
@@ -445,7 +450,7 @@ final class MarkerEdges {
         double band = Math.max(BAND_PX, BAND_BLURS * std);
         double inner = Math.min(band, depth[0] - 0.5);
         double outer = Math.min(band, Math.max(1, paperPx - 0.3));
-        side.clear();
+        side.clear(blur);
         collect(image, side, inner, outer, blur, std);
         return side.fit(scale, profile, FIRST_BLUR_PX);
     }
@@ -580,13 +585,14 @@ final class MarkerEdges {
                 double window = EdgeProfile.tabulated((half + t) * inverseStd)
                         + EdgeProfile.tabulated((half - t) * inverseStd) - 1;
                 double more = 0;
+                innerByBlur = 0;
                 if (-d > depth[0] + depthSlope[0] * t - REACH * std) {
                     more += innerShare(t, -d, blur, REACH * std);
                 }
                 if (d > paperPx - REACH * std) {
                     more -= paperShare * EdgeProfile.tabulated((d - paperPx) * inverseStd);
                 }
-                side.add(t, d, image.get(x, y), window, more);
+                side.add(t, d, image.get(x, y), window, more, innerByBlur);
             }
         }
     }
@@ -596,13 +602,16 @@ final class MarkerEdges {
         setRowWhites(t, blur, reach, 0);
         double share = 0;
         double beforeRow = 0;
+        double beforeByBlur = 0;
         for (int r = 0; r < rows; r++) {
             double change = rowWhite[r] - beforeRow;
             if (change > 1e-4 || change < -1e-4) {
                 profile.at(z - depth[r] - depthSlope[r] * t + (change > 0 ? shiftPx : -shiftPx), blur);
                 share += change * profile.share;
+                innerByBlur += change * profile.byBlur + (rowByBlur[r] - beforeByBlur) * profile.share;
             }
             beforeRow = rowWhite[r];
+            beforeByBlur = rowByBlur[r];
         }
         return share;
     }

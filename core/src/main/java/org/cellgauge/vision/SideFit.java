@@ -36,6 +36,9 @@ final class SideFit {
      * that light hangs on power itself.
      */
     private static final double CLEAN_SHARE = 0.003;
+    /** Where an overshoot is looked for, and beyond what it is measured from: deviations of the blur. */
+    private static final double NEAR = 1.3;
+    private static final double FAR = 2.6;
     /** Grey level from which on a value is taken for clipped. */
     private static final double CLIPPED = 254.5;
 
@@ -55,6 +58,8 @@ final class SideFit {
     private double[] grey = new double[256];
     private double[] window = new double[256];
     private double[] base = new double[256];
+    private double[] baseByBlur = new double[256];
+    private double baseBlur;
     private int samples;
 
     final double[] unknowns = new double[UNKNOWNS];
@@ -83,10 +88,13 @@ final class SideFit {
     /** Share of the pixels of the bright side that are clipped at white, and of the dark side at black. */
     double clippedShare;
     double crushedShare;
+    /** How far grey rises above white and falls below black beside the edge, as a share of their difference. */
+    double overshoot;
 
-    /** Drops the pixels; the line is where the side's new coordinates have it. */
-    void clear() {
+    /** Drops the pixels (light from elsewhere will be given at this blur); the line is where the side's new coordinates have it. */
+    void clear(double blurPx) {
         samples = 0;
+        baseBlur = blurPx;
         unknowns[OFFSET] = 0;
         unknowns[SLOPE] = 0;
     }
@@ -113,19 +121,22 @@ final class SideFit {
      * @param level its grey level
      * @param inside share of the step's dark side that lies within the ends of the side
      * @param more light from elsewhere as a share of the difference of white and black
+     * @param moreByBlur its derivative by the blur, 1/px
      */
-    void add(double t, double d, double level, double inside, double more) {
+    void add(double t, double d, double level, double inside, double more, double moreByBlur) {
         if (samples == along.length) {
             along = Arrays.copyOf(along, 2 * samples);
             across = Arrays.copyOf(across, 2 * samples);
             grey = Arrays.copyOf(grey, 2 * samples);
             window = Arrays.copyOf(window, 2 * samples);
             base = Arrays.copyOf(base, 2 * samples);
+            baseByBlur = Arrays.copyOf(baseByBlur, 2 * samples);
         }
         along[samples] = t;
         across[samples] = d;
         grey[samples] = level;
         window[samples] = inside;
+        baseByBlur[samples] = moreByBlur;
         base[samples++] = 1 - inside + more;
     }
 
@@ -224,16 +235,17 @@ final class SideFit {
         double g3 = 0;
         double g4 = 0;
         double sum = 0;
+        double blurred = p[BLUR] - baseBlur;
         for (int i = 0; i < samples; i++) {
             profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
             double inside = window[i];
-            double share = base[i] + inside * profile.share;
+            double share = base[i] + baseByBlur[i] * blurred + inside * profile.share;
             scale.at(lightDark + contrast * share);
             double residual = scale.grey - grey[i];
-            double byShare = scale.byLight * contrast * inside;
-            double r0 = -byShare * profile.byDistance;
+            double byShare = scale.byLight * contrast;
+            double r0 = -byShare * inside * profile.byDistance;
             double r1 = r0 * along[i];
-            double r2 = byShare * profile.byBlur;
+            double r2 = byShare * (inside * profile.byBlur + baseByBlur[i]);
             double r3 = scale.byLight * darkSlope * (1 - share);
             double r4 = scale.byLight * brightSlope * share;
             sum += residual * residual;
@@ -317,15 +329,20 @@ final class SideFit {
         int dark = 0;
         int clipped = 0;
         int crushed = 0;
+        double near = 0;
+        double far = 0;
+        int nearCount = 0;
+        int farCount = 0;
+        double std = Math.sqrt(p[BLUR] * p[BLUR] + 1.0 / 12);
         for (int i = 0; i < samples; i++) {
             profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
-            double share = base[i] + window[i] * profile.share;
+            double share = base[i] + baseByBlur[i] * (p[BLUR] - baseBlur) + window[i] * profile.share;
             scale.at(lightDark + contrast * share);
             double residual = scale.grey - grey[i];
-            double byShare = scale.byLight * contrast * window[i];
-            row[OFFSET] = -byShare * profile.byDistance;
+            double byShare = scale.byLight * contrast;
+            row[OFFSET] = -byShare * window[i] * profile.byDistance;
             row[SLOPE] = row[OFFSET] * along[i];
-            row[BLUR] = byShare * profile.byBlur;
+            row[BLUR] = byShare * (window[i] * profile.byBlur + baseByBlur[i]);
             row[DARK] = scale.byLight * darkSlope * (1 - share);
             row[BRIGHT] = scale.byLight * brightSlope * share;
             double w = row[OFFSET] * row[OFFSET];
@@ -352,6 +369,18 @@ final class SideFit {
                     powerRow[a] += row[POWER] * row[a];
                 }
             }
+            double z = (across[i] - p[OFFSET] - p[SLOPE] * along[i]) / std;
+            if (Math.abs(z) > NEAR && Math.abs(base[i]) < 0.02) {
+                // sharpening lifts the bright side beside an edge and lowers the dark one
+                double beyond = z > 0 ? -residual : residual;
+                if (Math.abs(z) < FAR) {
+                    near += beyond;
+                    nearCount++;
+                } else {
+                    far += beyond;
+                    farCount++;
+                }
+            }
             if (share > 0.9) {
                 bright++;
                 clipped += grey[i] > CLIPPED ? 1 : 0;
@@ -360,6 +389,8 @@ final class SideFit {
                 crushed += grey[i] < 0.5 ? 1 : 0;
             }
         }
+        overshoot = nearCount == 0 || farCount == 0 ? 0
+                : 2 * (near / nearCount - far / farCount) / (p[BRIGHT] - p[DARK]);
         clippedShare = bright == 0 ? 0 : (double) clipped / bright;
         crushedShare = dark == 0 ? 0 : (double) crushed / dark;
         for (int a = 0; a < UNKNOWNS; a++) {
