@@ -133,8 +133,7 @@ public final class CheckCommand implements Callable<Integer> {
         try {
             cell = CellReader.read(cellFile);
             if (targetMm != null) {
-                cell = new Cell(cell.camera(), cell.family(), cell.references(), cell.objects(), cell.pixelStdPx(),
-                        OptionalDouble.of(targetMm));
+                cell = cell.withTarget(OptionalDouble.of(targetMm));
             }
             stages.end("cell file");
             CheckOutput output = out != null ? CheckOutput.into(out) : json ? null : CheckOutput.into(DEFAULT_FOLDER);
