@@ -49,6 +49,15 @@ public final class AddedNoise {
     }
 
     /**
+     * Whether it is all of the noise there is.
+     *
+     * @return true for {@link #toNothing()}
+     */
+    public boolean isAll() {
+        return rate == 2 * UNKNOWN_LOG_STD;
+    }
+
+    /**
      * The added variance.
      *
      * @param u standard normal beforehand

@@ -103,6 +103,7 @@ public final class CameraModeFinder {
     private PoseMode fitFrom(RigidTransform cameraFromSet) {
         CameraState state = CameraState.of(cameraFromSet, camera);
         state.unknowns = new double[view.unknowns()];
+        state.noise = noise.noise();
         ReprojectionFit fit = new ReprojectionFit(view.points(), view.observed(), view.columns(), view.unknowns(),
                 intrinsicsPrior, posePrior);
         CameraState before = new CameraState();

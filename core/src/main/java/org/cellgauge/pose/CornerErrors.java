@@ -346,16 +346,21 @@ public final class CornerErrors {
      * @return true for a cell that states a number, flat prints of known size and a photo whose edges are not in doubt
      */
     public boolean isPlain() {
-        return !Double.isNaN(statedStdPx) && unknowns == 0 && hasNoFlatness();
+        return !Double.isNaN(statedStdPx) && unknowns == 0 && !hasFlatness();
     }
 
-    private boolean hasNoFlatness() {
+    /**
+     * Whether prints may be bent.
+     *
+     * @return true if a part of the covariances comes from that
+     */
+    public boolean hasFlatness() {
         for (MarkerErrors m : markers.values()) {
             if (m.flatnessPx2 != null) {
-                return false;
+                return true;
             }
         }
-        return true;
+        return false;
     }
 
     /**
@@ -420,6 +425,24 @@ public final class CornerErrors {
      */
     public AddedNoise added() {
         return added;
+    }
+
+    /**
+     * Whether the noise is unknown and no marker has a covariance.
+     *
+     * @return true where all of the noise is the added one
+     */
+    public boolean fromNothing() {
+        return added != null && added.isAll();
+    }
+
+    /**
+     * Whether anything is unknown that markers share.
+     *
+     * @return true where there is a shared unknown or the noise is unknown
+     */
+    public boolean isShared() {
+        return unknowns > 0 || added != null;
     }
 
     /**

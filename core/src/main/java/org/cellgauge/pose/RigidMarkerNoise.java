@@ -81,6 +81,11 @@ public final class RigidMarkerNoise implements ReferenceNoise {
         return true;
     }
 
+    @Override
+    public double noise() {
+        return noise;
+    }
+
     /**
      * Derivative of the projected corners of one reference by its placement error.
      *

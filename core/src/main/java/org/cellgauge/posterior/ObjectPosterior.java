@@ -136,10 +136,19 @@ public final class ObjectPosterior implements LogDensity {
     /**
      * Observed corners less what is shared.
      *
-     * @return a copy of 8 values, px
+     * @return 8 values, px; shared with this posterior, not to be changed
      */
-    public double[] observedPx() {
-        return observed.clone();
+    public double[] shiftedPx() {
+        return observed;
+    }
+
+    /**
+     * The pose of the coordinates 0.
+     *
+     * @param out receives pose, intrinsics and shared unknowns of the base
+     */
+    public void base(CameraState out) {
+        out.copyFrom(base);
     }
 
     @Override
