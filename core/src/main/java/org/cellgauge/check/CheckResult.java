@@ -27,6 +27,7 @@ public final class CheckResult {
     private final List<Integer> referencesUsed;
     private final CornerErrors errors;
     private final double noiseLevel;
+    private final NoiseEstimate noise;
     private final Diagnostics diagnostics;
     private final List<AcceptanceCount> acceptance;
     private final List<Warning> warnings;
@@ -55,6 +56,7 @@ public final class CheckResult {
         this.referencesUsed = Collections.unmodifiableList(referencesUsed);
         this.errors = errors;
         this.noiseLevel = noiseLevel;
+        this.noise = NoiseEstimate.of(errors, noiseLevel, draws, layout);
         this.diagnostics = diagnostics;
         this.acceptance = Collections.unmodifiableList(acceptance);
         this.warnings = Collections.unmodifiableList(warnings);
@@ -200,7 +202,16 @@ public final class CheckResult {
      * @return px
      */
     public double pixelStdPx() {
-        return errors.usualStdPx(noiseLevel);
+        return noise.usualStdPx();
+    }
+
+    /**
+     * What the check says of the corners themselves.
+     *
+     * @return their noise, the shift of edges, markers set aside
+     */
+    public NoiseEstimate noise() {
+        return noise;
     }
 
     /**

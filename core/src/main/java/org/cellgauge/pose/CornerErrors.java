@@ -40,7 +40,7 @@ public final class CornerErrors {
     private static final double MOST_INFLATION = 1e4;
     private static final int INFLATIONS = 15;
     /** Probability from which on a marker counts as one with an outlier. */
-    private static final double SET_ASIDE = 0.5;
+    private static final double SET_ASIDE = 0.8;
     /** Fewer markers than this cannot say which of them is out of line. */
     private static final int LEAST_MARKERS = 3;
 
@@ -297,14 +297,16 @@ public final class CornerErrors {
             }
             if (probability > SET_ASIDE) {
                 MarkerErrors errors = markers.get(ids.get(m));
-                // chi-square of 2 degrees of freedom: half of it is the factor that would make it usual
-                double factor = Math.max(LEAST_INFLATION, errors.squareness.chiSquare(variance) / 2);
+                // half of chi-square is the factor that would make it usual; 2 degrees of freedom tell it so poorly that
+                // twice that is what regions need
+                double chiSquare = errors.squareness.chiSquare(variance);
+                double factor = Math.max(LEAST_INFLATION, chiSquare);
                 double[] inflated = errors.withAdded(variance).covariancePx2;
                 for (int i = 0; i < 64; i++) {
                     inflated[i] *= factor;
                 }
                 others.put(ids.get(m), errors.setAside(inflated));
-                factors.put(ids.get(m), Math.sqrt(factor));
+                factors.put(ids.get(m), Math.sqrt(chiSquare / 2));
             }
         }
         return factors.isEmpty() ? this : new CornerErrors(Collections.unmodifiableMap(others), statedStdPx, added,
