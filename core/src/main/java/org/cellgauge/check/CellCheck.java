@@ -344,9 +344,12 @@ public final class CellCheck {
         double most = log[middle];
         for (int direction = -1; direction <= 1; direction += 2) {
             int last = middle;
+            double mass = log[middle] - logNoise[middle];
             for (int node = middle + direction * NOISE_STRIDE; node >= 0 && node < count;
                     node += direction * NOISE_STRIDE) {
-                double mass = logMass(target, start, node);
+                if (!errors.isNegligible(AddedNoise.atNode(node))) {
+                    mass = logMass(target, start, node);
+                }
                 for (int k = 1; k <= NOISE_STRIDE; k++) {
                     // what references say is smooth in the noise; what is cheap to know is not interpolated
                     int between = last + direction * k;

@@ -41,6 +41,8 @@ public final class CornerErrors {
     private static final int INFLATIONS = 15;
     /** Probability from which on a marker counts as one with an outlier. */
     private static final double SET_ASIDE = 0.8;
+    /** Share of a variance below which more or less of it does not show. */
+    private static final double NEGLIGIBLE = 1e-3;
     /** Fewer markers than this cannot say which of them is out of line. */
     private static final int LEAST_MARKERS = 3;
 
@@ -502,6 +504,20 @@ public final class CornerErrors {
      */
     public double[] columns(int id) {
         return markers.get(id).columns.clone();
+    }
+
+    /**
+     * Whether an added noise is next to nothing beside what is known of the corners.
+     *
+     * @param u the added noise
+     * @return true where less noise would change no figure
+     */
+    public boolean isNegligible(double u) {
+        double least = Double.POSITIVE_INFINITY;
+        for (MarkerErrors m : markers.values()) {
+            least = m.setAside ? least : Math.min(least, meanVariance(m.covariancePx2));
+        }
+        return added.variancePx2(u) < NEGLIGIBLE * least;
     }
 
     /**
