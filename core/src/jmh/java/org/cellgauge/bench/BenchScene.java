@@ -1,15 +1,21 @@
 package org.cellgauge.bench;
 
+import java.util.List;
+import java.util.OptionalDouble;
+import org.cellgauge.cell.Cell;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.pose.CameraModeFinder;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.RigidMarkerNoise;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.PhotoLight;
 
 /**
  * The thesis' scene with three references in the plane, 5 mm and 0.01 rad of placement error, 0.3 px of corner
@@ -24,16 +30,39 @@ final class BenchScene {
     final Detections detections;
     final PinholeCamera camera;
     final ReferenceView view;
+    /** Null where the noise is stated. */
+    final CornerErrors errors;
 
     BenchScene(boolean distorted) {
         camera = distorted ? DISTORTED : ThesisScene.CAMERA;
         scene = ThesisScene.inPlane(3).camera(camera);
         detections = scene.detections(PIXEL_STD, RandomStreams.of(1), 5, 0.01);
         view = ReferenceView.of(scene.cell().references(), detections);
+        errors = null;
+    }
+
+    private BenchScene(BenchScene other, CornerErrors errors) {
+        camera = other.camera;
+        scene = other.scene;
+        detections = other.detections;
+        this.errors = errors;
+        view = ReferenceView.of(scene.cell().references(), errors);
+    }
+
+    /** The same in a light that leaves edges in doubt, with a noise that nobody states. */
+    BenchScene withSharedErrors() {
+        Cell cell = scene.cell();
+        Cell unstated = new Cell(camera, cell.family(), cell.references(), cell.objects(), OptionalDouble.empty(),
+                OptionalDouble.empty());
+        return new BenchScene(this, CornerErrors.of(unstated, new Detections("shared", detections.widthPx(),
+                detections.heightPx(), detections.markers(), List.of(),
+                new PhotoLight(ToneCurve.SRGB, true, 0.7, 1, 100, 0.05))));
     }
 
     CameraModeFinder finder() {
-        return new CameraModeFinder(view, camera, new RigidMarkerNoise(view, PIXEL_STD), IntrinsicsPrior.KNOWN, null);
+        RigidMarkerNoise noise = errors == null ? new RigidMarkerNoise(view, PIXEL_STD)
+                : new RigidMarkerNoise(view, errors, errors.squarenessBelief().mean());
+        return new CameraModeFinder(view, camera, noise, IntrinsicsPrior.KNOWN, null);
     }
 
     PoseMode mode() {
@@ -47,10 +76,11 @@ final class BenchScene {
         for (int i = 0; i < states.length; i++) {
             double[] step = new double[6];
             for (int k = 0; k < 6; k++) {
-                step[k] = Math.sqrt(mode.covariance()[7 * k]) * random.nextGaussian();
+                step[k] = Math.sqrt(mode.covariance()[(mode.dimension() + 1) * k]) * random.nextGaussian();
             }
             states[i] = new CameraState();
             states[i].setMoved(mode.state(), step, 0);
+            states[i].noise += 0.2 * random.nextGaussian();
         }
         return states;
     }

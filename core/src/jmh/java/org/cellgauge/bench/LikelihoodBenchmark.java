@@ -26,7 +26,8 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class LikelihoodBenchmark {
-    @Param({"rigid-marker", "corner-cube"})
+    /** The third has a shift of edges, ink on one size of markers and an unknown noise besides. */
+    @Param({"rigid-marker", "corner-cube", "rigid-marker-shared"})
     public String model;
     @Param({"false", "true"})
     public boolean distortion;
@@ -38,8 +39,12 @@ public class LikelihoodBenchmark {
     @Setup
     public void prepare() {
         BenchScene scene = new BenchScene(distortion);
+        if (model.equals("rigid-marker-shared")) {
+            scene = scene.withSharedErrors();
+        }
         PoseMode mode = scene.mode();
-        likelihood = model.equals("corner-cube") ? new CornerCubeLikelihood(scene.view, 0.5)
+        likelihood = scene.errors != null ? new RigidMarkerLikelihood(scene.view, scene.errors, mode.placementPx2())
+                : model.equals("corner-cube") ? new CornerCubeLikelihood(scene.view, 0.5)
                 : new RigidMarkerLikelihood(scene.view, mode.whitening());
         states = BenchScene.around(mode);
     }

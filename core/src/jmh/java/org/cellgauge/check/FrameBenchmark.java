@@ -14,6 +14,7 @@ import org.cellgauge.overlay.ImageOrientation;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.OverlayStyle;
 import org.cellgauge.pose.CameraModeFinder;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.InitialPose;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.pose.MarkerPoseFinder;
@@ -92,9 +93,10 @@ public class FrameBenchmark {
         lastFrame = RigidTransform.ofEuler(423, 104, 1072, 3.085, 0.098, 0.023);
         camera = new CameraTarget(view, settings, IntrinsicsPrior.KNOWN, null, modeFromInitialPose(), initial, finders);
         objects = new ArrayList<>();
+        CornerErrors errors = CornerErrors.of(cell, detections);
         for (List<PoseMode> modes : objectModes()) {
-            objects.add(new ObjectTarget(cell.objects().get(objects.size()),
-                    detections.find(cell.objects().get(objects.size()).id()).cornersPx(), PIXEL_STD, modes, null));
+            objects.add(new ObjectTarget(cell.objects().get(objects.size()), errors, camera.modes.get(0).state(), modes,
+                    null));
         }
         quickLook = quickLookFromLastFrame();
     }

@@ -16,9 +16,10 @@ public final class Cell {
     private final OptionalDouble pixelStdPx;
     private final OptionalDouble targetStdMm;
     private final ToneCurve toneCurve;
+    private final PrintPrecision prints;
 
     /**
-     * A cell.
+     * A cell whose markers are printed as usual.
      *
      * @param camera intrinsics of the camera
      * @param family marker family that all markers are of
@@ -31,11 +32,29 @@ public final class Cell {
      */
     public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm) {
-        this(camera, family, references, objects, pixelStdPx, targetStdMm, null);
+        this(camera, family, references, objects, pixelStdPx, targetStdMm, PrintPrecision.USUAL);
+    }
+
+    /**
+     * A cell.
+     *
+     * @param camera intrinsics of the camera
+     * @param family marker family that all markers are of
+     * @param references markers with a known place, at least one; ids differ from each other and from the objects'
+     * @param objects markers on objects; may be empty
+     * @param pixelStdPx standard deviation of each corner coordinate in px, positive; empty: estimate it ("auto")
+     * @param targetStdMm largest standard deviation allowed on any axis of any object and gripping point in mm,
+     *     positive; empty: no target
+     * @param prints how precisely the markers are printed
+     * @throws IllegalArgumentException if there is no reference, an id stands twice or a deviation is not positive
+     */
+    public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
+            OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints) {
+        this(camera, family, references, objects, pixelStdPx, targetStdMm, prints, null);
     }
 
     private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
-            OptionalDouble pixelStdPx, OptionalDouble targetStdMm, ToneCurve toneCurve) {
+            OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints, ToneCurve toneCurve) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
@@ -55,6 +74,7 @@ public final class Cell {
         this.pixelStdPx = pixelStdPx;
         this.targetStdMm = targetStdMm;
         this.toneCurve = toneCurve;
+        this.prints = prints;
     }
 
     private static void addOnce(java.util.Set<Integer> ids, int id) {
@@ -70,7 +90,7 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withCamera(PinholeCamera other) {
-        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm, toneCurve);
+        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve);
     }
 
     /**
@@ -81,7 +101,7 @@ public final class Cell {
      * @throws IllegalArgumentException if the target is not positive
      */
     public Cell withTarget(OptionalDouble stdMm) {
-        return new Cell(camera, family, references, objects, pixelStdPx, stdMm, toneCurve);
+        return new Cell(camera, family, references, objects, pixelStdPx, stdMm, prints, toneCurve);
     }
 
     /**
@@ -91,7 +111,7 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withToneCurve(ToneCurve stated) {
-        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, stated);
+        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, stated);
     }
 
     /**
@@ -131,9 +151,18 @@ public final class Cell {
     }
 
     /**
+     * How precisely the markers are printed.
+     *
+     * @return deviations of size, flatness and spreading ink
+     */
+    public PrintPrecision prints() {
+        return prints;
+    }
+
+    /**
      * Standard deviation of each corner coordinate.
      *
-     * @return px, or empty where it is to be estimated
+     * @return px, or empty where it is unknown and learned from the photo
      */
     public OptionalDouble pixelStdPx() {
         return pixelStdPx;

@@ -22,8 +22,9 @@ import org.cellgauge.light.ToneCurve;
  *
  * <p>Lengths are mm, angles degrees as in the file. Left out, {@code rotation_deg} is [0, 0, 0], {@code pixel_std_px}
  * is {@code auto}, {@code tone_curve} what the camera file says and else {@code auto}, {@code objects} and
- * {@code target} are none. {@code placement} may be left out where every reference states its own; a reference's
- * {@code placement} and a reference's or object's {@code size_mm} replace only what they state. Every refusal names file, line, key and remedy.
+ * {@code target} are none; deviations of prints are those of {@link PrintPrecision#USUAL}. {@code placement} may be left
+ * out where every reference states its own; a reference's {@code placement} and a reference's or object's
+ * {@code size_mm} replace only what they state. Every refusal names file, line, key and remedy.
  */
 public final class CellReader {
     /** Largest cell file that is read, bytes. */
@@ -151,7 +152,8 @@ public final class CellReader {
         file.refuseUnknown(Arrays.asList("cellgauge", "camera", "markers", "placement", "pixel_std_px",
                 CameraReader.TONE_CURVE, "references", "objects", "target"));
         PinholeCamera camera = given != null ? given : camera(file.required("camera", CAMERA_EXAMPLE));
-        YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm");
+        YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm",
+                "size_std_mm", "flatness_mm", "print_gain_std_mm");
         family = family(markers.required("family", "family: square-binary"));
         generalSize = markers.optional("size_mm");
         if (generalSize != null) {
@@ -169,8 +171,30 @@ public final class CellReader {
                     .required("std_mm", "std_mm: 1.0").positive("the largest deviation allowed, in mm"));
         }
         YamlValue toneCurve = file.optional(CameraReader.TONE_CURVE);
-        return new Cell(camera, family, references, objects, pixelStdPx, target)
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints(markers))
                 .withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve));
+    }
+
+    private static PrintPrecision prints(YamlMapping markers) {
+        return new PrintPrecision(
+                std(markers, "size_std_mm", "the deviation of printed sizes in mm, such as 0.1",
+                        PrintPrecision.USUAL.sizeStdMm()),
+                std(markers, "flatness_mm", "the deviation of corners off their marker's plane in mm, such as 0.2",
+                        PrintPrecision.USUAL.flatnessMm()),
+                std(markers, "print_gain_std_mm", "the deviation of how far ink spreads in mm, such as 0.05",
+                        PrintPrecision.USUAL.printGainStdMm()));
+    }
+
+    private static double std(YamlMapping markers, String key, String remedy, double usual) {
+        YamlValue value = markers.optional(key);
+        if (value == null) {
+            return usual;
+        }
+        double std = value.number(remedy);
+        if (!(std >= 0)) {
+            throw value.refused("a deviation is not negative; write " + remedy);
+        }
+        return bounded(value, std, remedy);
     }
 
     private PinholeCamera camera(YamlValue value) {

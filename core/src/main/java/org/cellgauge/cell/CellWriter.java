@@ -36,7 +36,11 @@ public final class CellWriter {
         out.append("cellgauge: ").append(CellReader.VERSION).append('\n');
         out.append("camera:\n").append(CameraWriter.text(cell.camera(), "  "));
         // every marker states its own size and placement: what was common to them in the original is not known here
-        out.append("markers: {family: ").append(cell.family().familyName()).append("}\n");
+        out.append("markers: {family: ").append(cell.family().familyName());
+        print(out, "size_std_mm", cell.prints().sizeStdMm(), PrintPrecision.USUAL.sizeStdMm());
+        print(out, "flatness_mm", cell.prints().flatnessMm(), PrintPrecision.USUAL.flatnessMm());
+        print(out, "print_gain_std_mm", cell.prints().printGainStdMm(), PrintPrecision.USUAL.printGainStdMm());
+        out.append("}\n");
         out.append("pixel_std_px: ").append(cell.pixelStdPx().isPresent()
                 ? CameraWriter.number(cell.pixelStdPx().getAsDouble()) : "auto").append('\n');
         if (cell.toneCurve() != null) {
@@ -68,6 +72,12 @@ public final class CellWriter {
                     .append("}\n");
         }
         return out.toString();
+    }
+
+    private static void print(StringBuilder out, String key, double stdMm, double usualMm) {
+        if (stdMm != usualMm) {
+            out.append(", ").append(key).append(": ").append(CameraWriter.number(stdMm));
+        }
     }
 
     private static String numbers(double... values) {

@@ -11,7 +11,7 @@ import org.cellgauge.sampling.MetropolisChain;
 final class AdaptiveCameraSampler implements CameraSampler {
     @Override
     public Tuned tune(CameraTarget target, RandomGenerator random) {
-        ImportanceTuning tuning = TunedMixture.tune(target.centred(), target.modes, random);
+        ImportanceTuning tuning = TunedMixture.tune(target.centred(), target.mixture(), random);
         return new Tuned() {
             @Override
             public CameraChain chain(RandomGenerator chainRandom) {

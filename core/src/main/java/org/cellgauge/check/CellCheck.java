@@ -12,11 +12,13 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.pose.AddedNoise;
 import org.cellgauge.pose.CameraModeFinder;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.InitialPose;
 import org.cellgauge.pose.IntrinsicsPrior;
-import org.cellgauge.pose.MarkerPoseFinder;
+import org.cellgauge.pose.NoiseBelief;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.PosePrior;
 import org.cellgauge.pose.ReferenceNoise;
@@ -58,6 +60,10 @@ public final class CellCheck {
      * Mean square of whitened residuals (8 per reference) beyond which a reference is no misplaced one but a wrong one.
      */
     private static final double FOREIGN_MEAN_SQUARE = 50;
+    /** Nodes of the grid of the added noise from one fit of the camera pose to the next. */
+    private static final int NOISE_STRIDE = 5;
+    /** Logarithm of the mass, against the most, at which the noise is followed no further. */
+    private static final double NEGLIGIBLE_LOG_NOISE = 12;
     private static final double PRIOR_STD_MM = 1000;
     private static final double PRIOR_STD_RAD = 0.7;
     /** Share of the pose prior in any direction above which the result is said to lean on it. */
@@ -73,7 +79,8 @@ public final class CellCheck {
     private final CheckSettings settings;
     private final RigidTransform worldFromCameraStart;
     private final List<Warning> warnings = new ArrayList<>();
-    private double pixelStdPx;
+    private CornerErrors errors;
+    private double noiseLevel;
     private CameraTarget camera;
     private ReferenceNoise noise;
     private List<ObjectTarget> objects;
@@ -101,7 +108,8 @@ public final class CellCheck {
         settings = prepared.settings;
         worldFromCameraStart = prepared.worldFromCameraStart;
         warnings.addAll(prepared.warnings);
-        pixelStdPx = prepared.pixelStdPx;
+        errors = prepared.errors;
+        noiseLevel = prepared.noiseLevel;
         camera = prepared.camera;
         noise = prepared.noise;
         objects = new ArrayList<>(prepared.objects);
@@ -152,8 +160,7 @@ public final class CellCheck {
         CellCheck check = new CellCheck(cell, detections, settings, worldFromCameraStart);
         check.prepare();
         CellEstimate estimate = check.quickLook();
-        return new QuickLook(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, estimate, 0, null), check.pixelStdPx,
-                threads -> new CellCheck(check).sampling(estimate, threads));
+        return new QuickLook(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, estimate, 0, null), check.errors.usualStdPx(check.noiseLevel), threads -> new CellCheck(check).sampling(estimate, threads));
     }
 
     /**
@@ -222,7 +229,7 @@ public final class CellCheck {
         if (settings.objectNoise() == CheckSettings.ObjectNoise.NONE) {
             return;
         }
-        objects.replaceAll(o -> o.withProposal(TunedMixture.tune(o.posterior(), o.modes,
+        objects.replaceAll(o -> o.withProposal(TunedMixture.tune(o.posterior(), TunedMixture.ofModes(o.modes),
                 RandomStreams.of(settings.seed(), STREAM_OBJECT_TUNING, o.marker.id())).proposal()));
     }
 
@@ -243,24 +250,23 @@ public final class CellCheck {
     // ---- from detections to modes
 
     private void prepare() {
-        ReferenceView view = references();
-        pixelStdPx = cell.pixelStdPx().isPresent() ? cell.pixelStdPx().getAsDouble() : estimatePixelStdPx();
+        warnOfReferencesNotSeen();
+        errors = cornerErrors();
+        ReferenceView view = ReferenceView.of(cell.references(), errors);
         IntrinsicsPrior intrinsics = settings.estimate() == CheckSettings.Estimate.FOCAL
                 ? IntrinsicsPrior.focal(cell.camera(), settings.focalPriorStdPx())
                 : IntrinsicsPrior.KNOWN;
-        camera = cameraTarget(view, intrinsics);
-        noise = settings.model().noise(camera.view, pixelStdPx, settings.kappa());
-        PinholeCamera atMode = PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(),
-                camera.modes.get(0).state().intrinsics);
+        camera = withNoise(cameraTarget(view, intrinsics));
+        noise = settings.model().noise(camera.view, errors, noiseLevel, settings.kappa());
+        CameraState atMode = camera.modes.get(0).state();
         objects = new ArrayList<>();
         missing = new ArrayList<>();
         for (ObjectMarker marker : cell.objects()) {
-            MarkerObservation observation = detections.find(marker.id());
-            if (observation == null) {
+            if (!errors.has(marker.id())) {
                 missing.add(marker);
                 continue;
             }
-            objects.add(objectTarget(marker, observation, atMode));
+            objects.add(objectTarget(marker, atMode));
         }
         if (!missing.isEmpty()) {
             warnings.add(Warning.of(CheckWarning.OBJECTS_NOT_SEEN, Listing.and(ids(missing))));
@@ -268,7 +274,7 @@ public final class CellCheck {
         warnOfSmallMarkers();
     }
 
-    private ReferenceView references() {
+    private void warnOfReferencesNotSeen() {
         List<Integer> unseen = new ArrayList<>();
         for (Reference r : cell.references()) {
             if (detections.find(r.id()) == null) {
@@ -282,7 +288,6 @@ public final class CellCheck {
         if (!unseen.isEmpty()) {
             warnings.add(Warning.of(CheckWarning.REFERENCES_NOT_SEEN, Listing.and(unseen)));
         }
-        return ReferenceView.of(cell.references(), detections);
     }
 
     /** One warning for all markers of the cell that the image shows too small. */
@@ -301,14 +306,88 @@ public final class CellCheck {
         }
     }
 
-    private double estimatePixelStdPx() {
-        CornerNoise noise = CornerNoise.of(cell, detections);
-        if (noise == null) {
-            throw new InputRefusedException(detections.imageName() + ": the corner noise cannot be estimated from "
-                    + "these corners; state pixel_std_px in the cell file");
+    /** What is known of the corners' errors, in the terms that the model knows. */
+    private CornerErrors cornerErrors() {
+        CornerErrors found = CornerErrors.of(cell, detections).withOutliersSetAside();
+        found.setAside().forEach((id, factor) ->
+                warnings.add(Warning.of(CheckWarning.MARKER_SET_ASIDE, id, Decimal.of(factor, factor < 10 ? 1 : 0))));
+        noiseLevel = found.added() == null ? 0 : found.squarenessBelief().ofMeanVariance();
+        if (found.fromNothing() && settings.model() != LikelihoodModel.RIGID_MARKER) {
+            warnings.add(noiseWarning(found.squarenessBelief()));
         }
-        warnings.add(noise.warning());
-        return noise.stdPx();
+        // the thesis' likelihood has no corner noise for shared errors to be a part of
+        return found.isPlain() || settings.model() == LikelihoodModel.RIGID_MARKER ? found : found.fixedAt(noiseLevel);
+    }
+
+    private static Warning noiseWarning(NoiseBelief belief) {
+        return Warning.of(CheckWarning.CORNER_NOISE_ESTIMATED, Decimal.of(belief.quantileStdPx(0.5), 3),
+                Decimal.of(belief.quantileStdPx(0.025), 3), Decimal.of(belief.quantileStdPx(0.975), 3));
+    }
+
+    /** The target with what squareness and references say of the added noise, its modes found at the mean of that. */
+    private CameraTarget withNoise(CameraTarget target) {
+        if (errors.added() == null) {
+            return new CameraTarget(target.view, settings, target.intrinsicsPrior, target.posePrior, target.modes,
+                    target.initialWorldFromCamera, finders(target.intrinsicsPrior, target.posePrior), errors, null,
+                    null);
+        }
+        List<Integer> others = errors.ids();
+        // references that stay speak through their likelihood
+        others.removeAll(ids(target.view));
+        double[] logNoise = errors.logNoise(others);
+        RigidTransform start = target.view.worldFromCamera(target.modes.get(0).state().cameraFromSet());
+        int middle = AddedNoise.node(noiseLevel);
+        int count = AddedNoise.NODES;
+        double[] log = new double[count];
+        java.util.Arrays.fill(log, Double.NEGATIVE_INFINITY);
+        log[middle] = logNoise[middle] + logMass(target, start, middle);
+        double most = log[middle];
+        for (int direction = -1; direction <= 1; direction += 2) {
+            int last = middle;
+            double mass = log[middle] - logNoise[middle];
+            for (int node = middle + direction * NOISE_STRIDE; node >= 0 && node < count;
+                    node += direction * NOISE_STRIDE) {
+                if (!errors.isNegligible(AddedNoise.atNode(node))) {
+                    mass = logMass(target, start, node);
+                }
+                for (int k = 1; k <= NOISE_STRIDE; k++) {
+                    // what references say is smooth in the noise; what is cheap to know is not interpolated
+                    int between = last + direction * k;
+                    double share = (double) k / NOISE_STRIDE;
+                    log[between] = logNoise[between] + (1 - share) * (log[last] - logNoise[last]) + share * mass;
+                }
+                most = Math.max(most, log[node]);
+                last = node;
+                if (log[node] < most - NEGLIGIBLE_LOG_NOISE) {
+                    break;
+                }
+            }
+        }
+        NoiseBelief belief = new NoiseBelief(errors.added(), log);
+        noiseLevel = belief.ofMeanVariance();
+        Function<ReferenceView, CameraModeFinder> finders = finders(target.intrinsicsPrior, target.posePrior);
+        List<PoseMode> modes = finders.apply(target.view).modes(start);
+        if (errors.fromNothing()) {
+            warnings.add(noiseWarning(belief));
+        }
+        return new CameraTarget(target.view, settings, target.intrinsicsPrior, target.posePrior,
+                notNegligible(modes.isEmpty() ? target.modes : modes), target.initialWorldFromCamera, finders, errors,
+                belief, logNoise);
+    }
+
+    /** Logarithm of the mass of the camera's posterior at an added noise, by Laplace's method. */
+    private double logMass(CameraTarget target, RigidTransform start, int node) {
+        CameraModeFinder finder = new CameraModeFinder(target.view, cell.camera(), settings.model().noise(target.view,
+                errors, AddedNoise.atNode(node), settings.kappa()), target.intrinsicsPrior, target.posePrior);
+        List<PoseMode> modes = finder.modes(start);
+        if (modes.isEmpty()) {
+            return Double.NEGATIVE_INFINITY;
+        }
+        double sum = 0;
+        for (PoseMode mode : modes) {
+            sum += Math.exp(mode.logWeight() - modes.get(0).logWeight());
+        }
+        return modes.get(0).logWeight() + Math.log(sum);
     }
 
     private CameraTarget cameraTarget(ReferenceView all, IntrinsicsPrior intrinsics) {
@@ -369,8 +448,9 @@ public final class CellCheck {
     }
 
     private Function<ReferenceView, CameraModeFinder> finders(IntrinsicsPrior intrinsics, PosePrior posePrior) {
+        double level = noiseLevel;
         return references -> new CameraModeFinder(references, cell.camera(),
-                settings.model().noise(references, pixelStdPx, settings.kappa()), intrinsics, posePrior);
+                settings.model().noise(references, errors, level, settings.kappa()), intrinsics, posePrior);
     }
 
     /** The target by the modes that the start leads to, or null where these leave more unexplained than noise would. */
@@ -412,16 +492,15 @@ public final class CellCheck {
         return kept;
     }
 
-    private ObjectTarget objectTarget(ObjectMarker marker, MarkerObservation observation, PinholeCamera atMode) {
-        double[] corners = observation.cornersPx();
-        List<PoseMode> modes = MarkerPoseFinder.modes(corners, marker.sizeMm(), atMode, pixelStdPx);
+    private ObjectTarget objectTarget(ObjectMarker marker, CameraState atMode) {
+        List<PoseMode> modes = ObjectTarget.modes(marker, errors, atMode);
         if (modes.isEmpty()) {
             throw new InputRefusedException(detections.imageName() + ": the corners of object " + marker.id()
                     + " are of no square in front of the camera; check the order of its corners");
         }
         boolean noisy = settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION;
         modes = noisy ? notNegligible(modes) : modes.subList(0, 1);
-        return new ObjectTarget(marker, corners, pixelStdPx, modes, TunedMixture.ofModes(modes));
+        return new ObjectTarget(marker, errors, atMode, modes, TunedMixture.ofModes(modes));
     }
 
     // ---- quick look
@@ -495,7 +574,7 @@ public final class CellCheck {
                     diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
                     Decimal.shortest(Math.rint(1e11 * settings.targetMcseStdRel()) / 1e9)));
         }
-        return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx,
+        return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), errors, noiseLevel,
                 diagnostics, last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(),
                 posePriorText, samplerUsed, tuningEvaluations, camera, referenceCheck);
     }

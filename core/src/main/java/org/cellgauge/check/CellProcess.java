@@ -20,7 +20,8 @@ import org.cellgauge.sampling.StudentTMixture;
  * <p>References alone inform the camera and the intrinsics; an object's corners inform its own pose given these. That
  * is modular inference (Liu, Bayarri, Berger, "Modularization in Bayesian analysis", Bayesian Analysis 2009): the
  * corners of one small marker say next to nothing of a focal length. Where intrinsics are unknown, each draw solves
- * every object's pose with its own: the object's chain moves in deviations from that solution.
+ * every object's pose with its own: the object's chain moves in deviations from that solution. Unknowns that markers
+ * share come from the camera's draw likewise, and the object's base moves along.
  */
 final class CellProcess implements ChainProcess {
     private final CellQuantities quantities;
@@ -28,7 +29,11 @@ final class CellProcess implements ChainProcess {
     private final CameraSampler.CameraChain cameraChain;
     private final CameraState state = new CameraState();
     private final ObjectWalk[] objects;
+    /** Steps of an object with two modes after its camera has moved: where the modes are does not follow the noise. */
+    private static final int STEPS_WITH_MODES = 4;
+
     private final boolean intrinsicsUnknown;
+    private final boolean shared;
     private final double[] centroid;
     private final double[] worldFromCamera = new double[9];
     private final double[] centre = new double[3];
@@ -41,6 +46,7 @@ final class CellProcess implements ChainProcess {
         cameraChain = tuned.chain(RandomStreams.of(seed, CellCheck.STREAM_CHAIN, chain));
         camera = cameraChain.chain;
         intrinsicsUnknown = target.intrinsicsPrior.count() > 0;
+        shared = target.view.unknowns() > 0 || target.belief != null;
         centroid = target.view.centroidMm();
         objects = new ObjectWalk[quantities.objects.size()];
         cameraChain.chart.decode(camera.current(), state);
@@ -49,8 +55,8 @@ final class CellProcess implements ChainProcess {
             RandomGenerator random = RandomStreams.of(seed, CellCheck.STREAM_OBJECT, chain, object.marker.id());
             objects[o] = new ObjectWalk(object,
                     target.settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION, random);
-            if (intrinsicsUnknown) {
-                objects[o].solveAt(state);
+            if (intrinsicsUnknown || shared) {
+                objects[o].cameraMoved(state, intrinsicsUnknown, shared);
             }
         }
     }
@@ -65,10 +71,12 @@ final class CellProcess implements ChainProcess {
         final ObjectPosterior posterior;
         final MetropolisChain chain;
         final double[] grip;
+        final double[] observed;
 
         ObjectWalk(ObjectTarget target, boolean noisy, RandomGenerator random) {
             this.target = target;
-            fit = target.fit();
+            observed = target.cornersPx.clone();
+            fit = target.fit(observed);
             mode = target.modes.get(0).state();
             base = target.modes.get(0).state();
             grip = target.marker.gripMm();
@@ -87,15 +95,35 @@ final class CellProcess implements ChainProcess {
          * at the last one, which may have slipped into the mirrored pose: a draw is a function of its own intrinsics
          * alone.
          */
-        void solveAt(CameraState camera) {
+        private void solveAt(CameraState camera) {
             base.copyFrom(mode);
             double stretch = camera.intrinsics[PinholeCamera.FX] / base.intrinsics[PinholeCamera.FX];
             System.arraycopy(camera.intrinsics, 0, base.intrinsics, 0, PinholeCamera.INTRINSICS);
             base.offset[2] *= stretch;
             fit.fit(base);
             posterior.setBase(base);
+        }
+
+        /** Follows the camera's intrinsics and what the marker shares with others; the chain goes on from there. */
+        void cameraMoved(CameraState camera, boolean intrinsicsUnknown, boolean shared) {
+            if (shared) {
+                posterior.setShared(camera);
+                posterior.base(base);
+            }
+            if (intrinsicsUnknown) {
+                if (shared) {
+                    System.arraycopy(posterior.shiftedPx(), 0, observed, 0, observed.length);
+                }
+                solveAt(camera);
+            }
             if (chain != null) {
                 chain.densityChanged();
+            }
+        }
+
+        void step(int steps) {
+            for (int i = 0; i < steps && chain != null; i++) {
+                chain.step();
             }
         }
 
@@ -111,16 +139,15 @@ final class CellProcess implements ChainProcess {
     @Override
     public void step() {
         boolean moved = camera.step();
-        if (moved && intrinsicsUnknown) {
+        boolean follow = moved && (intrinsicsUnknown || shared);
+        if (follow) {
             cameraChain.chart.decode(camera.current(), state);
         }
         for (ObjectWalk object : objects) {
-            if (moved && intrinsicsUnknown) {
-                object.solveAt(state);
+            if (follow) {
+                object.cameraMoved(state, intrinsicsUnknown, shared);
             }
-            if (object.chain != null) {
-                object.chain.step();
-            }
+            object.step(moved && shared && object.target.modes.size() > 1 ? STEPS_WITH_MODES : 1);
         }
     }
 
@@ -142,6 +169,7 @@ final class CellProcess implements ChainProcess {
             out[at++] = ObjectTarget.nearest(quantities.camera.modes, state);
         }
         at = quantities.readIntrinsics(state, out, at);
+        at = quantities.readShared(state, out, at);
         for (int o = 0; o < objects.length; o++) {
             ObjectWalk object = objects[o];
             object.read();

@@ -4,10 +4,12 @@ import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.sampling.QuantityLayout;
 
 /**
- * The quantities of a draw: log density, camera pose, unknown intrinsics, and for each object its pose in the world,
+ * The quantities of a draw: log density, camera pose, unknown intrinsics, what markers share (shift of edges in px,
+ * spread of ink and sizes of prints in mm, added noise in px), and for each object its pose in the world,
  * its gripping point and, where it has two modes, which one the draw is near.
  *
  * <p>A pose takes 9 columns: x, y, z in mm; psi, theta, phi in rad; the rotation vector from the pose's reference
@@ -17,11 +19,17 @@ final class CellQuantities {
     private static final String[] INTRINSIC_NAMES = {"fx_px", "fy_px", "cx_px", "cy_px", "skew_px", "k1", "k2", "k3",
         "p1", "p2"};
 
+    /** Shift of the photo's edges into the dark, px. */
+    static final String EDGE_SHIFT = "edge_shift_px";
+    /** Noise of corners on top of what the detector says, px. */
+    static final String ADDED_NOISE = "added_noise_px";
+
     final QuantityLayout layout;
     final CameraTarget camera;
     final List<ObjectTarget> objects;
     final double[] cameraReference;
     final double[][] objectReferences;
+    private final CornerErrors errors;
 
     CellQuantities(CameraTarget camera, List<ObjectTarget> objects) {
         this.camera = camera;
@@ -42,6 +50,8 @@ final class CellQuantities {
         if (intrinsics.length > 0) {
             b.group("intrinsics", intrinsics);
         }
+        errors = camera.errors != null && (camera.view.unknowns() > 0 || camera.belief != null) ? camera.errors : null;
+        addShared(b);
         objectReferences = new double[objects.size()][9];
         for (int o = 0; o < objects.size(); o++) {
             ObjectTarget object = objects.get(o);
@@ -59,6 +69,47 @@ final class CellQuantities {
             }
         }
         layout = b.build();
+    }
+
+    private void addShared(QuantityLayout.Builder b) {
+        if (errors == null) {
+            return;
+        }
+        if (errors.edges() != null) {
+            b.add(EDGE_SHIFT);
+            errors.edges().sizesMm().forEach(size -> b.add("print_gain_of_" + inName(size) + "_mm"));
+        }
+        errors.sizesMm().forEach(size -> b.add("size_of_" + inName(size) + "_mm"));
+        if (camera.belief != null) {
+            b.add(ADDED_NOISE);
+        }
+    }
+
+    /** A size in a name, where a point would mean an index to readers of Stan's files. */
+    private static String inName(double sizeMm) {
+        return (sizeMm == Math.rint(sizeMm) ? String.valueOf((long) sizeMm) : String.valueOf(sizeMm)).replace('.', '_');
+    }
+
+    /** What markers share in a state, in the order of the layout. */
+    int readShared(CameraState state, double[] out, int at) {
+        int next = at;
+        if (errors == null) {
+            return next;
+        }
+        int ofEdges = 0;
+        if (errors.edges() != null) {
+            ofEdges = errors.edges().unknowns();
+            for (int i = 0; i < ofEdges; i++) {
+                out[next++] = errors.edges().value(i, state.unknowns);
+            }
+        }
+        for (int i = 0; i < errors.sizesMm().size(); i++) {
+            out[next++] = errors.sizesMm().get(i) + errors.sizeStdMm() * state.unknowns[ofEdges + i];
+        }
+        if (camera.belief != null) {
+            out[next++] = Math.sqrt(errors.added().variancePx2(state.noise));
+        }
+        return next;
     }
 
     static String intrinsicName(int index) {
@@ -96,11 +147,15 @@ final class CellQuantities {
 
     /**
      * Which quantities' deviations must be known to the precision asked for: all judged ones, but for the rotation of
-     * an object with a second mode, whose deviation hangs on how often a rare mode is visited. Its gripping point
+     * an object with a second mode, whose deviation hangs on how often a rare mode is visited, and the added noise. Its gripping point
      * swings with that rotation and stays in all the same: a target is held against it.
      */
     boolean[] measured() {
         boolean[] measured = judged();
+        if (camera.belief != null) {
+            // its deviation is that of a long tail, and no figure of a pose
+            measured[layout.indexOf(ADDED_NOISE)] = false;
+        }
         for (ObjectTarget object : objects) {
             if (object.modes.size() > 1) {
                 int first = layout.indexOf("object_" + object.marker.id() + "_wx_rad");

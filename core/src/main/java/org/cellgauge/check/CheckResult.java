@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.posterior.CameraPosterior;
@@ -24,7 +25,9 @@ public final class CheckResult {
     private final CellEstimate estimate;
     private final CellEstimate quickLook;
     private final List<Integer> referencesUsed;
-    private final double pixelStdPx;
+    private final CornerErrors errors;
+    private final double noiseLevel;
+    private final NoiseEstimate noise;
     private final Diagnostics diagnostics;
     private final List<AcceptanceCount> acceptance;
     private final List<Warning> warnings;
@@ -38,7 +41,7 @@ public final class CheckResult {
     private final ReferenceCheck referenceCheck;
 
     CheckResult(Cell cell, Detections detections, CheckSettings settings, CellEstimate estimate,
-            CellEstimate quickLook, List<Integer> referencesUsed, double pixelStdPx, Diagnostics diagnostics,
+            CellEstimate quickLook, List<Integer> referencesUsed, CornerErrors errors, double noiseLevel, Diagnostics diagnostics,
             List<AcceptanceCount> acceptance, List<Warning> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
             long tuningEvaluations, CameraTarget camera, ReferenceCheck referenceCheck) {
@@ -51,7 +54,9 @@ public final class CheckResult {
         this.estimate = estimate;
         this.quickLook = quickLook;
         this.referencesUsed = Collections.unmodifiableList(referencesUsed);
-        this.pixelStdPx = pixelStdPx;
+        this.errors = errors;
+        this.noiseLevel = noiseLevel;
+        this.noise = NoiseEstimate.of(errors, noiseLevel, draws, layout);
         this.diagnostics = diagnostics;
         this.acceptance = Collections.unmodifiableList(acceptance);
         this.warnings = Collections.unmodifiableList(warnings);
@@ -150,7 +155,7 @@ public final class CheckResult {
             return this;
         }
         return new CheckResult(cell.withTarget(targetStdMm), detections, settings, estimate, quickLook, referencesUsed,
-                pixelStdPx, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior,
+                errors, noiseLevel, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior,
                 samplerUsed, tuningEvaluations, camera, referenceCheck);
     }
 
@@ -191,12 +196,22 @@ public final class CheckResult {
     }
 
     /**
-     * Standard deviation of each corner coordinate that was assumed or estimated.
+     * Standard deviation of each corner coordinate: as stated; where it is not, the root of the mean variance of the
+     * corners, added noise included.
      *
      * @return px
      */
     public double pixelStdPx() {
-        return pixelStdPx;
+        return noise.usualStdPx();
+    }
+
+    /**
+     * What the check says of the corners themselves.
+     *
+     * @return their noise, the shift of edges, markers set aside
+     */
+    public NoiseEstimate noise() {
+        return noise;
     }
 
     /**

@@ -13,8 +13,12 @@ public enum CheckWarning implements WarningKind {
     /** Small markers: each a {@link CheckPhrase#SMALL_MARKER}, side that is too small, px, advised side, px. */
     SMALL_MARKERS("small in the image: marker %s; below %s px of side corners get imprecise and markers are missed, "
             + "plan for %s px: larger markers or a closer camera"),
-    /** The corner noise was not stated: what it is estimated as, px, degrees of freedom, its deviation, %. */
-    CORNER_NOISE_ESTIMATED("pixel_std_px is estimated as %s px from %s degrees of freedom, good to about %s %%"),
+    /** The corner noise is neither stated nor told by the detector: its median, px, and where 95 % of it lie, px. */
+    CORNER_NOISE_ESTIMATED("pixel_std_px is not stated: corners of this photo are good to %s px as far as it tells, "
+            + "and with 95 %% to between %s and %s px"),
+    /** A marker whose corners fit no square: its id, how many times worse than the others. */
+    MARKER_SET_ASIDE("the corners of marker %s fit no square: %s times worse than those of the others; it counts for "
+            + "little until they do (is it covered, smudged, bent, or has it a glint?)"),
     /** A reference that no pose explains along with the others: id. */
     REFERENCE_LEFT_OUT("reference %s is left out: its corners are nowhere near where the other references put it; "
             + "check its id and position in the cell file"),

@@ -19,7 +19,7 @@ final class IndependenceCameraSampler implements CameraSampler {
 
     @Override
     public Tuned tune(CameraTarget target, RandomGenerator random) {
-        ImportanceTuning tuning = TunedMixture.tune(target.centred(), target.modes, random);
+        ImportanceTuning tuning = TunedMixture.tune(target.centred(), target.mixture(), random);
         double acceptance = pilotAcceptance(target.centred(), tuning.proposal().copy(), random);
         return new Tuned() {
             @Override

@@ -1,6 +1,7 @@
 package org.cellgauge.check;
 
 import org.cellgauge.pose.CornerCubeNoise;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceNoise;
 import org.cellgauge.pose.ReferenceView;
@@ -14,8 +15,8 @@ public enum LikelihoodModel {
     /** References misplaced rigidly, corners noisy: the default. */
     RIGID_MARKER("rigid-marker") {
         @Override
-        ReferenceNoise noise(ReferenceView view, double pixelStdPx, double kappa) {
-            return new RigidMarkerNoise(view, pixelStdPx);
+        ReferenceNoise noise(ReferenceView view, CornerErrors errors, double noise, double kappa) {
+            return new RigidMarkerNoise(view, errors, noise);
         }
 
         @Override
@@ -26,7 +27,7 @@ public enum LikelihoodModel {
     /** The thesis' likelihood: every corner on its own, deviations of a projected box. */
     CORNER_CUBE("corner-cube") {
         @Override
-        ReferenceNoise noise(ReferenceView view, double pixelStdPx, double kappa) {
+        ReferenceNoise noise(ReferenceView view, CornerErrors errors, double noise, double kappa) {
             return new CornerCubeNoise(view, kappa);
         }
 
@@ -51,8 +52,8 @@ public enum LikelihoodModel {
         return optionName;
     }
 
-    /** Residual covariances for fits. */
-    abstract ReferenceNoise noise(ReferenceView view, double pixelStdPx, double kappa);
+    /** Residual covariances for fits, at an added noise. */
+    abstract ReferenceNoise noise(ReferenceView view, CornerErrors errors, double noise, double kappa);
 
     /** A likelihood of its own for one chain. */
     abstract CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa);

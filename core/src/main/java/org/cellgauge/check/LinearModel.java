@@ -3,16 +3,12 @@ package org.cellgauge.check;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.geometry.Cholesky;
-import org.cellgauge.geometry.MarkerGeometry;
-import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CameraState;
-import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceNoise;
-import org.cellgauge.pose.ReprojectionFit;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
@@ -104,7 +100,7 @@ final class LinearModel {
 
     /** Covariance of the unknown intrinsics. */
     double[][] intrinsicsCovariance() {
-        int n = columns - 6;
+        int n = camera.intrinsicsPrior.count();
         double[][] out = new double[n][n];
         double[] c = mode.covariance();
         for (int i = 0; i < n; i++) {
@@ -120,7 +116,7 @@ final class LinearModel {
         private final ObjectTarget target;
         private final PoseMode objectMode;
         private final CameraState object;
-        private final double[][] byIntrinsics;
+        private final double[][] byShared;
         private final boolean noisy;
 
         ObjectLink(ObjectTarget target, int modeIndex) {
@@ -128,49 +124,7 @@ final class LinearModel {
             objectMode = target.modes.get(modeIndex);
             object = objectMode.state();
             noisy = camera.settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION;
-            byIntrinsics = byIntrinsics();
-        }
-
-        /** Change of the object's fitted pose by each unknown intrinsic: minus (J^T J)^-1 J^T J_f. */
-        private double[][] byIntrinsics() {
-            int n = columns - 6;
-            double[][] out = new double[6][n];
-            if (n == 0) {
-                return out;
-            }
-            int[] indices = new int[n];
-            double[] stds = new double[n];
-            for (int i = 0; i < n; i++) {
-                indices[i] = camera.intrinsicsPrior.index(i);
-                stds[i] = camera.intrinsicsPrior.std(i);
-            }
-            ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(target.marker.sizeMm()),
-                    target.cornersPx, IntrinsicsPrior.of(PinholeCamera.of(1, 1, object.intrinsics), indices, stds),
-                    null);
-            fit.setIsotropic(target.pixelStdPx);
-            double[] j = fit.jacobianAt(object);
-            double[] normal = new double[36];
-            double[][] right = new double[n][6];
-            int all = fit.columns();
-            for (int row = 0; row < 8; row++) {
-                for (int a = 0; a < 6; a++) {
-                    for (int b = 0; b < 6; b++) {
-                        normal[6 * a + b] += j[row * all + a] * j[row * all + b];
-                    }
-                    for (int f = 0; f < n; f++) {
-                        right[f][a] -= j[row * all + a] * j[row * all + 6 + f];
-                    }
-                }
-            }
-            Cholesky.factor(normal, 6);
-            for (int f = 0; f < n; f++) {
-                Cholesky.solveLower(normal, 6, right[f]);
-                Cholesky.solveUpper(normal, 6, right[f]);
-                for (int a = 0; a < 6; a++) {
-                    out[a][f] = right[f][a];
-                }
-            }
-            return out;
+            byShared = target.answers(modeIndex, camera.intrinsicsPrior);
         }
 
         RigidTransform pose() {
@@ -204,7 +158,7 @@ final class LinearModel {
             for (int f = 6; f < columns; f++) {
                 for (int i = 0; i < a.length; i++) {
                     for (int k = 0; k < 6; k++) {
-                        a[i][f] += byObject[i][k] * byIntrinsics[k][f - 6];
+                        a[i][f] += byObject[i][k] * byShared[k][f - 6];
                     }
                 }
             }
@@ -279,6 +233,8 @@ final class LinearModel {
             double[] placement = new double[64];
             double[] pixel = new double[64];
             double[] cornerNoise = new double[3];
+            double[] bent = new double[3];
+            CornerErrors errors = target.errors;
             for (int m = 0; m < camera.view.size(); m++) {
                 noise.covariance(state, m, placement, pixel);
                 double[][] byResidual = times(a, mode.gain(m), 8);
@@ -286,17 +242,46 @@ final class LinearModel {
                 variances.put(VarianceBudget.PLACEMENT_OF_REFERENCE + reference.id(),
                         diagonal(byResidual, placement, 8));
                 add(cornerNoise, diagonal(byResidual, pixel, 8));
+                if (errors.hasFlatness()) {
+                    add(bent, diagonal(byResidual, errors.flatness(reference.id()), 8));
+                }
+            }
+            double[] ofObject = noisy ? diagonal(byObject(arm, false), objectMode.covariance(), 6) : new double[3];
+            if (errors.hasFlatness()) {
+                subtract(cornerNoise, bent);
+                if (noisy) {
+                    double[] own = diagonal(timesGain(byObject(arm, false), objectMode.gain(0)),
+                            errors.flatness(target.marker.id()), 8);
+                    subtract(ofObject, own);
+                    add(bent, own);
+                }
             }
             variances.put(VarianceBudget.CORNER_NOISE_OF_REFERENCES, cornerNoise);
-            variances.put(VarianceBudget.CORNER_NOISE_OF_OBJECT,
-                    noisy ? diagonal(byObject(arm, false), objectMode.covariance(), 6) : new double[3]);
-            if (columns > 6) {
+            variances.put(VarianceBudget.CORNER_NOISE_OF_OBJECT, ofObject);
+            if (errors.hasFlatness()) {
+                variances.put(VarianceBudget.FLATNESS_OF_PRINTS, bent);
+            }
+            int shared = 6 + camera.intrinsicsPrior.count();
+            if (shared > 6) {
                 double[] prior = new double[columns * columns];
-                for (int f = 6; f < columns; f++) {
+                for (int f = 6; f < shared; f++) {
                     double std = camera.intrinsicsPrior.std(f - 6);
                     prior[f * columns + f] = 1 / (std * std);
                 }
                 variances.put(VarianceBudget.INTRINSICS, priorPart(a, prior));
+            }
+            for (String source : new String[] {CornerErrors.EDGES, CornerErrors.SIZES}) {
+                double[] prior = new double[columns * columns];
+                boolean any = false;
+                for (int f = shared; f < columns; f++) {
+                    if (errors.source(f - shared).equals(source)) {
+                        prior[f * columns + f] = 1;
+                        any = true;
+                    }
+                }
+                if (any) {
+                    variances.put(source, priorPart(a, prior));
+                }
             }
             if (camera.posePrior != null) {
                 double[] prior = new double[columns * columns];
@@ -331,6 +316,25 @@ final class LinearModel {
         double[][] full = new double[a.length][a.length];
         Matrices.addSandwich(a, b, n, full);
         return new double[] {full[0][0], full[1][1], full[2][2]};
+    }
+
+    private static double[][] timesGain(double[][] a, double[] gain) {
+        double[][] out = new double[a.length][8];
+        for (int i = 0; i < a.length; i++) {
+            for (int k = 0; k < 6; k++) {
+                for (int j = 0; j < 8; j++) {
+                    out[i][j] += a[i][k] * gain[8 * k + j];
+                }
+            }
+        }
+        return out;
+    }
+
+    private static void subtract(double[] from, double[] part) {
+        for (int i = 0; i < from.length; i++) {
+            // shares are not negative: what is left of a difference is rounding
+            from[i] = Math.max(0, from[i] - part[i]);
+        }
     }
 
     private static void add(double[] sum, double[] more) {

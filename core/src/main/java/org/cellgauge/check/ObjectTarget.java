@@ -2,45 +2,134 @@ package org.cellgauge.check;
 
 import java.util.List;
 import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.MarkerGeometry;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.MarkerPoseFinder;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReprojectionFit;
 import org.cellgauge.posterior.ObjectPosterior;
 import org.cellgauge.sampling.StudentTMixture;
 
-/** One object of a photo: its corners, the modes of its pose before the camera, and the proposal fitted to them. */
+/**
+ * One object of a photo: its corners less what they share with others at the camera's mode, the modes of its pose
+ * before the camera, and the proposal fitted to them. Immutable.
+ */
 final class ObjectTarget {
     final ObjectMarker marker;
+    final CornerErrors errors;
     final double[] cornersPx;
-    final double pixelStdPx;
     final List<PoseMode> modes;
     final StudentTMixture proposal;
+    private final CameraState camera;
 
-    ObjectTarget(ObjectMarker marker, double[] cornersPx, double pixelStdPx, List<PoseMode> modes,
+    /**
+     * An object.
+     *
+     * @param camera mode of the camera: intrinsics, shared unknowns and noise that the modes were found at
+     */
+    ObjectTarget(ObjectMarker marker, CornerErrors errors, CameraState camera, List<PoseMode> modes,
             StudentTMixture proposal) {
         this.marker = marker;
-        this.cornersPx = cornersPx;
-        this.pixelStdPx = pixelStdPx;
+        this.errors = errors;
+        this.camera = camera;
         this.modes = modes;
         this.proposal = proposal;
+        cornersPx = errors.cornersPx(marker.id(), camera.unknowns);
+    }
+
+    /** The modes of an object's pose at the intrinsics, shared unknowns and noise of a camera; empty where none is. */
+    static List<PoseMode> modes(ObjectMarker marker, CornerErrors errors, CameraState camera) {
+        PinholeCamera lens = PinholeCamera.of(1, 1, camera.intrinsics);
+        double[] corners = errors.cornersPx(marker.id(), camera.unknowns);
+        return errors.isPlain() ? MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.statedStdPx())
+                : MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.whitening(marker.id(), camera.noise));
+    }
+
+    /** The same object before another camera; the same where that leads to no pose. */
+    ObjectTarget at(CameraState other) {
+        List<PoseMode> found = modes(marker, errors, other);
+        return found.isEmpty() ? this : new ObjectTarget(marker, errors, other, found, proposal);
     }
 
     ObjectTarget withProposal(StudentTMixture fitted) {
-        return new ObjectTarget(marker, cornersPx, pixelStdPx, modes, fitted);
+        return new ObjectTarget(marker, errors, camera, modes, fitted);
     }
 
     ObjectPosterior posterior() {
-        return new ObjectPosterior(cornersPx, marker.sizeMm(), pixelStdPx, modes.get(0).state());
+        CameraState base = modes.get(0).state();
+        if (errors.isPlain()) {
+            return new ObjectPosterior(cornersPx, marker.sizeMm(), errors.statedStdPx(), base);
+        }
+        base.unknowns = camera.unknowns.clone();
+        base.noise = camera.noise;
+        double[][] answers = answers(0, IntrinsicsPrior.KNOWN);
+        double[] flat = new double[6 * errors.unknowns()];
+        for (int i = 0; i < 6; i++) {
+            System.arraycopy(answers[i], 0, flat, i * errors.unknowns(), errors.unknowns());
+        }
+        return new ObjectPosterior(errors, marker.id(), marker.sizeMm(), flat, base, modes.size() == 1);
     }
 
-    /** A fit of the pose at intrinsics of the caller's, for one thread. */
-    ReprojectionFit fit() {
-        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(marker.sizeMm()), cornersPx,
+    /** A fit of the pose to corners of the caller's (not copied) at the caller's intrinsics, for one thread. */
+    ReprojectionFit fit(double[] corners) {
+        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(marker.sizeMm()), corners,
                 IntrinsicsPrior.KNOWN, null);
-        fit.setIsotropic(pixelStdPx);
+        weigh(fit);
         return fit;
+    }
+
+    private void weigh(ReprojectionFit fit) {
+        if (errors.isPlain()) {
+            fit.setIsotropic(errors.statedStdPx());
+        } else {
+            fit.setWhitening(errors.whitening(marker.id(), camera.noise));
+        }
+    }
+
+    /**
+     * Change of the fitted pose by each unknown intrinsic and each unknown that markers share: {@code -(J^T J)^-1 J^T
+     * J_f} of the whitened derivatives.
+     *
+     * @return 6 rows
+     */
+    double[][] answers(int modeIndex, IntrinsicsPrior intrinsicsPrior) {
+        int n = intrinsicsPrior.count() + errors.unknowns();
+        double[][] out = new double[6][n];
+        if (n == 0) {
+            return out;
+        }
+        CameraState object = modes.get(modeIndex).state();
+        object.unknowns = new double[errors.unknowns()];
+        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(marker.sizeMm()), cornersPx,
+                errors.columns(marker.id()), errors.unknowns(), intrinsicsPrior, null);
+        weigh(fit);
+        double[] j = fit.jacobianAt(object);
+        double[] normal = new double[36];
+        double[][] right = new double[n][6];
+        int all = fit.columns();
+        for (int row = 0; row < 8; row++) {
+            for (int a = 0; a < 6; a++) {
+                for (int b = 0; b < 6; b++) {
+                    normal[6 * a + b] += j[row * all + a] * j[row * all + b];
+                }
+                for (int f = 0; f < n; f++) {
+                    right[f][a] -= j[row * all + a] * j[row * all + 6 + f];
+                }
+            }
+        }
+        Cholesky.factor(normal, 6);
+        for (int f = 0; f < n; f++) {
+            Cholesky.solveLower(normal, 6, right[f]);
+            Cholesky.solveUpper(normal, 6, right[f]);
+            for (int a = 0; a < 6; a++) {
+                out[a][f] = right[f][a];
+            }
+        }
+        return out;
     }
 
     /** Which of the modes a state is nearest to, in the deviations of that mode. */

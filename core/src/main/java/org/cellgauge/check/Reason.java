@@ -53,8 +53,14 @@ public final class Reason {
         CORNER_NOISE_OF_REFERENCES,
         /** Noise in the object's own corners. */
         CORNER_NOISE_OF_OBJECT,
+        /** Corners off the planes of their markers. */
+        FLATNESS_OF_PRINTS,
         /** Unknown intrinsics. */
         INTRINSICS,
+        /** Edges that all lie too far in the dark or the light. */
+        EDGES,
+        /** Markers printed too large or too small. */
+        SIZE_OF_PRINTS,
         /** The weak prior of the camera pose. */
         POSE_PRIOR
     }
@@ -452,6 +458,12 @@ public final class Reason {
                 return "noise in the references' corners";
             case INTRINSICS:
                 return "the unknown intrinsics";
+            case FLATNESS_OF_PRINTS:
+                return "prints that are not flat";
+            case EDGES:
+                return "where the edges of the photo lie";
+            case SIZE_OF_PRINTS:
+                return "the size of prints";
             case POSE_PRIOR:
                 return "the pose prior";
             default:

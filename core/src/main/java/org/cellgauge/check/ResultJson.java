@@ -117,6 +117,7 @@ public final class ResultJson {
             object(object);
         }
         json.endObject();
+        noise(result.noise());
         json.name("references").beginObject();
         for (Reference reference : cell.references()) {
             json.name(String.valueOf(reference.id()));
@@ -152,6 +153,39 @@ public final class ResultJson {
         json.name("version").value(version);
         json.endObject();
         json.flush();
+    }
+
+    /** Noise of the corners and shift of the photo's edges. */
+    private void noise(NoiseEstimate noise) throws IOException {
+        json.name("noise").beginObject();
+        json.name("stated").value(noise.stated());
+        number("added_std_px", noise.addedMeanStdPx());
+        if (noise.addedQuantilesStdPx() != null) {
+            double[] quantiles = noise.addedQuantilesStdPx();
+            number("added_std_px_q2_5", quantiles[0]);
+            number("added_std_px_q50", quantiles[1]);
+            number("added_std_px_q97_5", quantiles[2]);
+        }
+        json.name("markers").beginObject();
+        for (Map.Entry<Integer, Double> marker : noise.markerStdPx().entrySet()) {
+            json.name(String.valueOf(marker.getKey())).beginObject();
+            number("std_px", marker.getValue());
+            Double times = noise.setAside().get(marker.getKey());
+            number("set_aside_times", times == null ? Double.NaN : times);
+            json.endObject();
+        }
+        json.endObject();
+        json.endObject();
+        double[] edges = noise.edgeShiftPx();
+        if (edges != null) {
+            json.name("edges").beginObject();
+            number("shift_prior_std_px", edges[0]);
+            number("shift_by_inner_edges_px", edges[1]);
+            number("shift_by_inner_edges_std_px", edges[2]);
+            number("shift_px", edges[3]);
+            number("shift_std_px", edges[4]);
+            json.endObject();
+        }
     }
 
     // ---- settings
@@ -190,8 +224,13 @@ public final class ResultJson {
         json.name("pose_prior_allowed").value(s.posePriorAllowed());
         json.name("pose_prior").value(result.posePrior());
         number("pixel_std_px", result.pixelStdPx());
-        json.name("pixel_std_px_from").value(cell.pixelStdPx().isPresent() ? "cell file" : "residuals");
+        json.name("pixel_std_px_from").value(cell.pixelStdPx().isPresent() ? "cell file" : "photo");
         json.name("tone_curve").value(cell.toneCurve() == null ? "auto" : cell.toneCurve().words());
+        json.name("prints").beginObject();
+        number("size_std_mm", cell.prints().sizeStdMm());
+        number("flatness_mm", cell.prints().flatnessMm());
+        number("print_gain_std_mm", cell.prints().printGainStdMm());
+        json.endObject();
         json.name("marker_family").value(cell.family().familyName());
         json.name("camera_intrinsics");
         cameraIntrinsics();

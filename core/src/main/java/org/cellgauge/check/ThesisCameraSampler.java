@@ -19,13 +19,14 @@ final class ThesisCameraSampler implements CameraSampler {
                     start = posterior.chart().encode(target.initialState());
                 } else {
                     CameraPosterior centred = target.centred();
-                    StudentTMixture around = TunedMixture.ofModes(target.modes);
+                    StudentTMixture around = target.mixture();
                     org.cellgauge.pose.CameraState state = new org.cellgauge.pose.CameraState();
                     centred.chart().decode(TunedMixture.start(around, centred, chainRandom), state);
                     start = posterior.chart().encode(state);
                 }
                 return new CameraChain(new MetropolisChain(posterior,
-                        ThesisMixture.proposals(target.intrinsicsPrior.count()), start, chainRandom),
+                        ThesisMixture.proposals(target.intrinsicsPrior.count(),
+                                posterior.dimension() - 6 - target.intrinsicsPrior.count()), start, chainRandom),
                         posterior.chart(), () -> { });
             }
 

@@ -3,6 +3,8 @@ package org.cellgauge.check;
 import java.util.List;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.geometry.Rotations;
+import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.NoiseBelief;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.posterior.LogDensity;
 import org.cellgauge.sampling.ImportanceTuning;
@@ -16,24 +18,43 @@ final class TunedMixture {
     private TunedMixture() {
     }
 
-    static ImportanceTuning tune(LogDensity density, List<PoseMode> modes, RandomGenerator random) {
-        return ImportanceTuning.tune(density, ofModes(modes), DRAWS_PER_ROUND, random);
+    static ImportanceTuning tune(LogDensity density, StudentTMixture start, RandomGenerator random) {
+        return ImportanceTuning.tune(density, start, DRAWS_PER_ROUND, random);
     }
 
     static StudentTMixture ofModes(List<PoseMode> modes) {
+        return ofModes(modes, null);
+    }
+
+    /** The same with the added noise as the last coordinate, where there is a belief about it. */
+    static StudentTMixture ofModes(List<PoseMode> modes, NoiseBelief belief) {
         PoseMode first = modes.get(0);
-        int n = first.dimension();
+        int ofMode = first.dimension();
+        int n = belief == null ? ofMode : ofMode + 1;
+        double[] unknowns = first.state().unknowns;
         double[][] means = new double[modes.size()][];
         double[][] covariances = new double[modes.size()][];
         double[] weights = new double[modes.size()];
         for (int k = 0; k < modes.size(); k++) {
             PoseMode mode = modes.get(k);
-            means[k] = java.util.Arrays.copyOf(mode.state().stepFrom(first.state()), n);
+            CameraState state = mode.state();
+            means[k] = java.util.Arrays.copyOf(state.stepFrom(first.state()), n);
+            for (int j = 0; j < unknowns.length; j++) {
+                means[k][ofMode - unknowns.length + j] = state.unknowns[j] - unknowns[j];
+            }
             double[] covariance = mode.covariance();
             if (k > 0) {
-                covariance = moved(covariance, n, means[k]);
+                covariance = moved(covariance, ofMode, means[k]);
             }
             covariances[k] = covariance;
+            if (belief != null) {
+                means[k][ofMode] = belief.mean() - first.state().noise;
+                covariances[k] = new double[n * n];
+                for (int i = 0; i < ofMode; i++) {
+                    System.arraycopy(covariance, i * ofMode, covariances[k], i * n, ofMode);
+                }
+                covariances[k][n * n - 1] = belief.std() * belief.std();
+            }
             weights[k] = Math.max(0.02, Math.exp(mode.logWeight() - first.logWeight()));
         }
         return new StudentTMixture(means, covariances, weights);

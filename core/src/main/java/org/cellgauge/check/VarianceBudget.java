@@ -4,12 +4,14 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalInt;
+import org.cellgauge.pose.CornerErrors;
 
 /**
  * Where the variance of a point in the world comes from, by source, to first order; immutable.
  *
  * <p>Sources: {@code placement of reference ID}, {@code corner noise of references}, {@code corner noise of object},
- * {@code intrinsics}, {@code pose prior}. They are independent, so their covariances add up (GUM, JCGM 100, 5.1.2).
+ * {@code flatness of prints}, {@code intrinsics}, {@code edges of the photo}, {@code size of prints},
+ * {@code pose prior}. They are independent, so their covariances add up (GUM, JCGM 100, 5.1.2).
  */
 public final class VarianceBudget {
     /** Name of the source that is a reference's placement, before its id. */
@@ -22,6 +24,9 @@ public final class VarianceBudget {
     static final String INTRINSICS = "intrinsics";
     /** Name of a source. */
     static final String POSE_PRIOR = "pose prior";
+
+    /** Name of a source. */
+    static final String FLATNESS_OF_PRINTS = "flatness of prints";
 
     private final Map<String, double[]> variancesMm2;
 
@@ -86,6 +91,12 @@ public final class VarianceBudget {
                 return Reason.Source.CORNER_NOISE_OF_OBJECT;
             case INTRINSICS:
                 return Reason.Source.INTRINSICS;
+            case FLATNESS_OF_PRINTS:
+                return Reason.Source.FLATNESS_OF_PRINTS;
+            case CornerErrors.EDGES:
+                return Reason.Source.EDGES;
+            case CornerErrors.SIZES:
+                return Reason.Source.SIZE_OF_PRINTS;
             case POSE_PRIOR:
                 return Reason.Source.POSE_PRIOR;
             default:

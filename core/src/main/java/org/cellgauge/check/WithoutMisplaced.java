@@ -3,9 +3,6 @@ package org.cellgauge.check;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.pose.MarkerPoseFinder;
-import org.cellgauge.pose.PoseMode;
 
 /**
  * Camera and objects estimated again without the references that are named as misplaced, by Laplace's approximation;
@@ -60,16 +57,12 @@ public final class WithoutMisplaced {
                 before.cameraPose().meanTransform().translationMm()), moved, worst);
     }
 
-    /** The object fitted at the intrinsics of another camera estimate; the same where they are known. */
+    /** The object fitted at the intrinsics and shared unknowns of another camera estimate; the same without any. */
     private static ObjectTarget at(ObjectTarget object, CameraTarget camera) {
-        if (camera.intrinsicsPrior.count() == 0) {
+        if (camera.intrinsicsPrior.count() == 0 && camera.view.unknowns() == 0) {
             return object;
         }
-        PinholeCamera lens = PinholeCamera.of(1, 1, camera.modes.get(0).state().intrinsics);
-        List<PoseMode> modes = MarkerPoseFinder.modes(object.cornersPx, object.marker.sizeMm(), lens,
-                object.pixelStdPx);
-        return modes.isEmpty() ? object
-                : new ObjectTarget(object.marker, object.cornersPx, object.pixelStdPx, modes, object.proposal);
+        return object.at(camera.modes.get(0).state());
     }
 
     private static double[] difference(double[] a, double[] b) {

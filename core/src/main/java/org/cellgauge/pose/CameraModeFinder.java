@@ -102,7 +102,10 @@ public final class CameraModeFinder {
 
     private PoseMode fitFrom(RigidTransform cameraFromSet) {
         CameraState state = CameraState.of(cameraFromSet, camera);
-        ReprojectionFit fit = new ReprojectionFit(view.points(), view.observed(), intrinsicsPrior, posePrior);
+        state.unknowns = new double[view.unknowns()];
+        state.noise = noise.noise();
+        ReprojectionFit fit = new ReprojectionFit(view.points(), view.observed(), view.columns(), view.unknowns(),
+                intrinsicsPrior, posePrior);
         CameraState before = new CameraState();
         double cost = Double.NaN;
         for (int i = 0; i < MAX_FREEZES; i++) {
@@ -123,6 +126,10 @@ public final class CameraModeFinder {
             for (int k = 0; k < intrinsicsPrior.count(); k++) {
                 double d = state.intrinsics[intrinsicsPrior.index(k)] - before.intrinsics[intrinsicsPrior.index(k)];
                 squared += d * d * fit.information()[(6 + k) * (fit.columns() + 1)];
+            }
+            for (int k = 0; k < view.unknowns(); k++) {
+                double d = state.unknowns[k] - before.unknowns[k];
+                squared += d * d * fit.information()[(6 + intrinsicsPrior.count() + k) * (fit.columns() + 1)];
             }
             if (squared < AGREEMENT * AGREEMENT) {
                 break;

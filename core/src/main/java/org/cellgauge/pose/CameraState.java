@@ -11,12 +11,18 @@ import org.cellgauge.geometry.Rotations;
  * For references the set is all of them and the centre their centroid; for an object it is its own marker.
  */
 public final class CameraState {
+    private static final double[] NONE = {};
+
     /** cameraFromSet rotation, 9 values row by row. */
     public final double[] rotation = new double[9];
     /** Position of the centre of the set in the camera frame, 3 values, mm. */
     public final double[] offset = new double[3];
     /** Intrinsics in the order of {@link PinholeCamera}. */
     public final double[] intrinsics = new double[PinholeCamera.INTRINSICS];
+    /** Unknowns that markers share, of {@link CornerErrors}, unit-normal beforehand; empty where there are none. */
+    public double[] unknowns = NONE;
+    /** The u of {@link AddedNoise}; of no account where the noise is stated. */
+    public double noise;
 
     private final double[] turn = new double[9];
     private final double[] product = new double[9];
@@ -46,11 +52,12 @@ public final class CameraState {
         System.arraycopy(other.rotation, 0, rotation, 0, 9);
         System.arraycopy(other.offset, 0, offset, 0, 3);
         System.arraycopy(other.intrinsics, 0, intrinsics, 0, PinholeCamera.INTRINSICS);
+        copyUnknowns(other);
         return this;
     }
 
     /**
-     * Sets this state to a step of the centred chart from a base; intrinsics are the base's.
+     * Sets this state to a step of the centred chart from a base; intrinsics and unknowns are the base's.
      *
      * @param base where the step starts; may be this state
      * @param step (dp in mm, w in rad) from {@code at} on
@@ -65,7 +72,17 @@ public final class CameraState {
         }
         if (base != this) {
             System.arraycopy(base.intrinsics, 0, intrinsics, 0, PinholeCamera.INTRINSICS);
+            copyUnknowns(base);
         }
+    }
+
+    private void copyUnknowns(CameraState other) {
+        // a length changes once at most: a state that is used again and again allocates nothing
+        if (unknowns.length != other.unknowns.length) {
+            unknowns = new double[other.unknowns.length];
+        }
+        System.arraycopy(other.unknowns, 0, unknowns, 0, unknowns.length);
+        noise = other.noise;
     }
 
     /**

@@ -52,6 +52,29 @@ public final class MarkerPoseFinder {
      *     pose
      */
     public static List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double pixelStdPx) {
+        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(sizeMm), cornersPx, IntrinsicsPrior.KNOWN,
+                null);
+        fit.setIsotropic(pixelStdPx);
+        return modes(fit, cornersPx, sizeMm, camera);
+    }
+
+    /**
+     * The same with a covariance of the corners.
+     *
+     * @param cornersPx 8 values, px
+     * @param sizeMm outer edge of the marker, mm
+     * @param camera intrinsics
+     * @param whitening inverse of the Cholesky factor of the covariance, 8x8 row by row, lower triangular, 1/px
+     * @return one or two modes, the heavier first; empty if the corners are of no pose
+     */
+    public static List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double[] whitening) {
+        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(sizeMm), cornersPx, IntrinsicsPrior.KNOWN,
+                null);
+        fit.setWhitening(whitening);
+        return modes(fit, cornersPx, sizeMm, camera);
+    }
+
+    private static List<PoseMode> modes(ReprojectionFit fit, double[] cornersPx, double sizeMm, PinholeCamera camera) {
         double[] points = MarkerGeometry.cornersMm(sizeMm);
         RigidTransform start = TargetPnp.planar(camera, points, cornersPx);
         if (start == null) {
@@ -60,8 +83,6 @@ public final class MarkerPoseFinder {
         if (start == null) {
             return Collections.emptyList();
         }
-        ReprojectionFit fit = new ReprojectionFit(points, cornersPx, IntrinsicsPrior.KNOWN, null);
-        fit.setIsotropic(pixelStdPx);
         List<PoseMode> modes = new ArrayList<>();
         RigidTransform pose = start;
         // from each mode found the mirrored pose is tried; a third round comes back to the first

@@ -7,13 +7,14 @@ import org.cellgauge.geometry.Cholesky;
  * derivative of its whitened residuals; immutable.
  *
  * <p>Order of all matrices: (dp x, y, z in mm; w x, y, z in rad, both of the centred chart in the camera frame; then
- * the unknown intrinsics in the order of {@link IntrinsicsPrior}).
+ * the unknown intrinsics in the order of {@link IntrinsicsPrior}; then the shared unknowns of {@link CornerErrors}).
  */
 public final class PoseMode {
     private final CameraState state;
     private final double[] jacobian;
     private final double[] residuals;
     private final double[] whitening;
+    private final double[] placement;
     private final double[] covariance;
     private final int columns;
     private final int markers;
@@ -39,6 +40,7 @@ public final class PoseMode {
         this.jacobian = fit.jacobian().clone();
         this.residuals = fit.residuals().clone();
         this.whitening = fit.whitening().clone();
+        this.placement = fit.placement().clone();
         this.covariance = covariance;
         this.columns = fit.columns();
         this.markers = markers;
@@ -66,7 +68,7 @@ public final class PoseMode {
     /**
      * Number of unknowns.
      *
-     * @return 6 and one per unknown intrinsic
+     * @return 6, one per unknown intrinsic and one per shared unknown
      */
     public int dimension() {
         return columns;
@@ -121,6 +123,15 @@ public final class PoseMode {
      */
     public double[] whitening() {
         return whitening.clone();
+    }
+
+    /**
+     * Covariances of residuals by placement, frozen at this mode.
+     *
+     * @return a copy, 64 values per marker, 8x8 row by row, px²; zeros where weights were given otherwise
+     */
+    public double[] placementPx2() {
+        return placement.clone();
     }
 
     /**

@@ -15,4 +15,13 @@ public interface ReferenceNoise {
      * @return false, with the outputs undefined, if a corner is not in front of the camera
      */
     boolean covariance(CameraState state, int marker, double[] placementPx2, double[] pixelPx2);
+
+    /**
+     * The added noise that it is evaluated at.
+     *
+     * @return the u of {@link AddedNoise}; 0 where the noise is stated
+     */
+    default double noise() {
+        return 0;
+    }
 }

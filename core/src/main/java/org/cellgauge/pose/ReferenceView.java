@@ -20,10 +20,14 @@ public final class ReferenceView {
     private final double[] pointsMm;
     private final double[] armsMm;
     private final double[] observedPx;
+    private final double[] columns;
+    private final int unknowns;
 
-    private ReferenceView(List<Reference> references, double[] observedPx) {
+    private ReferenceView(List<Reference> references, double[] observedPx, double[] columns, int unknowns) {
         this.references = Collections.unmodifiableList(references);
         this.observedPx = observedPx;
+        this.columns = columns;
+        this.unknowns = unknowns;
         int n = references.size();
         centroidMm = new double[3];
         for (Reference r : references) {
@@ -70,7 +74,32 @@ public final class ReferenceView {
         for (int m = 0; m < seen.size(); m++) {
             System.arraycopy(corners.get(m), 0, observed, 8 * m, 8);
         }
-        return new ReferenceView(seen, observed);
+        return new ReferenceView(seen, observed, new double[0], 0);
+    }
+
+    /**
+     * The view of the references that were detected, their corners as the errors of the photo have them.
+     *
+     * @param references the cell's references
+     * @param errors errors of the photo's corners; references that the photo does not show are left out
+     * @return the view
+     * @throws IllegalArgumentException if it shows none of them
+     */
+    public static ReferenceView of(Collection<Reference> references, CornerErrors errors) {
+        List<Reference> seen = new ArrayList<>();
+        for (Reference r : references) {
+            if (errors.has(r.id())) {
+                seen.add(r);
+            }
+        }
+        if (seen.isEmpty()) {
+            throw new IllegalArgumentException("no reference was seen");
+        }
+        double[] observed = new double[8 * seen.size()];
+        for (int m = 0; m < seen.size(); m++) {
+            System.arraycopy(errors.cornersPx(seen.get(m).id()), 0, observed, 8 * m, 8);
+        }
+        return new ReferenceView(seen, observed, errors.columns(seen), errors.unknowns());
     }
 
     /**
@@ -82,11 +111,13 @@ public final class ReferenceView {
     public ReferenceView only(List<Integer> kept) {
         List<Reference> left = new ArrayList<>();
         double[] observed = new double[8 * kept.size()];
+        double[] keptColumns = new double[8 * unknowns * kept.size()];
         for (int i = 0; i < kept.size(); i++) {
             left.add(references.get(kept.get(i)));
             System.arraycopy(observedPx, 8 * kept.get(i), observed, 8 * i, 8);
+            System.arraycopy(columns, 8 * unknowns * kept.get(i), keptColumns, 8 * unknowns * i, 8 * unknowns);
         }
-        return new ReferenceView(left, observed);
+        return new ReferenceView(left, observed, keptColumns, unknowns);
     }
 
     /**
@@ -99,7 +130,7 @@ public final class ReferenceView {
         if (otherPx.length != observedPx.length) {
             throw new IllegalArgumentException("needs " + observedPx.length + " values, not " + otherPx.length);
         }
-        return new ReferenceView(references, otherPx.clone());
+        return new ReferenceView(references, otherPx.clone(), columns, unknowns);
     }
 
     /**
@@ -155,6 +186,29 @@ public final class ReferenceView {
      */
     public double[] observedPx() {
         return observedPx.clone();
+    }
+
+    /**
+     * Number of unknowns that the references share with other markers.
+     *
+     * @return of {@link CornerErrors}; 0 where there are none
+     */
+    public int unknowns() {
+        return unknowns;
+    }
+
+    /**
+     * Change of the observed corners by each of these.
+     *
+     * @return a copy, 8 x {@link #unknowns()} row by row for each reference, px per unit
+     */
+    public double[] columnsPx() {
+        return columns.clone();
+    }
+
+    /** The same, shared within the package. */
+    double[] columns() {
+        return columns;
     }
 
     /** Corners as observed, shared within the package. */

@@ -8,7 +8,8 @@ import org.cellgauge.geometry.Projection;
  * Least squares fit of a pose, and of unknown intrinsics, to image corners: damped Gauss-Newton in the centred chart.
  *
  * <p>Minimises {@code |r|²/2}, r stacking per marker {@code W (projected - observed)} with W the whitening matrix
- * (inverse of the Cholesky factor of the residual covariance), one row per unknown intrinsic and six per pose prior.
+ * (inverse of the Cholesky factor of the residual covariance), one row per unknown intrinsic, one per unknown that
+ * markers share ({@link CornerErrors}: observed corners less their columns count) and six per pose prior.
  * Damping is Marquardt's with Nielsen's update of the factor (Madsen, Nielsen, Tingleff, "Methods for non-linear least
  * squares problems", 2nd ed. 2004, algorithm 3.16).
  *
@@ -22,10 +23,13 @@ public final class ReprojectionFit {
     private final double[] observed;
     private final IntrinsicsPrior intrinsicsPrior;
     private final PosePrior posePrior;
+    private final double[] byUnknowns;
+    private final int unknowns;
     private final int markers;
     private final int columns;
     private final int rows;
     private final double[] whitening;
+    private final double[] placement;
     private final double[] residuals;
     private final double[] jacobian;
     private final double[] information;
@@ -48,14 +52,33 @@ public final class ReprojectionFit {
      * @param posePrior prior of the pose, or null for a flat one
      */
     public ReprojectionFit(double[] points, double[] observed, IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+        this(points, observed, new double[0], 0, intrinsicsPrior, posePrior);
+    }
+
+    /**
+     * A fit with unknowns that markers share. States have to hold as many of them.
+     *
+     * @param points corners relative to the centre of their set, 12 values per marker, mm; not copied
+     * @param observed corners in the image, 8 values per marker, px; not copied
+     * @param byUnknowns change of the observed corners by each shared unknown, 8 x unknowns row by row for each marker,
+     *     px per unit; not copied
+     * @param unknowns number of shared unknowns, standard normal beforehand
+     * @param intrinsicsPrior unknown intrinsics
+     * @param posePrior prior of the pose, or null for a flat one
+     */
+    public ReprojectionFit(double[] points, double[] observed, double[] byUnknowns, int unknowns,
+            IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
         this.points = points;
         this.observed = observed;
         this.intrinsicsPrior = intrinsicsPrior;
         this.posePrior = posePrior;
+        this.byUnknowns = byUnknowns;
+        this.unknowns = unknowns;
         markers = points.length / 12;
-        columns = 6 + intrinsicsPrior.count();
-        rows = 8 * markers + intrinsicsPrior.count() + (posePrior == null ? 0 : 6);
+        columns = 6 + intrinsicsPrior.count() + unknowns;
+        rows = 8 * markers + intrinsicsPrior.count() + unknowns + (posePrior == null ? 0 : 6);
         whitening = new double[64 * markers];
+        placement = new double[64 * markers];
         residuals = new double[rows];
         jacobian = new double[rows * columns];
         information = new double[columns * columns];
@@ -80,6 +103,15 @@ public final class ReprojectionFit {
     }
 
     /**
+     * Weighs by whitening matrices of the caller's.
+     *
+     * @param matrices 64 values per marker, lower triangular 8x8 row by row, 1/px; copied
+     */
+    public void setWhitening(double[] matrices) {
+        System.arraycopy(matrices, 0, whitening, 0, whitening.length);
+    }
+
+    /**
      * Weighs by a noise model, evaluated at a state and then kept.
      *
      * @param noise covariance of the residuals
@@ -87,7 +119,7 @@ public final class ReprojectionFit {
      * @return false if a corner is not in front of the camera there or a covariance is not positive definite
      */
     public boolean freeze(ReferenceNoise noise, CameraState state) {
-        return whitening(noise, state, markers, whitening);
+        return whitening(noise, state, markers, whitening, placement);
     }
 
     /**
@@ -100,6 +132,11 @@ public final class ReprojectionFit {
      * @return false if a corner is not in front of the camera there or a covariance is not positive definite
      */
     public static boolean whitening(ReferenceNoise noise, CameraState state, int markers, double[] out) {
+        return whitening(noise, state, markers, out, new double[64 * markers]);
+    }
+
+    private static boolean whitening(ReferenceNoise noise, CameraState state, int markers, double[] out,
+            double[] placements) {
         double[] placement = new double[64];
         double[] pixel = new double[64];
         double[] inverse = new double[64];
@@ -107,6 +144,7 @@ public final class ReprojectionFit {
             if (!noise.covariance(state, m, placement, pixel)) {
                 return false;
             }
+            System.arraycopy(placement, 0, placements, 64 * m, 64);
             for (int i = 0; i < 64; i++) {
                 placement[i] += pixel[i];
             }
@@ -192,6 +230,9 @@ public final class ReprojectionFit {
         for (int i = 0; i < intrinsicsPrior.count(); i++) {
             candidate.intrinsics[intrinsicsPrior.index(i)] += step[6 + i];
         }
+        for (int j = 0; j < unknowns; j++) {
+            candidate.unknowns[j] += step[columns - unknowns + j];
+        }
     }
 
     private double costOnly(CameraState state) {
@@ -265,6 +306,16 @@ public final class ReprojectionFit {
                 jacobian[row * columns + 6 + i] = 1 / intrinsicsPrior.std(i);
             }
         }
+        for (int j = 0; j < unknowns; j++) {
+            int row = 8 * markers + intrinsicsPrior.count() + j;
+            double r = state.unknowns[j];
+            residuals[row] = r;
+            cost += 0.5 * r * r;
+            if (withDerivatives) {
+                java.util.Arrays.fill(jacobian, row * columns, (row + 1) * columns, 0);
+                jacobian[row * columns + columns - unknowns + j] = 1;
+            }
+        }
         if (posePrior != null) {
             int first = rows - 6;
             posePrior.rows(state, residuals, withDerivatives ? jacobian : null, first, columns);
@@ -316,12 +367,19 @@ public final class ReprojectionFit {
             }
             plainResiduals[row] = uv[0] - observed[8 * marker + row];
             plainResiduals[row + 1] = uv[1] - observed[8 * marker + row + 1];
+            for (int c = 0; c < 2; c++) {
+                int at8 = (8 * marker + row + c) * unknowns;
+                for (int j = 0; j < unknowns; j++) {
+                    plainResiduals[row + c] += byUnknowns[at8 + j] * state.unknowns[j];
+                    plainJacobian[(row + c) * columns + columns - unknowns + j] = byUnknowns[at8 + j];
+                }
+            }
         }
         return true;
     }
 
     /**
-     * Number of unknowns: 6 and one per unknown intrinsic.
+     * Number of unknowns: 6, one per unknown intrinsic and one per unknown that markers share.
      *
      * @return columns of the derivative
      */
@@ -330,7 +388,7 @@ public final class ReprojectionFit {
     }
 
     /**
-     * Number of whitened residuals: 8 per marker, one per unknown intrinsic, 6 for a pose prior.
+     * Number of whitened residuals: 8 per marker, one per unknown intrinsic and shared unknown, 6 for a pose prior.
      *
      * @return rows of the derivative
      */
@@ -365,6 +423,11 @@ public final class ReprojectionFit {
     /** J^T J of the last evaluation, the Fisher information of the whitened problem; shared. */
     double[] information() {
         return information;
+    }
+
+    /** Covariances by placement that were frozen, 64 per marker; shared. */
+    double[] placement() {
+        return placement;
     }
 
     /** Whitening matrices in force, 64 per marker; shared. */

@@ -5,7 +5,8 @@ import org.cellgauge.cell.Placement;
 import org.cellgauge.geometry.Projection;
 
 /**
- * Residual covariance of rigidly misplaced references: {@code J S J^T + sigma² I} with S the covariance of the
+ * Residual covariance of rigidly misplaced references: {@code J S J^T + C}, C the covariance of the corners' own errors
+ * ({@code sigma² I} where their noise is one stated deviation) and S the covariance of the
  * placement error (translation along the world axes, rotation about the marker's own centre) and J the 8x6 derivative
  * of the projected corners by it. It is what remains when six Gaussian nuisance parameters per reference are integrated
  * out of a linearised model (Gelman et al., "Bayesian Data Analysis", 3rd ed. 2013, section 14.2).
@@ -15,6 +16,8 @@ import org.cellgauge.geometry.Projection;
 public final class RigidMarkerNoise implements ReferenceNoise {
     private final ReferenceView view;
     private final double pixelStdPx;
+    private final CornerErrors errors;
+    private final double noise;
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
     private final double[] jacobian = new double[48];
@@ -32,6 +35,22 @@ public final class RigidMarkerNoise implements ReferenceNoise {
         }
         this.view = view;
         this.pixelStdPx = pixelStdPx;
+        errors = null;
+        noise = 0;
+    }
+
+    /**
+     * The noise of a view whose corners have covariances of their own.
+     *
+     * @param view references with their placement precision
+     * @param errors errors of the corners
+     * @param noise the u of their added noise; ignored where it is stated
+     */
+    public RigidMarkerNoise(ReferenceView view, CornerErrors errors, double noise) {
+        this.view = view;
+        this.errors = errors.isPlain() ? null : errors;
+        this.noise = noise;
+        pixelStdPx = errors.statedStdPx();
     }
 
     @Override
@@ -51,11 +70,20 @@ public final class RigidMarkerNoise implements ReferenceNoise {
                 placementPx2[8 * j + i] = s;
             }
         }
+        if (errors != null) {
+            errors.covariance(view.references().get(marker).id(), noise, pixelPx2);
+            return true;
+        }
         Arrays.fill(pixelPx2, 0);
         for (int i = 0; i < 8; i++) {
             pixelPx2[9 * i] = pixelStdPx * pixelStdPx;
         }
         return true;
+    }
+
+    @Override
+    public double noise() {
+        return noise;
     }
 
     /**

@@ -11,6 +11,7 @@ public final class CameraPosterior implements LogDensity {
     private final RotationPrior rotationPrior;
     private final IntrinsicsPrior intrinsicsPrior;
     private final PosePrior posePrior;
+    private final SharedPrior sharedPrior;
     private final CameraState state = new CameraState();
     private final double[] scratch9 = new double[9];
     private final double[] scratch3 = new double[3];
@@ -26,6 +27,22 @@ public final class CameraPosterior implements LogDensity {
      */
     public CameraPosterior(CameraChart chart, CameraLikelihood likelihood, RotationPrior rotationPrior,
             IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+        this(chart, likelihood, rotationPrior, intrinsicsPrior, posePrior, null);
+    }
+
+    /**
+     * A posterior with unknowns that markers share.
+     *
+     * @param chart coordinates
+     * @param likelihood of the references' corners
+     * @param rotationPrior prior over rotations; position is flat
+     * @param intrinsicsPrior prior of the unknown intrinsics
+     * @param posePrior weak prior of the pose on top, or null
+     * @param sharedPrior prior of what markers share, or null where they share nothing
+     */
+    public CameraPosterior(CameraChart chart, CameraLikelihood likelihood, RotationPrior rotationPrior,
+            IntrinsicsPrior intrinsicsPrior, PosePrior posePrior, SharedPrior sharedPrior) {
+        this.sharedPrior = sharedPrior;
         this.chart = chart;
         this.likelihood = likelihood;
         this.rotationPrior = rotationPrior;
@@ -46,6 +63,9 @@ public final class CameraPosterior implements LogDensity {
         }
         chart.decode(x, state);
         prior += rotationPrior.logDensity(state) + intrinsicsPrior.logDensity(state.intrinsics);
+        if (sharedPrior != null) {
+            prior += sharedPrior.logDensity(state);
+        }
         if (posePrior != null) {
             prior += posePrior.logDensity(state, scratch9, scratch3);
         }

@@ -5,7 +5,8 @@ import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.IntrinsicsPrior;
 
 /**
- * Coordinates (dp in mm, w in rad, changes of unknown intrinsics) about a base state: p the centroid of the references
+ * Coordinates (dp in mm, w in rad, changes of unknown intrinsics, of the unknowns that markers share and of the added
+ * noise, where it is unknown) about a base state: p the centroid of the references
  * in the camera frame, {@code R = exp(w) R_base}. Moves in them turn the camera about the scene, which takes the strong
  * correlation of position and rotation away.
  *
@@ -14,6 +15,8 @@ import org.cellgauge.pose.IntrinsicsPrior;
 public final class CentredChart implements CameraChart {
     private final CameraState base;
     private final IntrinsicsPrior intrinsics;
+    private final int unknowns;
+    private final boolean noiseUnknown;
 
     /**
      * A chart.
@@ -22,13 +25,26 @@ public final class CentredChart implements CameraChart {
      * @param intrinsics which intrinsics are unknown
      */
     public CentredChart(CameraState base, IntrinsicsPrior intrinsics) {
+        this(base, intrinsics, false);
+    }
+
+    /**
+     * A chart of a photo whose corners have errors in common.
+     *
+     * @param base state of the coordinates 0, with as many shared unknowns as there are; copied
+     * @param intrinsics which intrinsics are unknown
+     * @param noiseUnknown whether the added noise is a coordinate, the last
+     */
+    public CentredChart(CameraState base, IntrinsicsPrior intrinsics, boolean noiseUnknown) {
         this.base = new CameraState().copyFrom(base);
         this.intrinsics = intrinsics;
+        this.noiseUnknown = noiseUnknown;
+        unknowns = base.unknowns.length;
     }
 
     @Override
     public int dimension() {
-        return 6 + intrinsics.count();
+        return 6 + intrinsics.count() + unknowns + (noiseUnknown ? 1 : 0);
     }
 
     @Override
@@ -37,6 +53,13 @@ public final class CentredChart implements CameraChart {
         for (int i = 0; i < intrinsics.count(); i++) {
             out.intrinsics[intrinsics.index(i)] += x[6 + i];
         }
+        int first = 6 + intrinsics.count();
+        for (int j = 0; j < unknowns; j++) {
+            out.unknowns[j] += x[first + j];
+        }
+        if (noiseUnknown) {
+            out.noise += x[first + unknowns];
+        }
     }
 
     @Override
@@ -44,6 +67,13 @@ public final class CentredChart implements CameraChart {
         double[] x = java.util.Arrays.copyOf(state.stepFrom(base), dimension());
         for (int i = 0; i < intrinsics.count(); i++) {
             x[6 + i] = state.intrinsics[intrinsics.index(i)] - base.intrinsics[intrinsics.index(i)];
+        }
+        int first = 6 + intrinsics.count();
+        for (int j = 0; j < unknowns; j++) {
+            x[first + j] = state.unknowns[j] - base.unknowns[j];
+        }
+        if (noiseUnknown) {
+            x[first + unknowns] = state.noise - base.noise;
         }
         return x;
     }

@@ -7,12 +7,13 @@ import org.cellgauge.pose.IntrinsicsPrior;
 
 /**
  * The thesis' coordinates: camera position in the world (mm), Euler angles psi, theta, phi (rad) of worldFromCamera,
- * and the values of unknown intrinsics.
+ * the values of unknown intrinsics, of the unknowns that markers share and of the added noise, where it is unknown.
  */
 public final class EulerChart implements CameraChart {
     private final double[] centroidMm;
     private final CameraState known;
     private final IntrinsicsPrior intrinsics;
+    private final boolean noiseUnknown;
     private final double[] worldFromCamera = new double[9];
 
     /**
@@ -23,6 +24,19 @@ public final class EulerChart implements CameraChart {
      * @param intrinsics which intrinsics are unknown
      */
     public EulerChart(double[] centroidMm, CameraState known, IntrinsicsPrior intrinsics) {
+        this(centroidMm, known, intrinsics, false);
+    }
+
+    /**
+     * A chart of a photo whose corners have errors in common.
+     *
+     * @param centroidMm centroid of the references in the world, 3 values, mm; copied
+     * @param known gives the intrinsics that are not estimated, and how many shared unknowns there are; copied
+     * @param intrinsics which intrinsics are unknown
+     * @param noiseUnknown whether the added noise is a coordinate, the last
+     */
+    public EulerChart(double[] centroidMm, CameraState known, IntrinsicsPrior intrinsics, boolean noiseUnknown) {
+        this.noiseUnknown = noiseUnknown;
         this.centroidMm = centroidMm.clone();
         this.known = new CameraState().copyFrom(known);
         this.intrinsics = intrinsics;
@@ -30,14 +44,19 @@ public final class EulerChart implements CameraChart {
 
     @Override
     public int dimension() {
-        return 6 + intrinsics.count();
+        return 6 + intrinsics.count() + known.unknowns.length + (noiseUnknown ? 1 : 0);
     }
 
     @Override
     public void decode(double[] x, CameraState out) {
-        System.arraycopy(known.intrinsics, 0, out.intrinsics, 0, known.intrinsics.length);
+        out.copyFrom(known);
         for (int i = 0; i < intrinsics.count(); i++) {
             out.intrinsics[intrinsics.index(i)] = x[6 + i];
+        }
+        int first = 6 + intrinsics.count();
+        System.arraycopy(x, first, out.unknowns, 0, out.unknowns.length);
+        if (noiseUnknown) {
+            out.noise = x[first + out.unknowns.length];
         }
         Rotations.fromEuler(x[3], x[4], x[5], worldFromCamera);
         Rotations.transpose(worldFromCamera, out.rotation);
@@ -61,6 +80,11 @@ public final class EulerChart implements CameraChart {
         }
         for (int i = 0; i < intrinsics.count(); i++) {
             x[6 + i] = state.intrinsics[intrinsics.index(i)];
+        }
+        int first = 6 + intrinsics.count();
+        System.arraycopy(state.unknowns, 0, x, first, state.unknowns.length);
+        if (noiseUnknown) {
+            x[first + state.unknowns.length] = state.noise;
         }
         return x;
     }

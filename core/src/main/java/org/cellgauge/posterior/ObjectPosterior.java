@@ -1,15 +1,20 @@
 package org.cellgauge.posterior;
 
+import java.util.Collections;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.Projection;
 import org.cellgauge.geometry.Rotations;
+import org.cellgauge.pose.AddedNoise;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.CornerErrors;
 
 /**
  * Posterior of an object marker's pose in the camera frame given its own corners: Gaussian corner noise, flat position,
  * uniform rotation, in the centred chart (dp in mm, w in rad) about a base pose. Allocates nothing; not thread-safe.
  *
- * <p>The base may be moved between evaluations: where intrinsics are sampled, each draw has its own.
+ * <p>The base may be moved between evaluations: where intrinsics are sampled, each draw has its own. So may what the
+ * marker shares with others, {@link #setShared}: the base then moves along as the fitted pose would, to first order, and
+ * coordinates are stretched as its deviations would be, so that the density in them stays nearly the same.
  */
 public final class ObjectPosterior implements LogDensity {
     private final double[] points;
@@ -18,6 +23,39 @@ public final class ObjectPosterior implements LogDensity {
     private final CameraState base = new CameraState();
     private final CameraState state = new CameraState();
     private final double[] uv = new double[2];
+    private final double[] residuals = new double[8];
+    private final double[] stretched = new double[6];
+    private final Shared shared;
+    private double[] packed;
+    private double stretch = 1;
+
+    /** What the marker has in common with others. */
+    private static final class Shared {
+        final CornerErrors errors;
+        final int id;
+        final double[] corners;
+        final double[] columns;
+        final double[] byUnknown;
+        final CameraState mode;
+        final double[] step = new double[6];
+        final NoiseWhitening whitening;
+        final double[] stretches;
+
+        Shared(CornerErrors errors, int id, double[] byUnknown, CameraState mode, boolean stretching) {
+            this.errors = errors;
+            this.id = id;
+            this.byUnknown = byUnknown.clone();
+            this.mode = new CameraState().copyFrom(mode);
+            corners = errors.cornersPx(id);
+            columns = errors.columns(id);
+            whitening = new NoiseWhitening(errors, Collections.singletonList(id), null);
+            stretches = new double[AddedNoise.NODES];
+            double atMode = errors.meanVariancePx2(id, mode.noise);
+            for (int i = 0; i < stretches.length; i++) {
+                stretches[i] = stretching ? Math.sqrt(errors.meanVariancePx2(id, AddedNoise.atNode(i)) / atMode) : 1;
+            }
+        }
+    }
 
     /**
      * A posterior.
@@ -31,7 +69,59 @@ public final class ObjectPosterior implements LogDensity {
         points = MarkerGeometry.cornersMm(sizeMm);
         observed = cornersPx.clone();
         inverseVariance = 1 / (pixelStdPx * pixelStdPx);
+        shared = null;
         this.base.copyFrom(base);
+    }
+
+    /**
+     * A posterior of a marker whose corners have a covariance and errors in common with others.
+     *
+     * @param errors errors of the photo's corners
+     * @param id marker id
+     * @param sizeMm outer edge of the marker, mm
+     * @param byUnknown change of the fitted pose by each shared unknown, 6 x unknowns row by row; copied
+     * @param base pose of the coordinates 0 at its own intrinsics, shared unknowns and noise; copied
+     * @param stretching whether coordinates are stretched with the noise; not where the pose has a second mode, whose
+     *     place stays where it is
+     */
+    public ObjectPosterior(CornerErrors errors, int id, double sizeMm, double[] byUnknown, CameraState base,
+            boolean stretching) {
+        points = MarkerGeometry.cornersMm(sizeMm);
+        observed = new double[8];
+        inverseVariance = Double.NaN;
+        shared = new Shared(errors, id, byUnknown, base, stretching);
+        setShared(base);
+    }
+
+    /**
+     * Takes shared unknowns and noise from a draw; the base moves along.
+     *
+     * @param camera the draw; its pose and intrinsics are of no account
+     * @throws IllegalStateException if the marker shares nothing
+     */
+    public void setShared(CameraState camera) {
+        if (shared == null) {
+            throw new IllegalStateException("this marker shares nothing with others");
+        }
+        int q = camera.unknowns.length;
+        for (int i = 0; i < 8; i++) {
+            double sum = shared.corners[i];
+            for (int j = 0; j < q; j++) {
+                sum -= shared.columns[i * q + j] * camera.unknowns[j];
+            }
+            observed[i] = sum;
+        }
+        for (int i = 0; i < 6; i++) {
+            double sum = 0;
+            for (int j = 0; j < q; j++) {
+                sum += shared.byUnknown[i * q + j] * (camera.unknowns[j] - shared.mode.unknowns[j]);
+            }
+            shared.step[i] = sum;
+        }
+        base.setMoved(shared.mode, shared.step, 0);
+        int node = shared.errors.added() == null ? 0 : AddedNoise.node(camera.noise);
+        packed = shared.whitening.at(node);
+        stretch = shared.errors.added() == null ? 1 : shared.stretches[node];
     }
 
     /**
@@ -43,6 +133,24 @@ public final class ObjectPosterior implements LogDensity {
         base.copyFrom(newBase);
     }
 
+    /**
+     * Observed corners less what is shared.
+     *
+     * @return 8 values, px; shared with this posterior, not to be changed
+     */
+    public double[] shiftedPx() {
+        return observed;
+    }
+
+    /**
+     * The pose of the coordinates 0.
+     *
+     * @param out receives pose, intrinsics and shared unknowns of the base
+     */
+    public void base(CameraState out) {
+        out.copyFrom(base);
+    }
+
     @Override
     public int dimension() {
         return 6;
@@ -50,11 +158,18 @@ public final class ObjectPosterior implements LogDensity {
 
     @Override
     public double at(double[] x) {
-        double squared = x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
+        double[] step = x;
+        if (stretch != 1) {
+            step = stretched;
+            for (int i = 0; i < 6; i++) {
+                stretched[i] = stretch * x[i];
+            }
+        }
+        double squared = step[3] * step[3] + step[4] * step[4] + step[5] * step[5];
         if (!(squared <= Math.PI * Math.PI)) {
             return Double.NEGATIVE_INFINITY;
         }
-        state.setMoved(base, x, 0);
+        state.setMoved(base, step, 0);
         double[] r = state.rotation;
         double sum = 0;
         for (int k = 0; k < 4; k++) {
@@ -67,10 +182,25 @@ public final class ObjectPosterior implements LogDensity {
             }
             double du = uv[0] - observed[2 * k];
             double dv = uv[1] - observed[2 * k + 1];
+            residuals[2 * k] = du;
+            residuals[2 * k + 1] = dv;
             sum += du * du + dv * dv;
         }
-        double value = Rotations.logHaarDensity(x[3], x[4], x[5]) - 0.5 * sum * inverseVariance;
+        double squares = packed == null ? sum * inverseVariance : whitenedSquares();
+        double value = Rotations.logHaarDensity(step[3], step[4], step[5]) - 0.5 * squares;
         return value == value ? value : Double.NEGATIVE_INFINITY;
+    }
+
+    private double whitenedSquares() {
+        double squares = 0;
+        for (int i = 0, at = 0; i < 8; i++) {
+            double s = 0;
+            for (int j = 0; j <= i; j++) {
+                s += packed[at++] * residuals[j];
+            }
+            squares += s * s;
+        }
+        return squares;
     }
 
     /**
@@ -80,6 +210,9 @@ public final class ObjectPosterior implements LogDensity {
      * @param out receives the pose in the camera frame and the base's intrinsics
      */
     public void decode(double[] x, CameraState out) {
-        out.setMoved(base, x, 0);
+        for (int i = 0; i < 6; i++) {
+            stretched[i] = stretch * x[i];
+        }
+        out.setMoved(base, stretched, 0);
     }
 }

@@ -1,8 +1,12 @@
 package org.cellgauge.posterior;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.Projection;
+import org.cellgauge.pose.AddedNoise;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.ReferenceView;
 
 /**
@@ -12,15 +16,19 @@ import org.cellgauge.pose.ReferenceView;
  * <p>{@code log L = sum_m [ sum_i log W_m,ii - |W_m r_m|² / 2 ]}, W_m the whitening matrix of reference m; the
  * log-determinant is kept, so that modes with different frozen covariances can be compared.
  *
- * <p>Whitened once and never factored in the loop; allocates nothing; not thread-safe.
+ * <p>Whitened once (with an unknown noise: once for every step of it) and not factored in the loop; allocates nothing
+ * then. Unknowns that markers share move the residuals along their columns. Not thread-safe.
  */
 public final class RigidMarkerLikelihood implements CameraLikelihood {
-    private static final int PACKED = 36;
+    private static final int PACKED = NoiseWhitening.PACKED;
 
     private final double[] points;
     private final double[] observed;
-    private final double[] packed;
+    private final double[] columns;
+    private final int unknowns;
+    private final double[] stated;
     private final double logDeterminant;
+    private final NoiseWhitening noise;
     private final double[] residuals = new double[8];
     private final double[] uv = new double[2];
 
@@ -33,22 +41,44 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
     public RigidMarkerLikelihood(ReferenceView view, double[] whitening) {
         points = view.pointsMm();
         observed = view.observedPx();
+        columns = view.columnsPx();
+        unknowns = view.unknowns();
+        noise = null;
         int markers = view.size();
         if (whitening.length != 64 * markers) {
             throw new IllegalArgumentException("needs 64 whitening values per reference");
         }
-        packed = new double[PACKED * markers];
+        stated = new double[PACKED * markers];
         double sum = 0;
         for (int m = 0; m < markers; m++) {
             int at = PACKED * m;
             for (int i = 0; i < 8; i++) {
                 for (int j = 0; j <= i; j++) {
-                    packed[at++] = whitening[64 * m + 8 * i + j];
+                    stated[at++] = whitening[64 * m + 8 * i + j];
                 }
                 sum += Math.log(whitening[64 * m + 9 * i]);
             }
         }
         logDeterminant = sum;
+    }
+
+    /**
+     * A likelihood with an unknown noise.
+     *
+     * @param view references and their observed corners
+     * @param errors errors of these, with an added noise
+     * @param placementPx2 64 values per reference, 8x8 row by row: covariances by placement, frozen, px²; copied
+     */
+    public RigidMarkerLikelihood(ReferenceView view, CornerErrors errors, double[] placementPx2) {
+        points = view.pointsMm();
+        observed = view.observedPx();
+        columns = view.columnsPx();
+        unknowns = view.unknowns();
+        stated = null;
+        logDeterminant = 0;
+        List<Integer> ids = new ArrayList<>();
+        view.references().forEach(r -> ids.add(r.id()));
+        noise = new NoiseWhitening(errors, ids, placementPx2.clone());
     }
 
     @Override
@@ -65,6 +95,13 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         double fy = intrinsics[PinholeCamera.FY];
         double cx = intrinsics[PinholeCamera.CX];
         double cy = intrinsics[PinholeCamera.CY];
+        double[] packed = stated;
+        double logDiagonal = logDeterminant;
+        if (noise != null) {
+            int node = AddedNoise.node(state.noise);
+            packed = noise.at(node);
+            logDiagonal = noise.logDeterminant(node);
+        }
         double squares = 0;
         for (int p = 0, o = 0, w = 0; p < points.length; o += 8, w += PACKED) {
             for (int k = 0; k < 8; k += 2, p += 3) {
@@ -89,18 +126,31 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
                     residuals[k + 1] = fy * y * inverseZ + cy - observed[o + k + 1];
                 }
             }
-            squares += whitenedSquares(w);
+            if (unknowns > 0) {
+                alongColumns(state.unknowns, o);
+            }
+            squares += whitenedSquares(packed, w);
         }
-        double value = logDeterminant - 0.5 * squares;
+        double value = logDiagonal - 0.5 * squares;
         return value == value ? value : Double.NEGATIVE_INFINITY;
+    }
+
+    /** Moves the residuals of the reference whose corners start at an index by what markers share. */
+    private void alongColumns(double[] nu, int o) {
+        for (int i = 0, c = o * unknowns; i < 8; i++) {
+            double sum = 0;
+            for (int j = 0; j < unknowns; j++) {
+                sum += columns[c++] * nu[j];
+            }
+            residuals[i] += sum;
+        }
     }
 
     /**
      * Squared length of the whitened residuals of the reference whose matrix starts at an index. Written out: with a
      * loop over rows of growing length the whole likelihood takes twice as long.
      */
-    private double whitenedSquares(int w) {
-        double[] m = packed;
+    private double whitenedSquares(double[] m, int w) {
         double r0 = residuals[0];
         double r1 = residuals[1];
         double r2 = residuals[2];

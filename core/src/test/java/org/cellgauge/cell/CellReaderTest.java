@@ -12,6 +12,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.OptionalDouble;
+import java.util.Collections;
 import org.cellgauge.geometry.PinholeCamera;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -42,6 +44,27 @@ class CellReaderTest {
 
     static Cell read(String text) {
         return CellReader.read(text, "cell.yaml", name -> CAMERA);
+    }
+
+    /** Precision of prints: exact, flat and usual ink where nothing is said; 0 may be said; nothing is negative. */
+    @Test
+    void precisionOfPrintsIsReadAndComesBack() {
+        PrintPrecision usual = read(CELL).prints();
+        assertEquals(0, usual.sizeStdMm());
+        assertEquals(0, usual.flatnessMm());
+        assertEquals(0.05, usual.printGainStdMm());
+        String stated = CELL.replace("size_mm: 47}", "size_mm: 47, size_std_mm: 0.1, flatness_mm: 0.2, "
+                + "print_gain_std_mm: 0}");
+        Cell cell = read(stated);
+        for (Cell same : new Cell[] {cell, cell.withTarget(OptionalDouble.empty()),
+            read(CellWriter.text(cell, Collections.emptyList()))}) {
+            assertEquals(0.1, same.prints().sizeStdMm());
+            assertEquals(0.2, same.prints().flatnessMm());
+            assertEquals(0, same.prints().printGainStdMm());
+        }
+        InputRefusedException refused = assertThrows(InputRefusedException.class,
+                () -> read(stated.replace("size_std_mm: 0.1", "size_std_mm: -0.1")));
+        assertTrue(refused.getMessage().contains("size_std_mm"), refused.getMessage());
     }
 
     @Test

@@ -34,6 +34,9 @@ class CellWriterTest {
         assertArrayEquals(expected.camera().intrinsics(), actual.camera().intrinsics());
         assertEquals(expected.family(), actual.family());
         assertEquals(expected.pixelStdPx(), actual.pixelStdPx());
+        assertEquals(expected.prints().sizeStdMm(), actual.prints().sizeStdMm());
+        assertEquals(expected.prints().flatnessMm(), actual.prints().flatnessMm());
+        assertEquals(expected.prints().printGainStdMm(), actual.prints().printGainStdMm());
         assertEquals(expected.targetStdMm(), actual.targetStdMm());
         assertEquals(expected.references().size(), actual.references().size());
         for (int i = 0; i < expected.references().size(); i++) {

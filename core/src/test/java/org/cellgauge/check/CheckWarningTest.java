@@ -48,8 +48,12 @@ class CheckWarningTest {
                 + "markers are missed, plan for 32 px: larger markers or a closer camera", CheckWarning.SMALL_MARKERS,
                 Listing.comma(Arrays.asList(Warning.of(CheckPhrase.SMALL_MARKER, 5, n(20.1, 1)),
                         Warning.of(CheckPhrase.SMALL_MARKER, 7, n(24.94, 1)))), n(25, 0), n(32, 0));
-        says("pixel_std_px is estimated as 0.213 px from 14 degrees of freedom, good to about 19 %",
-                CheckWarning.CORNER_NOISE_ESTIMATED, n(0.2134, 3), 14, n(18.9, 0));
+        says("pixel_std_px is not stated: corners of this photo are good to 0.213 px as far as it tells, and with 95 % "
+                + "to between 0.150 and 0.310 px",
+                CheckWarning.CORNER_NOISE_ESTIMATED, n(0.2134, 3), n(0.15, 3), n(0.3104, 3));
+        says("the corners of marker 22 fit no square: 12 times worse than those of the others; it counts for little "
+                + "until they do (is it covered, smudged, bent, or has it a glint?)", CheckWarning.MARKER_SET_ASIDE, 22,
+                n(12.3, 0));
     }
 
     @Test

@@ -11,10 +11,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.vision.PhotoLight;
 import org.junit.jupiter.api.Test;
 
 /** Each part of a reason is what the estimate says, and the sentence says each part. */
@@ -163,8 +167,14 @@ class ReasonTest {
     @Test
     void everySourceOfABudgetIsKnown() {
         ThesisScene scene = ThesisScene.inPlane(2);
-        CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.3, RandomStreams.of(1), 5, 0.01),
-                CheckSettings.builder().estimate(CheckSettings.Estimate.FOCAL).iterations(400).warmup(100).build());
+        Cell all = scene.cell();
+        Cell cell = new Cell(all.camera(), all.family(), all.references(), all.objects(), all.pixelStdPx(),
+                all.targetStdMm(), new PrintPrecision(0.1, 0.1, 0.05));
+        Detections corners = scene.detections(0.3, RandomStreams.of(1), 5, 0.01);
+        Detections photo = new Detections("scene", corners.widthPx(), corners.heightPx(), corners.markers(), List.of(),
+                new PhotoLight(ToneCurve.SRGB, true, 0.7, 1, 100, 0.1));
+        CheckResult result = CellCheck.run(cell, photo, CheckSettings.builder()
+                .estimate(CheckSettings.Estimate.FOCAL).iterations(400).warmup(100).build());
         List<Reason.Source> found = new ArrayList<>();
         for (String name : result.estimate().objects().get(0).budget().shares().keySet()) {
             found.add(VarianceBudget.kindOf(name));

@@ -11,6 +11,7 @@ import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.Diagnostics;
 import org.cellgauge.check.ModeEstimate;
+import org.cellgauge.check.NoiseEstimate;
 import org.cellgauge.check.ObjectEstimate;
 import org.cellgauge.check.PointEstimate;
 import org.cellgauge.check.PoseEstimate;
@@ -85,6 +86,7 @@ final class CheckText {
         if (result.detections().light() != null) {
             text.append(wrap("Light: " + light(result), "        "));
         }
+        text.append(noiseLines(result.noise()));
         if (!result.warnings().isEmpty()) {
             text.append("\nWarnings\n");
             for (Warning warning : result.warnings()) {
@@ -92,6 +94,32 @@ final class CheckText {
             }
         }
         return text.toString();
+    }
+
+    /** What is known of the corners themselves. */
+    static String noiseLines(NoiseEstimate noise) {
+        StringBuilder text = new StringBuilder();
+        text.append(String.format(Locale.ROOT, "Corners: %.3f px", noise.usualStdPx()));
+        if (noise.stated()) {
+            text.append(" as stated");
+        } else if (noise.addedQuantilesStdPx() != null) {
+            double[] q = noise.addedQuantilesStdPx();
+            text.append(String.format(Locale.ROOT, ", of which not told by the detector %.3f px (95 %%: %.3f to %.3f)",
+                    q[1], q[0], q[2]));
+        } else {
+            text.append(" as this photo tells");
+        }
+        text.append('\n');
+        double[] edges = noise.edgeShiftPx();
+        if (edges != null) {
+            text.append(String.format(Locale.ROOT, "Edges: %s px into the dark, std %.3f px; by inner edges alone %s px, "
+                    + "std %.3f px\n", signed3(edges[3]), edges[4], signed3(edges[1]), edges[2]));
+        }
+        return text.toString();
+    }
+
+    private static String signed3(double value) {
+        return String.format(Locale.ROOT, "%+.3f", value);
     }
 
     private static void camera(CheckResult result, String beside, StringBuilder text) {

@@ -305,7 +305,8 @@ final class HtmlReport {
 
     private void diagnostics(CheckResult result) {
         sections.append("<h3>Chains</h3>\n<p>").append(escape(CheckText.diagnosticsLine(result))).append("<br>")
-                .append(escape(CheckText.laplaceLine(result))).append("</p>\n");
+                .append(escape(CheckText.laplaceLine(result))).append("<br>")
+                .append(escape(CheckText.noiseLines(result.noise()).trim()).replace("\n", "<br>")).append("</p>\n");
         sections.append("<details><summary>Every quantity</summary><div class=\"scroll\">\n");
         header("", "mean", "std", "R-hat", "bulk draws", "tail draws", "MC error of mean", "MC error of std");
         for (Map.Entry<String, ChainDiagnostics> e : result.diagnostics().parameters().entrySet()) {
@@ -344,7 +345,7 @@ final class HtmlReport {
         values.put("rotation prior", s.rotationPrior().name().toLowerCase(Locale.ROOT).replace('_', ' '));
         values.put("prior on the camera pose", result.posePrior() == null ? "none" : result.posePrior());
         values.put("pixel std", CheckText.fixed(result.pixelStdPx(), 4) + " px"
-                + (result.cell().pixelStdPx().isPresent() ? "" : " (estimated)"));
+                + (result.cell().pixelStdPx().isPresent() ? "" : " (learned from the photo)"));
         values.put("tone curve", CheckText.toneCurve(result.cell().toneCurve()));
         if (result.detections().light() != null) {
             values.put("light of the photo", CheckText.light(result));

@@ -66,6 +66,8 @@ final class WarningStrings {
                 return R.string.warning_small_markers;
             case CORNER_NOISE_ESTIMATED:
                 return R.string.warning_corner_noise_estimated;
+            case MARKER_SET_ASIDE:
+                return R.string.warning_marker_set_aside;
             case REFERENCE_LEFT_OUT:
                 return R.string.warning_reference_left_out;
             case INITIAL_ESTIMATE_FAILED:

@@ -199,8 +199,14 @@ final class Wording {
                 return get(R.string.source_reference_corners);
             case CORNER_NOISE_OF_OBJECT:
                 return get(R.string.source_object_corners);
+            case FLATNESS_OF_PRINTS:
+                return get(R.string.source_flatness);
             case INTRINSICS:
                 return get(R.string.source_intrinsics);
+            case EDGES:
+                return get(R.string.source_edges);
+            case SIZE_OF_PRINTS:
+                return get(R.string.source_sizes);
             default:
                 return get(R.string.source_pose_prior);
         }

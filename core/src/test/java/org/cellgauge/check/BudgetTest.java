@@ -1,76 +1,19 @@
 package org.cellgauge.check;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import org.apache.commons.math3.random.RandomGenerator;
-import org.cellgauge.cell.Cell;
 import org.cellgauge.sampling.RandomStreams;
-import org.cellgauge.vision.Detections;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Corner noise that is estimated, and where the variance is said to come from. */
-class NoiseAndBudgetTest {
-    private static Cell withEstimatedNoise(Cell cell) {
-        return new Cell(cell.camera(), cell.family(), cell.references(), cell.objects(), OptionalDouble.empty(),
-                cell.targetStdMm());
-    }
-
-    /**
-     * Seven markers have 8 coordinates and 6 unknowns each, so 14 degrees of freedom; large placement errors must not
-     * count as noise, nor noise as pose: seen from the front each marker has a second, mirrored pose, and taking the
-     * better of the two leaves 11 of 14.
-     */
-    @Test
-    void estimatedCornerNoiseHasTwoDegreesOfFreedomPerMarker() {
-        ThesisScene scene = ThesisScene.inPlane(4).placement(20, 0.05).pixelStd(0.3);
-        Cell cell = withEstimatedNoise(scene.cell());
-        RandomGenerator random = RandomStreams.of(51);
-        double squares = 0;
-        double errors = 0;
-        double stated = 0;
-        int cells = 1500;
-        for (int c = 0; c < cells; c++) {
-            CornerNoise noise = CornerNoise.of(cell, scene.detections(0.3, random, 20, 0.05));
-            double relative = noise.stdPx() / 0.3;
-            squares += 14 * relative * relative;
-            errors += (relative - 1) * (relative - 1);
-            stated += noise.relativeStd() * noise.relativeStd();
-            assertTrue(noise.relativeStd() >= 1 / Math.sqrt(28) - 1e-6, "never better than with one pose each");
-            assertTrue(noise.warning().toString().matches("pixel_std_px is estimated as 0\\.\\d+ px from 14 degrees "
-                    + "of freedom, good to about [12]\\d %"), noise.warning().toString());
-        }
-        // chi-square of 14 degrees of freedom: mean 14, deviation sqrt(28)
-        assertEquals(14, squares / cells, 4 * Math.sqrt(28.0 / cells));
-        // as good as it says: the root mean square of 1500 is good to 2 %, four of these
-        assertEquals(1, Math.sqrt(errors / stated), 0.08);
-    }
-
-    @Test
-    void theCheckUsesTheEstimatedNoise() {
-        ThesisScene scene = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.3);
-        Cell cell = withEstimatedNoise(scene.cell());
-        Detections detections = scene.detections(0.3, RandomStreams.of(53), 1, 0.003);
-        CheckResult result = CellCheck.run(cell, detections, CheckSettings.builder().iterations(60).build());
-        assertEquals(CornerNoise.of(cell, detections).stdPx(), result.pixelStdPx(), 0);
-        assertTrue(result.warnings().contains(CornerNoise.of(cell, detections).warning()),
-                result.warnings().toString());
-    }
-
-    @Test
-    void cornersWithoutAnyNoiseTellNothingOfIt() {
-        ThesisScene scene = ThesisScene.inPlane(4);
-        Detections none = new Detections("none", 1280, 720, new ArrayList<>());
-        assertNull(CornerNoise.of(withEstimatedNoise(scene.cell()), none));
-    }
-
+/** Where the variance is said to come from. */
+class BudgetTest {
     private static CellEstimate quickLook(ThesisScene scene) {
         return CellCheck.stream(scene.cell(), scene.exactDetections(), CheckSettings.builder().build()).blockingFirst()
                 .estimate();
