@@ -250,7 +250,7 @@ public final class CoverageFigures {
         private final Mean outwardPx;
         private final Mean outwardInStds;
         private final Mean squaredStated;
-        private final Mean squaredWithShift;
+        private final Mean squaredAsTaken;
         private final double outlying;
 
         private Corners(List<CoverageStudy.CornerStanding> all) {
@@ -259,7 +259,7 @@ public final class CoverageFigures {
             outwardPx = Mean.of(all, c -> c.outwardPx);
             outwardInStds = Mean.of(all, c -> c.outwardPx / Math.sqrt(c.outwardVariancePx2));
             squaredStated = Mean.of(all, c -> c.squaredStated / 8);
-            squaredWithShift = Mean.of(all, c -> c.squaredWithShift / 8);
+            squaredAsTaken = Mean.of(all, c -> c.squaredAsTaken / 8);
             double limit = CoverageRegion.chiSquareQuantile(OUTLYING, 8);
             outlying = Mean.of(all, c -> Double.isNaN(c.squaredStated) ? Double.NaN : c.squaredStated > limit ? 1 : 0)
                     .value();
@@ -311,12 +311,13 @@ public final class CoverageFigures {
         }
 
         /**
-         * The same with the variance that the detector states for a shift of all edges of the photo.
+         * The same of corners and covariance as a check takes them: corrected for the shift that inner edges show, with
+         * what is left open of it in the covariance.
          *
          * @return NaN where none is stated
          */
-        public Mean squaredWithShift() {
-            return squaredWithShift;
+        public Mean squaredAsTaken() {
+            return squaredAsTaken;
         }
 
         /**

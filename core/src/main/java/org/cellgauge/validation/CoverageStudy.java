@@ -19,6 +19,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.statistics.CoverageRegion;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
@@ -75,6 +76,9 @@ public final class CoverageStudy {
         boolean severalModes;
     }
 
+    /** An unknown noise so far below zero that nothing is added: what the fit alone says is judged. */
+    private static final double NO_ADDED_NOISE = -8;
+
     /** How the corners of one marker stand to what was stated of them. */
     static final class CornerStanding {
         double squaredPx2;
@@ -83,8 +87,8 @@ public final class CoverageStudy {
         double outwardVariancePx2 = Double.NaN;
         /** e' S^-1 e; NaN where no covariance is stated. */
         double squaredStated = Double.NaN;
-        /** The same with the prior of an edge shift common to the photo; NaN where none is stated. */
-        double squaredWithShift = Double.NaN;
+        /** The same of the corners and covariance as the check takes them; NaN where no covariance is stated. */
+        double squaredAsTaken = Double.NaN;
     }
 
     /** What became of one simulated cell. */
@@ -268,7 +272,7 @@ public final class CoverageStudy {
         List<Integer> ids = new ArrayList<>();
         simulated.cell().references().forEach(r -> ids.add(r.id()));
         simulated.cell().objects().forEach(o -> ids.add(o.id()));
-        double shiftStdPx = seen.light() == null ? Double.NaN : seen.light().edgeShiftStdPx();
+        CornerErrors taken = CornerErrors.of(simulated.cell(), seen);
         for (int id : ids) {
             MarkerObservation observation = seen.find(id);
             if (observation == null) {
@@ -277,41 +281,50 @@ public final class CoverageStudy {
             outcome.markersFound++;
             double[] truth = simulated.cornersPx(id);
             if (truth != null) {
-                outcome.corners.add(cornerStanding(observation, truth, shiftStdPx));
+                outcome.corners.add(cornerStanding(observation, truth, taken));
             }
         }
     }
 
-    static CornerStanding cornerStanding(MarkerObservation observation, double[] truthPx, double shiftStdPx) {
+    /**
+     * How one marker's corners stand to the truth: as the detector states them, and as a check takes them, corrected for
+     * the shift that inner edges show, with what is left open of it in the covariance.
+     */
+    static CornerStanding cornerStanding(MarkerObservation observation, double[] truthPx, CornerErrors taken) {
         double[] error = observation.cornersPx();
+        double[] takenError = taken.cornersPx(observation.id());
         double[] inward = EdgeShift.ofCorners(truthPx);
         CornerStanding standing = new CornerStanding();
         double length = 0;
         double along = 0;
         for (int i = 0; i < 8; i++) {
             error[i] -= truthPx[i];
-            standing.squaredPx2 += error[i] * error[i];
+            takenError[i] -= truthPx[i];
+            standing.squaredPx2 += takenError[i] * takenError[i];
             length += inward[i] * inward[i];
-            along += inward[i] * error[i];
+            along += inward[i] * takenError[i];
         }
         standing.outwardPx = -along / length;
         double[] covariance = observation.covariancePx2();
         if (covariance == null) {
             return standing;
         }
+        double[] ofTaken = new double[64];
+        taken.covariance(observation.id(), NO_ADDED_NOISE, ofTaken);
+        double[] columns = taken.columns(observation.id());
+        int q = columns.length / 8;
         double variance = 0;
-        double[] withShift = new double[64];
         for (int i = 0; i < 8; i++) {
             for (int j = 0; j < 8; j++) {
-                variance += inward[i] * covariance[8 * i + j] * inward[j];
-                withShift[8 * i + j] = covariance[8 * i + j] + shiftStdPx * shiftStdPx * inward[i] * inward[j];
+                for (int k = 0; k < q; k++) {
+                    ofTaken[8 * i + j] += columns[i * q + k] * columns[j * q + k];
+                }
+                variance += inward[i] * ofTaken[8 * i + j] * inward[j];
             }
         }
         standing.outwardVariancePx2 = variance / (length * length);
         standing.squaredStated = squared(covariance, error);
-        if (!Double.isNaN(shiftStdPx)) {
-            standing.squaredWithShift = squared(withShift, error);
-        }
+        standing.squaredAsTaken = squared(ofTaken, takenError);
         return standing;
     }
 

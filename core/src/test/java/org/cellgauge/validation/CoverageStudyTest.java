@@ -121,7 +121,12 @@ class CoverageStudyTest {
         assertEquals(2000, corners.markers());
         assertEquals(1, corners.squaredStated().value(), 4 * 0.0112);
         assertEquals(0.0112, corners.squaredStated().standardError(), 0.001);
-        assertEquals(corners.squaredStated().value(), corners.squaredWithShift().value(), 1e-12);
+        // the cell states a noise, so the check takes PIXEL_STD_PX² I: trace of the true covariance by 8 PIXEL_STD_PX²
+        double trace = 8;
+        for (int i = 0; i < 8; i++) {
+            trace += 0.3 / (1 + 2 * i);
+        }
+        assertEquals(trace / 8, corners.squaredAsTaken().value(), 4 * 0.0112 * trace / 8);
         assertEquals(0, corners.outwardInStds().value(), 4 / Math.sqrt(2000));
         // 2 of 2000 are expected; more than 10 come once in a hundred thousand
         assertTrue(corners.outlyingShare() <= 0.005, "" + corners.outlyingShare());
@@ -132,7 +137,7 @@ class CoverageStudyTest {
         assertEquals(4, corners(new KnownErrors(2, 0, 0), 400).squaredStated().value(), 4 * 4 * 0.0112);
     }
 
-    /** A shift of all edges is seen as such, in px and in deviations, and the stated prior of one explains it. */
+    /** A shift of all edges is seen as such, in px and in deviations, and the check, told its prior, takes it in. */
     @Test
     void shiftOfAllEdgesIsToldApart() {
         CoverageFigures.Corners outward = corners(new KnownErrors(1, 0.2, 0), 100);
@@ -141,7 +146,7 @@ class CoverageStudyTest {
         CoverageFigures.Corners common = corners(new KnownErrors(1, 0, 0.2), 400);
         assertTrue(common.squaredStated().value() > 2);
         // the shift of one photo is common to its five markers: at most the standard error of 400
-        assertEquals(1, common.squaredWithShift().value(), 4 * Math.sqrt(2.0 / 8 / 400));
+        assertEquals(1, common.squaredAsTaken().value(), 4 * Math.sqrt(2.0 / 8 / 400));
     }
 
     @Test

@@ -99,9 +99,9 @@ final class StudyText {
                 + "(honest: 1), beyond the 99.9 %% quantile in %.1f %%", corners.outwardInStds().value(),
                 corners.squaredStated().value(), corners.squaredStated().standardError(),
                 100 * corners.outlyingShare()));
-        if (corners.squaredWithShift().count() > 0) {
-            text.append(String.format(Locale.ROOT, "; with the stated shift of all edges %.3f +- %.3f",
-                    corners.squaredWithShift().value(), corners.squaredWithShift().standardError()));
+        if (corners.squaredAsTaken().count() > 0) {
+            text.append(String.format(Locale.ROOT, "; as the check takes them %.3f +- %.3f",
+                    corners.squaredAsTaken().value(), corners.squaredAsTaken().standardError()));
         }
         text.append(".\n");
     }
@@ -133,7 +133,7 @@ final class StudyText {
                 z == null ? "-" : String.format(Locale.ROOT, "%+.2f", z.value()),
                 String.valueOf(figures.refused() + figures.count(Verdict.NOT_CONVERGED)),
                 String.valueOf(figures.count(Verdict.AMBIGUOUS)), String.valueOf(figures.falseAlarms()),
-                percent(figures.markersFound(), figures.markers()) + " %", plain(corners.squaredStated().value(), 2),
+                percent(figures.markersFound(), figures.markers()) + " %", plain(corners.squaredAsTaken().value(), 2),
                 signed(corners.outwardPx().value(), 4), signed(corners.outwardInStds().value(), 2),
                 plain(corners.rmsPx(), 4));
     }
@@ -197,7 +197,7 @@ final class StudyText {
         corners.add("outward_px", mean(c.outwardPx()));
         corners.add("outward_stds", mean(c.outwardInStds()));
         corners.add("squared_stated_per_8", mean(c.squaredStated()));
-        corners.add("squared_with_edge_shift_per_8", mean(c.squaredWithShift()));
+        corners.add("squared_as_taken_per_8", mean(c.squaredAsTaken()));
         corners.add("outlying_share", number(c.outlyingShare()));
         root.add("corners", corners);
         root.addProperty("version", version);
