@@ -2,15 +2,15 @@ package org.cellgauge.vision;
 
 import boofcv.alg.distort.LensDistortionNarrowFOV;
 import boofcv.alg.fiducial.square.BaseDetectFiducialSquare;
+import boofcv.alg.fiducial.square.DetectFiducialSquareBinary;
+import boofcv.alg.fiducial.square.DetectFiducialSquareHamming;
 import boofcv.alg.fiducial.square.FoundFiducial;
 import boofcv.factory.distort.LensDistortionFactory;
 import boofcv.factory.fiducial.ConfigFiducialBinary;
 import boofcv.factory.fiducial.ConfigFiducialHammingDetector;
 import boofcv.factory.fiducial.ConfigHammingMarker;
-import boofcv.factory.fiducial.FactoryFiducial;
 import boofcv.factory.fiducial.HammingDictionary;
-import boofcv.factory.filter.binary.ConfigThreshold;
-import boofcv.factory.filter.binary.ThresholdType;
+import boofcv.factory.shape.FactoryShapeDetector;
 import boofcv.struct.calib.CameraPinholeBrown;
 import boofcv.struct.image.GrayU8;
 import georegression.struct.point.Point2D_F64;
@@ -155,27 +155,31 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     private static BaseDetectFiducialSquare<GrayU8> squareBinary() {
         ConfigFiducialBinary config = new ConfigFiducialBinary(1);
+        DetectFiducialSquareBinary<GrayU8> detector = new DetectFiducialSquareBinary<>(config.gridWidth,
+                config.borderWidthFraction, config.minimumBlackBorderFraction, threshold(),
+                FactoryShapeDetector.polygon(config.squareDetector, GrayU8.class), GrayU8.class);
         // whatever looks like a marker may pass here: PatternReader judges the cells with the blur in mind
-        config.ambiguousThreshold = 1;
-        return FactoryFiducial.squareBinary(config, threshold(), GrayU8.class).getAlgorithm();
+        detector.setAmbiguityThreshold(1);
+        return detector;
     }
 
     private static BaseDetectFiducialSquare<GrayU8> squareHamming(MarkerFamily family) {
         ConfigHammingMarker markers = ConfigHammingMarker.loadDictionary(
                 HammingDictionary.valueOf(family.dictionaryName()));
         ConfigFiducialHammingDetector config = new ConfigFiducialHammingDetector();
-        config.configThreshold = threshold();
-        return FactoryFiducial.squareHamming(markers, config, GrayU8.class).getAlgorithm();
+        DetectFiducialSquareHamming<GrayU8> detector = new DetectFiducialSquareHamming<>(markers,
+                config.minimumBlackBorderFraction, threshold(),
+                FactoryShapeDetector.polygon(config.squareDetector, GrayU8.class), GrayU8.class);
+        detector.setAmbiguousPenaltyFrac(config.ambiguousPenaltyFrac);
+        return detector;
     }
 
     /**
      * Local mean with a margin: plain grounds and weak textures then give no contours to follow. The margin costs faint
      * markers, whose black is more than 0.6 times as bright as their white; with 0.80 it would cost those above 0.5.
      */
-    private static ConfigThreshold threshold() {
-        ConfigThreshold threshold = ConfigThreshold.local(ThresholdType.LOCAL_MEAN, 21);
-        threshold.scale = 0.85;
-        return threshold;
+    private static LocalMeanThreshold threshold() {
+        return new LocalMeanThreshold(10, 85);
     }
 
     private static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {

@@ -1,0 +1,76 @@
+package org.cellgauge.vision;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import boofcv.factory.filter.binary.ConfigThreshold;
+import boofcv.factory.filter.binary.FactoryThresholdBinary;
+import boofcv.factory.filter.binary.ThresholdType;
+import boofcv.struct.image.GrayU8;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class LocalMeanThresholdTest {
+    private static GrayU8 noise(int width, int height) {
+        GrayU8 image = new GrayU8(width, height);
+        new Random(7).nextBytes(image.data);
+        return image;
+    }
+
+    /** Against sums written out pixel by pixel, in images smaller than the window too. */
+    @ParameterizedTest
+    @CsvSource({"60, 40", "25, 7", "3, 50", "1, 1"})
+    void darkIsWhatIsBelowTheShareOfTheMean(int width, int height) {
+        GrayU8 image = noise(width, height);
+        GrayU8 found = new GrayU8(1, 1);
+        new LocalMeanThreshold(10, 85).process(image, found);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                double sum = 0;
+                int count = 0;
+                for (int v = Math.max(0, y - 10); v <= Math.min(height - 1, y + 10); v++) {
+                    for (int u = Math.max(0, x - 10); u <= Math.min(width - 1, x + 10); u++) {
+                        sum += image.get(u, v);
+                        count++;
+                    }
+                }
+                assertEquals(image.get(x, y) <= 0.85 * sum / count + 1e-9 ? 1 : 0, found.get(x, y), x + ", " + y);
+            }
+        }
+    }
+
+    /** BoofCV rounds its mean to whole grey levels twice; nothing else may differ. */
+    @Test
+    void agreesWithBoofCvButForItsRounding() {
+        GrayU8 image = noise(200, 150);
+        GrayU8 own = new GrayU8(1, 1);
+        GrayU8 boof = new GrayU8(200, 150);
+        new LocalMeanThreshold(10, 85).process(image, own);
+        ConfigThreshold config = ConfigThreshold.local(ThresholdType.LOCAL_MEAN, 21);
+        config.scale = 0.85;
+        FactoryThresholdBinary.threshold(config, GrayU8.class).process(image, boof);
+        int different = 0;
+        for (int i = 0; i < own.data.length; i++) {
+            different += own.data[i] != boof.data[i] ? 1 : 0;
+        }
+        // a level in 256 at most is decided by rounding
+        assertTrue(different < own.data.length / 128, different + " of " + own.data.length);
+    }
+
+    @Test
+    void aViewOfALargerImageIsReadInItsOwnRows() {
+        GrayU8 image = noise(80, 60);
+        GrayU8 part = image.subimage(11, 7, 61, 47);
+        GrayU8 found = new GrayU8(1, 1);
+        GrayU8 ofCopy = new GrayU8(1, 1);
+        new LocalMeanThreshold(10, 85).process(part, found);
+        new LocalMeanThreshold(10, 85).process(part.clone(), ofCopy);
+        for (int y = 0; y < 40; y++) {
+            for (int x = 0; x < 50; x++) {
+                assertEquals(ofCopy.get(x, y), found.get(x, y));
+            }
+        }
+    }
+}
