@@ -58,10 +58,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
     public static final double RESIDUAL_LIMIT_PER_SIDE = 0.02;
 
     /**
-     * Largest blur as a share of the width of the black border: beyond it inside and outside of the border run into one
-     * another, and what the fit takes as given of their light is no longer good to a hundredth of a pixel.
+     * Largest blur in cells, for no border and more for each cell of it: beyond it the light on the two sides of the
+     * border runs into one, and what the fit takes as given of it is no longer good to a hundredth of a pixel.
      */
-    private static final double BLUR_LIMIT = 0.26;
+    private static final double BLUR_LIMIT = 0.14;
+    private static final double BLUR_LIMIT_PER_BORDER_CELL = 0.17;
 
     private final PinholeCamera camera;
     /** Patterns of the ids to report. */
@@ -318,9 +319,14 @@ public final class BoofMarkerDetector implements MarkerDetector {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
             light.refit(image, marker, patterns.get(id));
         }
-        if (marker.blurPx() > BLUR_LIMIT * borderCells * marker.cellPx()) {
+        if (marker.blurPx() > (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * borderCells) * marker.cellPx()) {
             warnings.add(Warning.of(DetectionWarning.TOO_BLURRED, id, Decimal.of(marker.blurPx(), 1),
                     Decimal.of(marker.cellPx(), 1)));
+            return null;
+        }
+        if (light.isOdd(marker)) {
+            warnings.add(Warning.of(DetectionWarning.EDGES_NOT_MEASURED, id, pixel(mean(corners, 0)),
+                    pixel(mean(corners, 1))));
             return null;
         }
         MarkerObservation observation = marker.observation(id, light.noiseOfSides(marker));

@@ -34,6 +34,12 @@ final class LightFit {
     private static final double[] SCANNED = {1, 1.4, 1.8, 2.3};
     /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
     private static final double SURPRISE_PX = 0.1;
+    /** A marker whose edges are shifted by so much more than the others', or whose noise is so many times theirs. */
+    private static final double ODD_SHIFT_PX = 0.08;
+    private static final double NOT_BELIEVED_SHIFT_PX = 0.14;
+    private static final double USUAL_SIDE_PX = 60;
+    private static final int LEAST_TO_JUDGE = 4;
+    private static final double ODD_NOISE = 1.7;
     private static final double CLIPPED_SHARE = 0.1;
     private static final double CRUSHED_SHARE = 0.4;
     private static final double OVERSHOOT = 0.025;
@@ -65,6 +71,7 @@ final class LightFit {
     private boolean said;
     private boolean fileSaid;
     private double clippedShare;
+    private double usualShiftPx = Double.NaN;
     private double noiseGrey;
     private double degreesOfFreedom;
     private double edgeShiftStdPx;
@@ -173,6 +180,8 @@ final class LightFit {
             refit(image, markers.get(m), patterns.get(m));
         }
         setNoise(markers);
+        fitOutliersAnew(image, markers);
+        setNoise(markers);
         double ofPower = estimated ? offsetByPower / Math.sqrt(information) : 0;
         edgeShiftStdPx = Math.hypot(ofPower, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
         double[] blurs = new double[markers.size()];
@@ -218,6 +227,44 @@ final class LightFit {
         marker.refit(image, scale, pattern);
         marker.measureShift(image, scale);
         marker.conclude(scale, false);
+    }
+
+    /** Fits markers anew that lie far from the others in residuals or shift: most have stuck on the way to the curve. */
+    private void fitOutliersAnew(GreyImage image, List<MarkerEdges> markers) {
+        usualShiftPx = Double.NaN;
+        if (markers.size() < 2) {
+            return;
+        }
+        double[] shifts = new double[markers.size()];
+        for (int m = 0; m < shifts.length; m++) {
+            shifts[m] = markers.get(m).shiftPx();
+        }
+        double usual = median(shifts);
+        usualShiftPx = shifts.length < LEAST_TO_JUDGE ? Double.NaN : usual;
+        for (MarkerEdges marker : markers) {
+            if (Math.abs(marker.shiftPx() - usual) > ODD_SHIFT_PX || ofMarker(marker) > ODD_NOISE * noiseGrey * noiseGrey) {
+                marker.fitAnew(image, scale, usual);
+                marker.measureShift(image, scale);
+                marker.conclude(scale, false);
+            }
+        }
+    }
+
+    /**
+     * Whether a marker's edges still lie so far from where the others' do that its fit cannot be believed: ink spreads
+     * differently from print to print, but by hundredths of a millimetre.
+     */
+    boolean isOdd(MarkerEdges marker) {
+        double scale = Math.max(1, marker.side(0).lengthPx / USUAL_SIDE_PX);
+        return Math.abs(marker.shiftPx() - usualShiftPx) > NOT_BELIEVED_SHIFT_PX * scale;
+    }
+
+    private static double ofMarker(MarkerEdges marker) {
+        double sum = 0;
+        for (int i = 0; i < 4; i++) {
+            sum += ofSide(marker.side(i)) / 4;
+        }
+        return sum;
     }
 
     /** Noise of all sides together, those far out of line left out. */

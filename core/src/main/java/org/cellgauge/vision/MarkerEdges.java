@@ -151,6 +151,23 @@ final class MarkerEdges {
     }
 
     /**
+     * Fits anew from the corners of the first fit on: the way to a tone curve may lead into a corner.
+     *
+     * @param image the same image
+     * @param scale tone curve and noise
+     * @param shift of the edges that the other markers show, px into the dark
+     * @return whether all sides were found
+     */
+    boolean fitAnew(GreyImage image, GreyScale scale, double shift) {
+        System.arraycopy(before, 0, ideal, 0, 2 * CORNERS);
+        for (SideFit side : sides) {
+            side.restart();
+        }
+        shiftPx = shift;
+        return passes(image, scale, MAX_PASSES, BAND_STILL_GOOD_PX);
+    }
+
+    /**
      * Fits the same pixels again with another tone curve: enough on the way to one.
      *
      * @param scale tone curve and noise
@@ -185,6 +202,11 @@ final class MarkerEdges {
             turnedSides[i] = sides[(i + k) % CORNERS];
         }
         System.arraycopy(turned, 0, ideal, 0, turned.length);
+        for (int i = 0; i < CORNERS; i++) {
+            turned[2 * i] = before[2 * ((i + k) % CORNERS)];
+            turned[2 * i + 1] = before[2 * ((i + k) % CORNERS) + 1];
+        }
+        System.arraycopy(turned, 0, before, 0, turned.length);
         System.arraycopy(turnedSides, 0, sides, 0, CORNERS);
     }
 
