@@ -58,7 +58,7 @@ final class CameraTarget {
     }
 
     private CameraPosterior posterior(CameraChart chart) {
-        return new CameraPosterior(chart, settings.model().likelihood(view, modes.get(0), settings.kappa()),
+        return new CameraPosterior(chart, settings.model().likelihood(view, modes, settings.kappa()),
                 settings.rotationPrior(), intrinsicsPrior, posePrior);
     }
 

@@ -1,5 +1,6 @@
 package org.cellgauge.check;
 
+import java.util.List;
 import org.cellgauge.pose.CornerCubeNoise;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceNoise;
@@ -7,6 +8,7 @@ import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.RigidMarkerNoise;
 import org.cellgauge.posterior.CameraLikelihood;
 import org.cellgauge.posterior.CornerCubeLikelihood;
+import org.cellgauge.posterior.NearestModeLikelihood;
 import org.cellgauge.posterior.RigidMarkerLikelihood;
 
 /** The likelihoods to choose from. */
@@ -19,8 +21,8 @@ public enum LikelihoodModel {
         }
 
         @Override
-        CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa) {
-            return new RigidMarkerLikelihood(view, mode.whitening());
+        CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, double kappa) {
+            return modes.size() == 1 ? new RigidMarkerLikelihood(modes.get(0)) : new NearestModeLikelihood(modes);
         }
     },
     /** The thesis' likelihood: every corner on its own, deviations of a projected box. */
@@ -31,7 +33,7 @@ public enum LikelihoodModel {
         }
 
         @Override
-        CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa) {
+        CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, double kappa) {
             return new CornerCubeLikelihood(view, kappa);
         }
     };
@@ -55,5 +57,5 @@ public enum LikelihoodModel {
     abstract ReferenceNoise noise(ReferenceView view, double pixelStdPx, double kappa);
 
     /** A likelihood of its own for one chain. */
-    abstract CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa);
+    abstract CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, double kappa);
 }

@@ -279,8 +279,9 @@ final class LinearModel {
             double[] placement = new double[64];
             double[] pixel = new double[64];
             double[] cornerNoise = new double[3];
+            ReferenceNoise atMode = noise.about(mode.placed());
             for (int m = 0; m < camera.view.size(); m++) {
-                noise.covariance(state, m, placement, pixel);
+                atMode.covariance(state, m, placement, pixel);
                 double[][] byResidual = times(a, mode.gain(m), 8);
                 Reference reference = camera.view.references().get(m);
                 variances.put(VarianceBudget.PLACEMENT_OF_REFERENCE + reference.id(),

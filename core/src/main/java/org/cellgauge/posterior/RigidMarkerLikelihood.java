@@ -3,6 +3,7 @@ package org.cellgauge.posterior;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.Projection;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
 
 /**
@@ -10,7 +11,9 @@ import org.cellgauge.pose.ReferenceView;
  * {@link org.cellgauge.pose.RigidMarkerNoise}, frozen at the posterior's own mode.
  *
  * <p>{@code log L = sum_m [ sum_i log W_m,ii - |W_m r_m|² / 2 ]}, W_m the whitening matrix of reference m; the
- * log-determinant is kept, so that modes with different frozen covariances can be compared.
+ * log-determinant is kept, so that modes with different frozen covariances can be compared. Placement errors d are
+ * linearised at those of the mode, d_m: the residual is {@code projection(d_m) - J_m d_m - observed}, which has the same
+ * distribution and costs the same, for what is added to the observed corners is frozen as well.
  *
  * <p>Whitened once and never factored in the loop; allocates nothing; not thread-safe.
  */
@@ -31,9 +34,22 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
      * @param whitening 64 values per reference, lower triangular 8x8 row by row, 1/px; copied
      */
     public RigidMarkerLikelihood(ReferenceView view, double[] whitening) {
-        points = view.pointsMm();
-        observed = view.observedPx();
-        int markers = view.size();
+        this(view.pointsMm(), view.observedPx(), whitening);
+    }
+
+    /**
+     * The likelihood frozen at a mode: corners where its placement errors have moved them, and its whitening.
+     *
+     * @param mode a mode of the camera pose
+     */
+    public RigidMarkerLikelihood(PoseMode mode) {
+        this(mode.pointsMm(), mode.comparedPx(), mode.whitening());
+    }
+
+    private RigidMarkerLikelihood(double[] points, double[] observed, double[] whitening) {
+        this.points = points;
+        this.observed = observed;
+        int markers = points.length / 12;
         if (whitening.length != 64 * markers) {
             throw new IllegalArgumentException("needs 64 whitening values per reference");
         }
