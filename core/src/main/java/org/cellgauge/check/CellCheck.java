@@ -177,7 +177,7 @@ public final class CellCheck {
         List<CellProcess> processes = new ArrayList<>();
         try {
             for (int c = 0; c < settings.chains(); c++) {
-                processes.add(new CellProcess(quantities, tuned, settings.seed(), c));
+                processes.add(new CellProcess(quantities, tuned, settings.streamSeed(), c));
             }
         } catch (IllegalStateException e) {
             throw new InputRefusedException(detections.imageName() + ": the chains cannot start, " + e.getMessage()
@@ -212,7 +212,7 @@ public final class CellCheck {
     }
 
     private CameraSampler.Tuned tuned(SamplerKind kind) {
-        CameraSampler.Tuned tuned = kind.sampler().tune(camera, RandomStreams.of(settings.seed(), STREAM_TUNING));
+        CameraSampler.Tuned tuned = kind.sampler().tune(camera, RandomStreams.of(settings.streamSeed(), STREAM_TUNING));
         tuningEvaluations += tuned.evaluations();
         return tuned;
     }
@@ -223,7 +223,7 @@ public final class CellCheck {
             return;
         }
         objects.replaceAll(o -> o.withProposal(TunedMixture.tune(o.posterior(), o.modes,
-                RandomStreams.of(settings.seed(), STREAM_OBJECT_TUNING, o.marker.id())).proposal()));
+                RandomStreams.of(settings.streamSeed(), STREAM_OBJECT_TUNING, o.marker.id())).proposal()));
     }
 
     /** Diagnostics of draws, kept: the draws that suffice are those of the result. */

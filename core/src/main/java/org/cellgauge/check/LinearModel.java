@@ -26,11 +26,15 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
  * {@code dx_w = R^T (dt + de x a - dp + v x dw)}, a being its arm from the marker's centre in camera axes.
  */
 final class LinearModel {
+    private static final double NEXT_TO_NOTHING = 1e-9;
+
     private final CameraTarget camera;
     private final PoseMode mode;
     private final CameraState state;
     private final double[] worldFromCamera = new double[9];
     private final int columns;
+    /** Covariance that a fit has which knows a source to be zero, by source; filled when a budget is first asked for. */
+    private Map<String, double[]> refitted;
 
     LinearModel(CameraTarget camera) {
         this.camera = camera;
@@ -276,6 +280,8 @@ final class LinearModel {
             double[] arm = arm(pointMm);
             double[][] a = byCamera(arm, false);
             Map<String, double[]> variances = new LinkedHashMap<>();
+            Map<String, double[]> left = new LinkedHashMap<>();
+            double[] own = noisy ? diagonal(byObject(arm, false), objectMode.covariance(), 6) : new double[3];
             double[] placement = new double[64];
             double[] pixel = new double[64];
             double[] cornerNoise = new double[3];
@@ -289,8 +295,16 @@ final class LinearModel {
                 add(cornerNoise, diagonal(byResidual, pixel, 8));
             }
             variances.put(VarianceBudget.CORNER_NOISE_OF_REFERENCES, cornerNoise);
-            variances.put(VarianceBudget.CORNER_NOISE_OF_OBJECT,
-                    noisy ? diagonal(byObject(arm, false), objectMode.covariance(), 6) : new double[3]);
+            variances.put(VarianceBudget.CORNER_NOISE_OF_OBJECT, own);
+            if (refitted == null) {
+                refitted = refitted(atMode);
+            }
+            refitted.forEach((source, covariance) -> {
+                double[] variance = diagonal(a, covariance, columns);
+                add(variance, own);
+                left.put(source, variance);
+            });
+            left.put(VarianceBudget.CORNER_NOISE_OF_OBJECT, diagonal(a, mode.covariance(), columns));
             if (columns > 6) {
                 double[] prior = new double[columns * columns];
                 for (int f = 6; f < columns; f++) {
@@ -307,12 +321,99 @@ final class LinearModel {
                 }
                 variances.put(VarianceBudget.POSE_PRIOR, priorPart(a, prior));
             }
-            return new VarianceBudget(variances);
+            return new VarianceBudget(variances, left);
         }
 
         /** What a Gaussian prior of the given information contributes: a C I C a^T. */
         private double[] priorPart(double[][] a, double[] information) {
             return diagonal(times(a, mode.covariance(), columns), information, columns);
+        }
+    }
+
+    /**
+     * The linear model fitted again with one source's variance set to zero, all references' sources and the intrinsics
+     * in turn.
+     */
+    private Map<String, double[]> refitted(ReferenceNoise atMode) {
+        Map<String, double[]> out = new LinkedHashMap<>();
+        double[] information = Cholesky.inverse(mode.covariance(), columns);
+        int n = camera.view.size();
+        double[] placement = new double[64];
+        double[] pixel = new double[64];
+        double[] allExact = information.clone();
+        for (int m = 0; m < n; m++) {
+            atMode.covariance(state, m, placement, pixel);
+            double[] exact = information.clone();
+            exchange(exact, m, pixel, placement);
+            exchange(allExact, m, placement, pixel);
+            put(out, VarianceBudget.PLACEMENT_OF_REFERENCE + camera.view.references().get(m).id(), exact);
+        }
+        put(out, VarianceBudget.CORNER_NOISE_OF_REFERENCES, allExact);
+        if (columns > 6) {
+            // known intrinsics: their part of the information stays out, and so does their covariance
+            double[] known = new double[36];
+            for (int i = 0; i < 6; i++) {
+                System.arraycopy(information, i * columns, known, 6 * i, 6);
+            }
+            double[] covariance = Cholesky.inverse(known, 6);
+            double[] full = new double[columns * columns];
+            for (int i = 0; i < 6; i++) {
+                System.arraycopy(covariance, 6 * i, full, i * columns, 6);
+            }
+            out.put(VarianceBudget.INTRINSICS, full);
+        }
+        return out;
+    }
+
+    private void put(Map<String, double[]> out, String source, double[] information) {
+        double[] covariance = Cholesky.inverse(information, columns);
+        if (covariance != null) {
+            out.put(source, covariance);
+        }
+    }
+
+    /**
+     * Exchanges what one reference contributes to an information for what it contributes with other residuals: a part
+     * of their covariance that stays and one that goes, all but a billionth of it, which keeps the rest definite.
+     */
+    private void exchange(double[] information, int reference, double[] stays, double[] goes) {
+        double[] whitened = mode.jacobian(reference);
+        double[] whitening = mode.whitening();
+        double[] plain = whitened.clone();
+        double[] factor = new double[64];
+        for (int i = 0; i < 64; i++) {
+            factor[i] = stays[i] + NEXT_TO_NOTHING * goes[i];
+        }
+        if (!Cholesky.factor(factor, 8)) {
+            return;
+        }
+        double[] column = new double[8];
+        for (int c = 0; c < columns; c++) {
+            // undo the whitening row by row, then whiten by the other covariance
+            for (int i = 0; i < 8; i++) {
+                double s = whitened[i * columns + c];
+                for (int k = 0; k < i; k++) {
+                    s -= whitening[64 * reference + 8 * i + k] * plain[k * columns + c];
+                }
+                plain[i * columns + c] = s / whitening[64 * reference + 9 * i];
+                column[i] = plain[i * columns + c];
+            }
+            Cholesky.solveLower(factor, 8, column);
+            for (int i = 0; i < 8; i++) {
+                plain[i * columns + c] = column[i];
+            }
+            // columns before this one are whitened already, so both products are complete up to here
+            for (int d = 0; d <= c; d++) {
+                double change = 0;
+                for (int i = 0; i < 8; i++) {
+                    change += plain[i * columns + c] * plain[i * columns + d]
+                            - whitened[i * columns + c] * whitened[i * columns + d];
+                }
+                information[c * columns + d] += change;
+                if (d < c) {
+                    information[d * columns + c] += change;
+                }
+            }
         }
     }
 

@@ -259,6 +259,7 @@ public final class ResultJson {
         numbers("std", pose.std());
         matrix("covariance", pose.covariance());
         strings("tangent_order", TANGENT_ORDER);
+        numbers("tangent_base", wrapped(pose.meanTransform().eulerRad()));
         matrix("tangent_covariance", pose.tangentCovariance());
     }
 
@@ -335,6 +336,14 @@ public final class ResultJson {
         for (int axis = 0; axis < 3; axis++) {
             json.name("xyz".substring(axis, axis + 1));
             shares(budget.shares(axis));
+        }
+        json.endObject();
+        json.name(name + "_gain");
+        shares(budget.gains());
+        json.name(name + "_gain_axes").beginObject();
+        for (int axis = 0; axis < 3; axis++) {
+            json.name("xyz".substring(axis, axis + 1));
+            shares(budget.gains(axis));
         }
         json.endObject();
     }
