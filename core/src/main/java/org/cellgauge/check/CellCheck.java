@@ -27,6 +27,7 @@ import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
 import org.cellgauge.statistics.CoverageRegion;
+import org.cellgauge.statistics.ParetoTail;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.Decimal;
@@ -67,6 +68,11 @@ public final class CellCheck {
     private static final int FIRST_ROUND = 1000;
     private static final double SMALLEST_SIDE_PX = 25;
     private static final double ADVISED_SIDE_PX = 32;
+    /**
+     * Side in px times squared deviation of the turn in rad over corner noise in px: simulated cells of four references
+     * cover as stated to 22, and no longer at 60.
+     */
+    private static final double LARGEST_BEND = 20;
 
     private final Cell cell;
     private final Detections detections;
@@ -266,6 +272,7 @@ public final class CellCheck {
             warnings.add(Warning.of(CheckWarning.OBJECTS_NOT_SEEN, Listing.and(ids(missing))));
         }
         warnOfSmallMarkers();
+        warnOfLooseTurns();
     }
 
     private ReferenceView references() {
@@ -298,6 +305,30 @@ public final class CellCheck {
         if (!small.isEmpty()) {
             warnings.add(Warning.of(CheckWarning.SMALL_MARKERS, Listing.comma(small), Decimal.of(SMALLEST_SIDE_PX, 0),
                     Decimal.of(ADVISED_SIDE_PX, 0)));
+        }
+    }
+
+    /**
+     * A reference turned by r shortens one side of its image by about {@code side r² / 2}: what no linear model of the
+     * turn sees. Linearised at the turn that the photo shows, the rest of it is what the photo leaves open of that turn.
+     */
+    private void warnOfLooseTurns() {
+        if (settings.model() != LikelihoodModel.RIGID_MARKER) {
+            return;
+        }
+        List<Integer> loose = new ArrayList<>();
+        double most = 0;
+        for (Reference reference : camera.view.references()) {
+            double std = reference.placement().stdRad();
+            double bend = detections.find(reference.id()).shortestSidePx() * std * std / pixelStdPx;
+            if (bend > LARGEST_BEND) {
+                loose.add(reference.id());
+                most = Math.max(most, bend);
+            }
+        }
+        if (!loose.isEmpty()) {
+            warnings.add(Warning.of(CheckWarning.TURNS_TOO_LOOSE, Listing.and(loose), Decimal.of(most, 0),
+                    Decimal.of(LARGEST_BEND, 0)));
         }
     }
 
@@ -480,7 +511,7 @@ public final class CellCheck {
 
     private CheckResult result(CellEstimate quickLook, CellQuantities quantities, boolean[] judged, List<Draws> draws,
             EnsembleSnapshot last) {
-        diagnosed(draws, quantities, judged);
+        diagnostics = diagnosed(draws, quantities, judged).withTails();
         CellEstimate estimate = estimates.of(last.summary(), draws);
         referenceCheck = ReferenceCheck.of(camera, objects);
         warnings.addAll(referenceCheck.warnings());
@@ -494,6 +525,10 @@ public final class CellCheck {
             warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(last.iterationsPerChain(), 0),
                     diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
                     Decimal.shortest(Math.rint(1e11 * settings.targetMcseStdRel()) / 1e9)));
+        }
+        if (diagnostics.converged() && diagnostics.heavyTails()) {
+            warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter(),
+                    Decimal.of(diagnostics.paretoKMax(), 2), Decimal.of(ParetoTail.LARGEST_FOR_STD, 2)));
         }
         return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), pixelStdPx,
                 diagnostics, last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(),

@@ -494,11 +494,12 @@ public final class ResultJson {
         number("ess_bulk_min", d.essBulkMin());
         number("ess_tail_min", d.essTailMin());
         number("mcse_std_rel_max", d.mcseStdRelMax());
+        number("pareto_k_max", d.paretoKMax());
         json.name("precision_reached");
         if (result.settings().iterations().isPresent()) {
             json.nullValue();
         } else {
-            json.value(d.mcseStdRelMax() < result.settings().targetMcseStdRel());
+            json.value(d.mcseStdRelMax() < result.settings().targetMcseStdRel() && !d.heavyTails());
         }
         json.name("camera_evaluations").beginObject();
         json.name("tuning").value(result.tuningEvaluations());
@@ -519,6 +520,7 @@ public final class ResultJson {
             number("ess_tail", p.essTail());
             number("mcse_mean", p.mcseMean());
             number("mcse_std", p.mcseSd());
+            number("pareto_k", d.paretoK().getOrDefault(e.getKey(), Double.NaN));
             for (int percent : QUANTILE_PERCENT) {
                 double quantile = p.quantile(percent / 100.0);
                 number("q" + percent, angle && Double.isFinite(quantile) ? Angles.wrapToPi(quantile) : quantile);

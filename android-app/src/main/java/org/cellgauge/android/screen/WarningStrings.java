@@ -54,6 +54,10 @@ final class WarningStrings {
                 return R.string.warning_small_markers;
             case CORNER_NOISE_ESTIMATED:
                 return R.string.warning_corner_noise_estimated;
+            case HEAVY_TAILS:
+                return R.string.warning_heavy_tails;
+            case TURNS_TOO_LOOSE:
+                return R.string.warning_turns_too_loose;
             case REFERENCE_LEFT_OUT:
                 return R.string.warning_reference_left_out;
             case INITIAL_ESTIMATE_FAILED:
