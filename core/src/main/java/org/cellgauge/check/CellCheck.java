@@ -194,7 +194,7 @@ public final class CellCheck {
         int warmup = settings.toBuilder().sampler(samplerUsed).build().warmup();
         RunLength length = new RunLength(warmup, settings.iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> preciseEnough(diagnosed(draws, quantities, judged)), threads);
+                draws -> preciseEnough(diagnosed(draws, quantities, judged)) && !undecided(), threads);
         return ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null) : quickLook;
             if (!snapshot.last()) {
@@ -244,6 +244,25 @@ public final class CellCheck {
 
     private boolean preciseEnough(Diagnostics found) {
         return found.converged() && found.mcseStdRelMax() < settings.targetMcseStdRel();
+    }
+
+    /** Whether the target lies within the Monte Carlo error of a deviation that could decide on it. */
+    private boolean undecided() {
+        if (!cell.targetStdMm().isPresent()
+                || !Judgement.undecided(diagnostics, objects, cell.targetStdMm().getAsDouble())) {
+            return false;
+        }
+        // no target is held against two poses
+        return !twoPoses("camera", camera.modes) && objects.stream()
+                .noneMatch(object -> twoPoses("object_" + object.marker.id(), object.modes));
+    }
+
+    private boolean twoPoses(String name, List<PoseMode> modes) {
+        if (modes.size() < 2) {
+            return false;
+        }
+        double mean = diagnostics.parameters().get(name + "_mode").mean();
+        return mean > AMBIGUOUS_SHARE && mean < 1 - AMBIGUOUS_SHARE;
     }
 
     // ---- from detections to modes

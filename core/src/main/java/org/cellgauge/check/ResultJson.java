@@ -86,6 +86,7 @@ public final class ResultJson {
         json.beginObject();
         json.name("schema").value(SCHEMA);
         json.name("verdict").value(result.verdict().key());
+        json.name("decided").value(result.decided());
         json.name("reason").value(result.reason());
         json.name("input").beginObject();
         json.name("name").value(inputName);
@@ -265,7 +266,7 @@ public final class ResultJson {
 
     /** The modes of a pose where it is ambiguous; nothing where it is not. */
     private void modes(List<ModeEstimate> modes) throws IOException {
-        if (modes.size() < 2 || !(modes.get(1).weight() > CellCheck.AMBIGUOUS_SHARE)) {
+        if (!Judgement.ambiguous(modes)) {
             return;
         }
         json.name("modes").beginArray();
@@ -300,7 +301,7 @@ public final class ResultJson {
         json.beginObject();
         json.name("within_target");
         if (trusted && cell.targetStdMm().isPresent()) {
-            json.value(result.referenceCheck().meets(object, cell.targetStdMm().getAsDouble()));
+            json.value(result.verdict(object.id()) == Verdict.PASS);
         } else {
             json.nullValue();
         }
