@@ -131,6 +131,24 @@ class CheckCommandTest {
         assertEquals(4, ExitCodes.moreSerious(4, 0));
     }
 
+    /** By seed and content: no photo shares its random numbers with another, and none depends on its neighbours. */
+    @Test
+    void aPhotoHasTheSameFiguresAloneAndInABatchAndOtherPhotosOtherRandomNumbers() throws Exception {
+        Path folder = Files.createDirectories(out.resolveSibling("batch-" + out.getFileName()));
+        Path first = SmallCell.writeDetections(folder.resolve("first.json"), 3);
+        Path second = SmallCell.writeDetections(folder.resolve("second.json"), 4);
+        // the corners of the first in a file of other bytes
+        Path spaced = Files.writeString(folder.resolve("spaced.json"), Files.readString(first) + " \n");
+        Path alone = folder.resolve("alone");
+        Path batch = folder.resolve("in-batch");
+        assertEquals(0, check("--detections", first, "--target", 5, "--seed", 7, "--out", alone).code());
+        assertEquals(0, check("--detections", second, "--detections", first, "--detections", spaced, "--target", 5,
+                "--seed", 7, "--out", batch).code());
+        JsonObject one = json(alone.resolve("first.result.json")).getAsJsonObject("camera");
+        assertEquals(one, json(batch.resolve("first.result.json")).getAsJsonObject("camera"));
+        assertNotEquals(one, json(batch.resolve("spaced.result.json")).getAsJsonObject("camera"));
+    }
+
     // ---- the result file
 
     @Test
@@ -143,7 +161,7 @@ class CheckCommandTest {
         assertEquals("corners.json", result.getAsJsonObject("input").get("name").getAsString());
         byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(corners));
         assertEquals(HexFormat.of().formatHex(digest), result.getAsJsonObject("input").get("sha256").getAsString());
-        for (String key : List.of("reason", "settings", "camera", "objects", "diagnostics", "acceptance", "warnings",
+        for (String key : List.of("decided", "reason", "settings", "camera", "objects", "diagnostics", "acceptance", "warnings",
                 "version")) {
             assertTrue(result.has(key), key);
         }
