@@ -42,6 +42,8 @@ import org.cellgauge.warning.Warning;
  * whatever the number of threads.
  */
 public final class CellCheck {
+    /** First number of the path of the stream from which a photo's own seed is drawn. */
+    private static final long STREAM_PHOTO = 5;
     /** First number of the path of the random stream that tunes the camera's proposal. */
     static final long STREAM_TUNING = 1;
     /** First number of the path of the random stream of a chain. */
@@ -183,7 +185,7 @@ public final class CellCheck {
         List<CellProcess> processes = new ArrayList<>();
         try {
             for (int c = 0; c < settings.chains(); c++) {
-                processes.add(new CellProcess(quantities, tuned, settings.streamSeed(), c));
+                processes.add(new CellProcess(quantities, tuned, photoSeed(), c));
             }
         } catch (IllegalStateException e) {
             throw new InputRefusedException(detections.imageName() + ": the chains cannot start, " + e.getMessage()
@@ -218,9 +220,27 @@ public final class CellCheck {
     }
 
     private CameraSampler.Tuned tuned(SamplerKind kind) {
-        CameraSampler.Tuned tuned = kind.sampler().tune(camera, RandomStreams.of(settings.streamSeed(), STREAM_TUNING));
+        CameraSampler.Tuned tuned = kind.sampler().tune(camera, RandomStreams.of(photoSeed(), STREAM_TUNING));
         tuningEvaluations += tuned.evaluations();
         return tuned;
+    }
+
+    /**
+     * What names the random streams of this photo: the seed and the corners of its markers, so that photos of a batch do
+     * not share their random numbers, and a photo has the same figures alone, in a batch and under another name.
+     */
+    private long photoSeed() {
+        List<MarkerObservation> markers = detections.markers();
+        long[] path = new long[1 + 9 * markers.size()];
+        int at = 0;
+        path[at++] = STREAM_PHOTO;
+        for (MarkerObservation marker : markers) {
+            path[at++] = marker.id();
+            for (double px : marker.cornersPx()) {
+                path[at++] = Double.doubleToLongBits(px);
+            }
+        }
+        return RandomStreams.of(settings.seed(), path).nextLong();
     }
 
     /** Fits each object's proposal, once the quick look is out. */
@@ -229,7 +249,7 @@ public final class CellCheck {
             return;
         }
         objects.replaceAll(o -> o.withProposal(TunedMixture.tune(o.posterior(), o.modes,
-                RandomStreams.of(settings.streamSeed(), STREAM_OBJECT_TUNING, o.marker.id())).proposal()));
+                RandomStreams.of(photoSeed(), STREAM_OBJECT_TUNING, o.marker.id())).proposal()));
     }
 
     /** Diagnostics of draws, kept: the draws that suffice are those of the result. */

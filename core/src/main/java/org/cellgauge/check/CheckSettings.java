@@ -1,16 +1,11 @@
 package org.cellgauge.check;
 
 import java.util.OptionalInt;
-import java.util.OptionalLong;
-import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.pose.InitialPose;
 import org.cellgauge.posterior.RotationPrior;
 
 /** Everything that determines the figures of a check besides its inputs; immutable. */
 public final class CheckSettings {
-    /** First number of the path of the stream from which a photo's own seed is drawn. */
-    private static final long STREAM_PHOTO = 5;
-
     /** Which intrinsics are sampled along with the pose. */
     public enum Estimate {
         /** All intrinsics are taken as the camera file has them. */
@@ -181,27 +176,12 @@ public final class CheckSettings {
     }
 
     /**
-     * Seed of all randomness.
+     * Seed of all randomness. Each photo has random streams of its own, named by this seed and by its markers' corners.
      *
      * @return any number
      */
     public long seed() {
         return v.seed;
-    }
-
-    /**
-     * What tells the random streams of one photo from those of others with the same seed.
-     *
-     * @return a number that belongs to the photo's content, or empty: streams of the seed alone
-     */
-    public OptionalLong photoKey() {
-        return v.photoKey;
-    }
-
-    /** First of the numbers that name all random streams of a check: the seed, of this photo alone where it has a key. */
-    long streamSeed() {
-        return v.photoKey.isPresent() ? RandomStreams.of(v.seed, STREAM_PHOTO, v.photoKey.getAsLong()).nextLong()
-                : v.seed;
     }
 
     /**
@@ -295,7 +275,6 @@ public final class CheckSettings {
         private int maxIterations = 50_000;
         private OptionalInt warmup = OptionalInt.empty();
         private long seed = 1;
-        private OptionalLong photoKey = OptionalLong.empty();
         private Estimate estimate = Estimate.NONE;
         private double focalPriorStdPx = 200;
         private InitialPose initial = InitialPose.PNP;
@@ -318,7 +297,6 @@ public final class CheckSettings {
             maxIterations = b.maxIterations;
             warmup = b.warmup;
             seed = b.seed;
-            photoKey = b.photoKey;
             estimate = b.estimate;
             focalPriorStdPx = b.focalPriorStdPx;
             initial = b.initial;
@@ -425,18 +403,6 @@ public final class CheckSettings {
          */
         public Builder seed(long value) {
             seed = value;
-            return this;
-        }
-
-        /**
-         * Gives a photo random streams of its own, so that photos of one batch do not share their random numbers. With
-         * a key that comes from its content it has the same figures alone and in a batch.
-         *
-         * @param value for instance the first eight bytes of the SHA-256 of its file
-         * @return this
-         */
-        public Builder photoKey(long value) {
-            photoKey = OptionalLong.of(value);
             return this;
         }
 

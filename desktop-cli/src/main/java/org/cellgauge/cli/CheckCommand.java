@@ -194,9 +194,7 @@ public final class CheckCommand implements Callable<Integer> {
             stages.end("detection");
         }
         String sha256 = sha256(input.file());
-        // by content, so that a photo has the same figures alone, in a batch and under another name
-        CheckSettings own = settings.toBuilder().photoKey(Long.parseUnsignedLong(sha256.substring(0, 16), 16)).build();
-        CheckResult result = CellCheck.run(cell, detections, own);
+        CheckResult result = CellCheck.run(cell, detections, settings);
         stages.end("check");
         return new Outcome(result, photo, sha256);
     }

@@ -57,7 +57,7 @@ final class CheckOptions {
 
     @Option(names = "--seed", paramLabel = "SEED",
             description = "Seed of everything random; the same seed gives the same figures (1). Each photo has random "
-                    + "numbers of its own, named by the seed and by what is in its file.")
+                    + "numbers of its own, named by the seed and by the corners of its markers.")
     private Long seed;
 
     @Option(names = "--estimate", paramLabel = "none|focal|intrinsics",
