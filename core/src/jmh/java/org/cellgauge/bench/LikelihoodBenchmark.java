@@ -43,7 +43,7 @@ public class LikelihoodBenchmark {
             scene = scene.withSharedErrors();
         }
         PoseMode mode = scene.mode();
-        likelihood = scene.errors != null ? new RigidMarkerLikelihood(scene.view, scene.errors, mode.placementPx2())
+        likelihood = scene.errors != null ? new RigidMarkerLikelihood(scene.view, mode, scene.errors)
                 : model.equals("corner-cube") ? new CornerCubeLikelihood(scene.view, 0.5)
                 : new RigidMarkerLikelihood(scene.view, mode.whitening());
         states = BenchScene.around(mode);

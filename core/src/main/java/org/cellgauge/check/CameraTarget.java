@@ -16,7 +16,6 @@ import org.cellgauge.posterior.CameraLikelihood;
 import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.posterior.CentredChart;
 import org.cellgauge.posterior.EulerChart;
-import org.cellgauge.posterior.RigidMarkerLikelihood;
 import org.cellgauge.posterior.SharedPrior;
 import org.cellgauge.sampling.StudentTMixture;
 
@@ -90,9 +89,8 @@ final class CameraTarget {
     }
 
     private CameraPosterior posterior(CameraChart chart) {
-        CameraLikelihood likelihood = belief == null
-                ? settings.model().likelihood(view, modes.get(0), settings.kappa())
-                : new RigidMarkerLikelihood(view, errors, modes.get(0).placementPx2());
+        CameraLikelihood likelihood =
+                settings.model().likelihood(view, modes, belief == null ? null : errors, settings.kappa());
         boolean shared = view.unknowns() > 0 || belief != null;
         return new CameraPosterior(chart, likelihood, settings.rotationPrior(), intrinsicsPrior, posePrior,
                 shared ? new SharedPrior(logNoise) : null);

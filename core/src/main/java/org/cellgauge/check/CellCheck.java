@@ -29,6 +29,7 @@ import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
 import org.cellgauge.statistics.CoverageRegion;
+import org.cellgauge.statistics.ParetoTail;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.Decimal;
@@ -43,6 +44,8 @@ import org.cellgauge.warning.Warning;
  * whatever the number of threads.
  */
 public final class CellCheck {
+    /** First number of the path of the stream from which a photo's own seed is drawn. */
+    private static final long STREAM_PHOTO = 5;
     /** First number of the path of the random stream that tunes the camera's proposal. */
     static final long STREAM_TUNING = 1;
     /** First number of the path of the random stream of a chain. */
@@ -73,6 +76,11 @@ public final class CellCheck {
     private static final int FIRST_ROUND = 1000;
     private static final double SMALLEST_SIDE_PX = 25;
     private static final double ADVISED_SIDE_PX = 32;
+    /**
+     * Side in px times squared deviation of the turn in rad over corner noise in px: simulated cells of four references
+     * cover as stated to 22, and no longer at 60.
+     */
+    private static final double LARGEST_BEND = 20;
 
     private final Cell cell;
     private final Detections detections;
@@ -160,7 +168,9 @@ public final class CellCheck {
         CellCheck check = new CellCheck(cell, detections, settings, worldFromCameraStart);
         check.prepare();
         CellEstimate estimate = check.quickLook();
-        return new QuickLook(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, estimate, 0, null), check.errors.usualStdPx(check.noiseLevel), threads -> new CellCheck(check).sampling(estimate, threads));
+        return new QuickLook(new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, estimate, 0, null),
+                check.errors.usualStdPx(check.noiseLevel),
+                threads -> new CellCheck(check).sampling(estimate, threads));
     }
 
     /**
@@ -184,7 +194,7 @@ public final class CellCheck {
         List<CellProcess> processes = new ArrayList<>();
         try {
             for (int c = 0; c < settings.chains(); c++) {
-                processes.add(new CellProcess(quantities, tuned, settings.seed(), c));
+                processes.add(new CellProcess(quantities, tuned, photoSeed(), c));
             }
         } catch (IllegalStateException e) {
             throw new InputRefusedException(detections.imageName() + ": the chains cannot start, " + e.getMessage()
@@ -195,7 +205,7 @@ public final class CellCheck {
         int warmup = settings.toBuilder().sampler(samplerUsed).build().warmup();
         RunLength length = new RunLength(warmup, settings.iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> preciseEnough(diagnosed(draws, quantities, judged)), threads);
+                draws -> preciseEnough(diagnosed(draws, quantities, judged)) && !undecided(), threads);
         return ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null) : quickLook;
             if (!snapshot.last()) {
@@ -219,9 +229,27 @@ public final class CellCheck {
     }
 
     private CameraSampler.Tuned tuned(SamplerKind kind) {
-        CameraSampler.Tuned tuned = kind.sampler().tune(camera, RandomStreams.of(settings.seed(), STREAM_TUNING));
+        CameraSampler.Tuned tuned = kind.sampler().tune(camera, RandomStreams.of(photoSeed(), STREAM_TUNING));
         tuningEvaluations += tuned.evaluations();
         return tuned;
+    }
+
+    /**
+     * What names the random streams of this photo: the seed and the corners of its markers, so that photos of a batch do
+     * not share their random numbers, and a photo has the same figures alone, in a batch and under another name.
+     */
+    private long photoSeed() {
+        List<MarkerObservation> markers = detections.markers();
+        long[] path = new long[1 + 9 * markers.size()];
+        int at = 0;
+        path[at++] = STREAM_PHOTO;
+        for (MarkerObservation marker : markers) {
+            path[at++] = marker.id();
+            for (double px : marker.cornersPx()) {
+                path[at++] = Double.doubleToLongBits(px);
+            }
+        }
+        return RandomStreams.of(settings.seed(), path).nextLong();
     }
 
     /** Fits each object's proposal, once the quick look is out. */
@@ -230,7 +258,7 @@ public final class CellCheck {
             return;
         }
         objects.replaceAll(o -> o.withProposal(TunedMixture.tune(o.posterior(), TunedMixture.ofModes(o.modes),
-                RandomStreams.of(settings.seed(), STREAM_OBJECT_TUNING, o.marker.id())).proposal()));
+                RandomStreams.of(photoSeed(), STREAM_OBJECT_TUNING, o.marker.id())).proposal()));
     }
 
     /** Diagnostics of draws, kept: the draws that suffice are those of the result. */
@@ -245,6 +273,25 @@ public final class CellCheck {
 
     private boolean preciseEnough(Diagnostics found) {
         return found.converged() && found.mcseStdRelMax() < settings.targetMcseStdRel();
+    }
+
+    /** Whether the target lies within the Monte Carlo error of a deviation that could decide on it. */
+    private boolean undecided() {
+        if (!cell.targetStdMm().isPresent()
+                || !Judgement.undecided(diagnostics, objects, cell.targetStdMm().getAsDouble())) {
+            return false;
+        }
+        // no target is held against two poses
+        return !twoPoses("camera", camera.modes) && objects.stream()
+                .noneMatch(object -> twoPoses("object_" + object.marker.id(), object.modes));
+    }
+
+    private boolean twoPoses(String name, List<PoseMode> modes) {
+        if (modes.size() < 2) {
+            return false;
+        }
+        double mean = diagnostics.parameters().get(name + "_mode").mean();
+        return mean > AMBIGUOUS_SHARE && mean < 1 - AMBIGUOUS_SHARE;
     }
 
     // ---- from detections to modes
@@ -272,6 +319,7 @@ public final class CellCheck {
             warnings.add(Warning.of(CheckWarning.OBJECTS_NOT_SEEN, Listing.and(ids(missing))));
         }
         warnOfSmallMarkers();
+        warnOfLooseTurns();
     }
 
     private void warnOfReferencesNotSeen() {
@@ -306,6 +354,31 @@ public final class CellCheck {
         }
     }
 
+    /**
+     * A reference turned by r shortens one side of its image by about {@code side r² / 2}: what no linear model of the
+     * turn sees. Linearised at the turn that the photo shows, the rest of it is what the photo leaves open of that turn.
+     */
+    private void warnOfLooseTurns() {
+        if (settings.model() != LikelihoodModel.RIGID_MARKER) {
+            return;
+        }
+        List<Integer> loose = new ArrayList<>();
+        double most = 0;
+        for (Reference reference : camera.view.references()) {
+            double std = reference.placement().stdRad();
+            double bend = detections.find(reference.id()).shortestSidePx() * std * std
+                    / Math.sqrt(errors.meanVariancePx2(reference.id(), noiseLevel));
+            if (bend > LARGEST_BEND) {
+                loose.add(reference.id());
+                most = Math.max(most, bend);
+            }
+        }
+        if (!loose.isEmpty()) {
+            warnings.add(Warning.of(CheckWarning.TURNS_TOO_LOOSE, Listing.and(loose), Decimal.of(most, 0),
+                    Decimal.of(LARGEST_BEND, 0)));
+        }
+    }
+
     /** What is known of the corners' errors, in the terms that the model knows. */
     private CornerErrors cornerErrors() {
         CornerErrors found = CornerErrors.of(cell, detections).withOutliersSetAside();
@@ -335,12 +408,11 @@ public final class CellCheck {
         // references that stay speak through their likelihood
         others.removeAll(ids(target.view));
         double[] logNoise = errors.logNoise(others);
-        RigidTransform start = target.view.worldFromCamera(target.modes.get(0).state().cameraFromSet());
         int middle = AddedNoise.node(noiseLevel);
         int count = AddedNoise.NODES;
         double[] log = new double[count];
         java.util.Arrays.fill(log, Double.NEGATIVE_INFINITY);
-        log[middle] = logNoise[middle] + logMass(target, start, middle);
+        log[middle] = logNoise[middle] + logMass(target, middle);
         double most = log[middle];
         for (int direction = -1; direction <= 1; direction += 2) {
             int last = middle;
@@ -348,7 +420,7 @@ public final class CellCheck {
             for (int node = middle + direction * NOISE_STRIDE; node >= 0 && node < count;
                     node += direction * NOISE_STRIDE) {
                 if (!errors.isNegligible(AddedNoise.atNode(node))) {
-                    mass = logMass(target, start, node);
+                    mass = logMass(target, node);
                 }
                 for (int k = 1; k <= NOISE_STRIDE; k++) {
                     // what references say is smooth in the noise; what is cheap to know is not interpolated
@@ -366,7 +438,8 @@ public final class CellCheck {
         NoiseBelief belief = new NoiseBelief(errors.added(), log);
         noiseLevel = belief.ofMeanVariance();
         Function<ReferenceView, CameraModeFinder> finders = finders(target.intrinsicsPrior, target.posePrior);
-        List<PoseMode> modes = finders.apply(target.view).modes(start);
+        List<PoseMode> modes = finders.apply(target.view)
+                .modes(target.view.worldFromCamera(target.modes.get(0).state().cameraFromSet()));
         if (errors.fromNothing()) {
             warnings.add(noiseWarning(belief));
         }
@@ -375,11 +448,14 @@ public final class CellCheck {
                 belief, logNoise);
     }
 
-    /** Logarithm of the mass of the camera's posterior at an added noise, by Laplace's method. */
-    private double logMass(CameraTarget target, RigidTransform start, int node) {
+    /**
+     * Logarithm of the mass of the camera's posterior at an added noise, by Laplace's method: about the modes known
+     * already, since the noise moves modes and weighs them and hardly makes any.
+     */
+    private double logMass(CameraTarget target, int node) {
         CameraModeFinder finder = new CameraModeFinder(target.view, cell.camera(), settings.model().noise(target.view,
                 errors, AddedNoise.atNode(node), settings.kappa()), target.intrinsicsPrior, target.posePrior);
-        List<PoseMode> modes = finder.modes(start);
+        List<PoseMode> modes = finder.refined(target.modes);
         if (modes.isEmpty()) {
             return Double.NEGATIVE_INFINITY;
         }
@@ -559,7 +635,7 @@ public final class CellCheck {
 
     private CheckResult result(CellEstimate quickLook, CellQuantities quantities, boolean[] judged, List<Draws> draws,
             EnsembleSnapshot last) {
-        diagnosed(draws, quantities, judged);
+        diagnostics = diagnosed(draws, quantities, judged).withTails();
         CellEstimate estimate = estimates.of(last.summary(), draws);
         referenceCheck = ReferenceCheck.of(camera, objects);
         warnings.addAll(referenceCheck.warnings());
@@ -573,6 +649,10 @@ public final class CellCheck {
             warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(last.iterationsPerChain(), 0),
                     diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
                     Decimal.shortest(Math.rint(1e11 * settings.targetMcseStdRel()) / 1e9)));
+        }
+        if (diagnostics.converged() && diagnostics.heavyTails()) {
+            warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter(),
+                    Decimal.of(diagnostics.paretoKMax(), 2), Decimal.of(ParetoTail.LARGEST_FOR_STD, 2)));
         }
         return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), errors, noiseLevel,
                 diagnostics, last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(),

@@ -107,6 +107,27 @@ public final class CheckResult {
     }
 
     /**
+     * Whether the verdict is pass or fail by more than twice the Monte Carlo error of every deviation that counts, so
+     * that no other seed would say otherwise. Where the target lies nearer than that the verdict is fail, and this is
+     * false.
+     *
+     * @return false as well where no target is set, or no figure is to be trusted
+     */
+    public boolean decided() {
+        return judgement.decided();
+    }
+
+    /**
+     * The same of the verdict on one object.
+     *
+     * @param objectId marker id
+     * @return as {@link #decided()}
+     */
+    public boolean decided(int objectId) {
+        return judgement.decided(objectId);
+    }
+
+    /**
      * Why.
      *
      * @return one sentence

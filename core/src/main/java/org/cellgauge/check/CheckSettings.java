@@ -176,7 +176,7 @@ public final class CheckSettings {
     }
 
     /**
-     * Seed of all randomness.
+     * Seed of all randomness. Each photo has random streams of its own, named by this seed and by its markers' corners.
      *
      * @return any number
      */

@@ -9,6 +9,7 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Convergence;
+import org.cellgauge.statistics.ParetoTail;
 
 /** Convergence of all chains, quantity by quantity; immutable. */
 public final class Diagnostics {
@@ -20,6 +21,9 @@ public final class Diagnostics {
     private final double mcseStdRelMax;
     private final String worst;
     private final String leastPrecise;
+    private final boolean[] measured;
+    private final Map<String, Double> paretoK;
+    private final String heaviest;
 
     private Diagnostics(Map<String, ChainDiagnostics> parameters, boolean[] judged, boolean[] measured) {
         this.parameters = Collections.unmodifiableMap(parameters);
@@ -65,6 +69,42 @@ public final class Diagnostics {
         mcseStdRelMax = mcse;
         worst = worstName;
         leastPrecise = leastPreciseName;
+        this.measured = measured.clone();
+        paretoK = Collections.emptyMap();
+        heaviest = "";
+    }
+
+    private Diagnostics(Diagnostics d, Map<String, Double> paretoK) {
+        parameters = d.parameters;
+        convergence = d.convergence;
+        rHatMax = d.rHatMax;
+        essBulkMin = d.essBulkMin;
+        essTailMin = d.essTailMin;
+        mcseStdRelMax = d.mcseStdRelMax;
+        worst = d.worst;
+        leastPrecise = d.leastPrecise;
+        measured = d.measured;
+        this.paretoK = Collections.unmodifiableMap(paretoK);
+        String name = "";
+        for (Map.Entry<String, Double> e : paretoK.entrySet()) {
+            name = name.isEmpty() || e.getValue() > paretoK.get(name) ? e.getKey() : name;
+        }
+        heaviest = name;
+    }
+
+    /** The same with the tails of what {@link #mcseStdRelMax()} is about: once, at the end, for the fits take time. */
+    Diagnostics withTails() {
+        String[] names = parameters.keySet().toArray(new String[0]);
+        double[] k = new double[names.length];
+        IntStream.range(0, k.length).parallel()
+                .forEach(i -> k[i] = measured[i] ? parameters.get(names[i]).paretoK() : Double.NaN);
+        Map<String, Double> all = new LinkedHashMap<>();
+        for (int i = 0; i < k.length; i++) {
+            if (!Double.isNaN(k[i])) {
+                all.put(names[i], k[i]);
+            }
+        }
+        return new Diagnostics(this, all);
     }
 
     /**
@@ -165,6 +205,42 @@ public final class Diagnostics {
      */
     public String leastPreciseParameter() {
         return leastPrecise;
+    }
+
+    /**
+     * Shape k of the heavier tail of each quantity's draws ({@link org.cellgauge.statistics.ParetoTail}).
+     *
+     * @return unmodifiable, by name; of the quantities that {@link #mcseStdRelMax()} is about, where k exists
+     */
+    public Map<String, Double> paretoK() {
+        return paretoK;
+    }
+
+    /**
+     * The largest of these.
+     *
+     * @return NaN where there is none
+     */
+    public double paretoKMax() {
+        return heaviest.isEmpty() ? Double.NaN : paretoK.get(heaviest);
+    }
+
+    /**
+     * The quantity with the heaviest tail.
+     *
+     * @return its name; empty where there is none
+     */
+    public String heaviestParameter() {
+        return heaviest;
+    }
+
+    /**
+     * Whether tails are too heavy for Monte Carlo errors of standard deviations to be what is stated.
+     *
+     * @return true if the largest k is beyond {@link org.cellgauge.statistics.ParetoTail#LARGEST_FOR_STD}
+     */
+    public boolean heavyTails() {
+        return paretoKMax() > ParetoTail.LARGEST_FOR_STD;
     }
 
     /**

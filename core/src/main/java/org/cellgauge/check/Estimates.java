@@ -63,8 +63,22 @@ final class Estimates {
         Rotations.multiply(turn, reference, rotation);
         RigidTransform mean = RigidTransform.of(rotation,
                 new double[] {tangentMean[0], tangentMean[1], tangentMean[2]});
-        return new PoseEstimate(frame, summary.mean(name), summary.covariance(name),
-                summary.covariance(name + "_tangent"), mean);
+        // draws are rotation vectors v from the reference; from the mean rotation they are J (v - mean) to first order
+        double[] byVector = new double[9];
+        Rotations.leftJacobian(tangentMean[3], tangentMean[4], tangentMean[5], byVector);
+        double[][] aboutMean = new double[6][6];
+        for (int i = 0; i < 3; i++) {
+            aboutMean[i][i] = 1;
+            System.arraycopy(byVector, 3 * i, aboutMean[3 + i], 3, 3);
+        }
+        double[][] aboutReference = summary.covariance(name + "_tangent");
+        double[] flat = new double[36];
+        for (int i = 0; i < 6; i++) {
+            System.arraycopy(aboutReference[i], 0, flat, 6 * i, 6);
+        }
+        double[][] tangent = new double[6][6];
+        Matrices.addSandwich(aboutMean, flat, 6, tangent);
+        return new PoseEstimate(frame, summary.mean(name), summary.covariance(name), tangent, mean);
     }
 
     /** Moments of the draws near each mode. */

@@ -6,12 +6,19 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.statistics.ChainDiagnostics;
 
 /**
  * The verdict on figures that are there already, and why. Nothing here is sampled, so that another target can be held
  * against the same draws.
  */
 final class Judgement {
+    /**
+     * A deviation meets a target, or misses it, if it does by more than this many of its Monte Carlo errors: a guard
+     * band as in JCGM 106:2012, section 8.3, so that no seed decides.
+     */
+    static final double GUARD_ERRORS = 2;
+
     private final CellEstimate estimate;
     private final Diagnostics diagnostics;
     private final ReferenceCheck references;
@@ -67,12 +74,104 @@ final class Judgement {
         if (!targetStdMm.isPresent()) {
             return Verdict.NO_TARGET;
         }
+        return standing(objects) == Standing.WITHIN ? Verdict.PASS : Verdict.FAIL;
+    }
+
+    /** Where deviations stand against the target, given that they are known to within a Monte Carlo error. */
+    private enum Standing {
+        /** All are within the target by more than {@link #GUARD_ERRORS} of their errors. */
+        WITHIN,
+        /** One lies within so many errors of the target, and none beyond. */
+        UNDECIDED,
+        /** One is beyond it by more. */
+        BEYOND
+    }
+
+    private Standing standing(List<ObjectEstimate> objects) {
+        double target = targetStdMm.getAsDouble();
+        Standing standing = Standing.WITHIN;
         for (ObjectEstimate object : objects) {
-            if (!references.meets(object, targetStdMm.getAsDouble())) {
-                return Verdict.FAIL;
+            if (references.errorMm(object) > target) {
+                return Standing.BEYOND;
+            }
+            standing = worse(standing, standing(diagnostics, object.id(), object.grip() != null, target));
+        }
+        return standing;
+    }
+
+    private static Standing worse(Standing a, Standing b) {
+        return a.compareTo(b) >= 0 ? a : b;
+    }
+
+    /** Where the deviations of one object and its gripping point stand. */
+    private static Standing standing(Diagnostics diagnostics, int objectId, boolean grip, double target) {
+        Standing standing = Standing.WITHIN;
+        for (String name : names(objectId, grip)) {
+            ChainDiagnostics d = diagnostics.parameters().get(name);
+            double error = GUARD_ERRORS * d.mcseSd();
+            standing = worse(standing, d.std() - error > target ? Standing.BEYOND
+                    : d.std() + error <= target ? Standing.WITHIN : Standing.UNDECIDED);
+        }
+        return standing;
+    }
+
+    private static List<String> names(int objectId, boolean grip) {
+        List<String> names = new ArrayList<>();
+        for (String axis : new String[] {"x_mm", "y_mm", "z_mm"}) {
+            names.add("object_" + objectId + "_" + axis);
+            if (grip) {
+                names.add("object_" + objectId + "_grip_" + axis);
             }
         }
-        return Verdict.PASS;
+        return names;
+    }
+
+    /**
+     * Whether more draws could change which side of a target the deviations are on.
+     *
+     * @param diagnostics of the draws so far
+     * @param objects the objects seen
+     * @param target mm
+     */
+    static boolean undecided(Diagnostics diagnostics, List<ObjectTarget> objects, double target) {
+        Standing standing = Standing.WITHIN;
+        for (ObjectTarget object : objects) {
+            standing = worse(standing, standing(diagnostics, object.marker.id(), object.marker.hasGrip(), target));
+        }
+        return standing == Standing.UNDECIDED;
+    }
+
+    /** Whether {@link #verdict()} is pass or fail, and would be with any number of draws. */
+    boolean decided() {
+        return decided(verdict(), estimate.objects(), missing);
+    }
+
+    /** Whether {@link #verdict(int)} is. */
+    boolean decided(int objectId) {
+        ObjectEstimate object = estimate.object(objectId);
+        return decided(verdict(objectId), only(object),
+                object == null ? Collections.singletonList(objectId) : Collections.emptyList());
+    }
+
+    private boolean decided(Verdict verdict, List<ObjectEstimate> objects, List<Integer> notSeen) {
+        return (verdict == Verdict.PASS || verdict == Verdict.FAIL)
+                && (!notSeen.isEmpty() || standing(objects) != Standing.UNDECIDED);
+    }
+
+    /** The Monte Carlo error of the deviation that reaches farthest beyond the target. */
+    private double undecidedMm(List<ObjectEstimate> objects) {
+        double farthest = 0;
+        double error = Double.NaN;
+        for (ObjectEstimate object : objects) {
+            for (String name : names(object.id(), object.grip() != null)) {
+                ChainDiagnostics d = diagnostics.parameters().get(name);
+                if (d.std() + GUARD_ERRORS * d.mcseSd() > farthest) {
+                    farthest = d.std() + GUARD_ERRORS * d.mcseSd();
+                    error = d.mcseSd();
+                }
+            }
+        }
+        return error;
     }
 
     /** Why {@link #verdict()} is what it is. */
@@ -100,15 +199,17 @@ final class Judgement {
             }
         }
         return Reason.largestDeviation(objects, verdict == Verdict.FAIL ? notSeen : Collections.emptyList(),
-                targetStdMm, references.misplacement(verdict == Verdict.PASS, objects));
+                targetStdMm, references.misplacement(verdict == Verdict.PASS, objects),
+                verdict == Verdict.FAIL && !decided(verdict, objects, notSeen)
+                        ? OptionalDouble.of(undecidedMm(objects)) : OptionalDouble.empty());
     }
 
     private static List<ObjectEstimate> only(ObjectEstimate object) {
         return object == null ? Collections.emptyList() : Collections.singletonList(object);
     }
 
-    /** Whether a second pose holds too much of the posterior to be left aside. */
+    /** Whether other poses than the first hold too much of the posterior to be left aside. */
     static boolean ambiguous(List<ModeEstimate> modes) {
-        return modes.size() > 1 && modes.get(1).weight() > CellCheck.AMBIGUOUS_SHARE;
+        return modes.size() > 1 && 1 - modes.get(0).weight() > CellCheck.AMBIGUOUS_SHARE;
     }
 }

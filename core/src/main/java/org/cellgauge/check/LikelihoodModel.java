@@ -1,5 +1,6 @@
 package org.cellgauge.check;
 
+import java.util.List;
 import org.cellgauge.pose.CornerCubeNoise;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.PoseMode;
@@ -8,6 +9,7 @@ import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.RigidMarkerNoise;
 import org.cellgauge.posterior.CameraLikelihood;
 import org.cellgauge.posterior.CornerCubeLikelihood;
+import org.cellgauge.posterior.NearestModeLikelihood;
 import org.cellgauge.posterior.RigidMarkerLikelihood;
 
 /** The likelihoods to choose from. */
@@ -20,8 +22,13 @@ public enum LikelihoodModel {
         }
 
         @Override
-        CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa) {
-            return new RigidMarkerLikelihood(view, mode.whitening());
+        CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors,
+                double kappa) {
+            if (modes.size() > 1) {
+                return new NearestModeLikelihood(view, modes, errors);
+            }
+            return errors == null ? new RigidMarkerLikelihood(view, modes.get(0))
+                    : new RigidMarkerLikelihood(view, modes.get(0), errors);
         }
     },
     /** The thesis' likelihood: every corner on its own, deviations of a projected box. */
@@ -32,7 +39,8 @@ public enum LikelihoodModel {
         }
 
         @Override
-        CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa) {
+        CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors,
+                double kappa) {
             return new CornerCubeLikelihood(view, kappa);
         }
     };
@@ -55,6 +63,11 @@ public enum LikelihoodModel {
     /** Residual covariances for fits, at an added noise. */
     abstract ReferenceNoise noise(ReferenceView view, CornerErrors errors, double noise, double kappa);
 
-    /** A likelihood of its own for one chain. */
-    abstract CameraLikelihood likelihood(ReferenceView view, PoseMode mode, double kappa);
+    /**
+     * A likelihood of its own for one chain.
+     *
+     * @param errors errors of the corners where their noise is sampled; null where it is that of the modes
+     */
+    abstract CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors,
+            double kappa);
 }

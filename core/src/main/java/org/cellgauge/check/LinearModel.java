@@ -3,6 +3,7 @@ package org.cellgauge.check;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CameraState;
@@ -22,11 +23,15 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
  * {@code dx_w = R^T (dt + de x a - dp + v x dw)}, a being its arm from the marker's centre in camera axes.
  */
 final class LinearModel {
+    private static final double NEXT_TO_NOTHING = 1e-9;
+
     private final CameraTarget camera;
     private final PoseMode mode;
     private final CameraState state;
     private final double[] worldFromCamera = new double[9];
     private final int columns;
+    /** Covariance that a fit has which knows a source to be zero, by source; filled when a budget is first asked for. */
+    private Map<String, double[]> refitted;
 
     LinearModel(CameraTarget camera) {
         this.camera = camera;
@@ -230,30 +235,31 @@ final class LinearModel {
             double[] arm = arm(pointMm);
             double[][] a = byCamera(arm, false);
             Map<String, double[]> variances = new LinkedHashMap<>();
+            Map<String, double[]> left = new LinkedHashMap<>();
+            CornerErrors errors = target.errors;
+            ReferenceNoise atMode = noise.about(mode.placed());
             double[] placement = new double[64];
             double[] pixel = new double[64];
             double[] cornerNoise = new double[3];
             double[] bent = new double[3];
-            CornerErrors errors = target.errors;
             for (int m = 0; m < camera.view.size(); m++) {
-                noise.covariance(state, m, placement, pixel);
+                atMode.covariance(state, m, placement, pixel);
                 double[][] byResidual = times(a, mode.gain(m), 8);
                 Reference reference = camera.view.references().get(m);
                 variances.put(VarianceBudget.PLACEMENT_OF_REFERENCE + reference.id(),
                         diagonal(byResidual, placement, 8));
                 add(cornerNoise, diagonal(byResidual, pixel, 8));
-                if (errors.hasFlatness()) {
-                    add(bent, diagonal(byResidual, errors.flatness(reference.id()), 8));
-                }
+                add(bent, diagonal(byResidual, errors.flatness(reference.id()), 8));
             }
-            double[] ofObject = noisy ? diagonal(byObject(arm, false), objectMode.covariance(), 6) : new double[3];
+            double[] own = ownVariance(arm, null);
+            double[] ofObject = own.clone();
             if (errors.hasFlatness()) {
                 subtract(cornerNoise, bent);
                 if (noisy) {
-                    double[] own = diagonal(timesGain(byObject(arm, false), objectMode.gain(0)),
+                    double[] ownBent = diagonal(timesGain(byObject(arm, false), objectMode.gain(0)),
                             errors.flatness(target.marker.id()), 8);
-                    subtract(ofObject, own);
-                    add(bent, own);
+                    subtract(ofObject, ownBent);
+                    add(bent, ownBent);
                 }
             }
             variances.put(VarianceBudget.CORNER_NOISE_OF_REFERENCES, cornerNoise);
@@ -261,6 +267,18 @@ final class LinearModel {
             if (errors.hasFlatness()) {
                 variances.put(VarianceBudget.FLATNESS_OF_PRINTS, bent);
             }
+            if (refitted == null) {
+                refitted = refitted(atMode, errors);
+            }
+            refitted.forEach((source, covariance) -> {
+                double[] variance = diagonal(a, covariance, columns);
+                add(variance, source.equals(VarianceBudget.FLATNESS_OF_PRINTS)
+                        ? ownVariance(arm, VarianceBudget.FLATNESS_OF_PRINTS) : own);
+                left.put(source, variance);
+            });
+            double[] exactCorners = diagonal(a, mode.covariance(), columns);
+            add(exactCorners, ownVariance(arm, VarianceBudget.CORNER_NOISE_OF_OBJECT));
+            left.put(VarianceBudget.CORNER_NOISE_OF_OBJECT, exactCorners);
             int shared = 6 + camera.intrinsicsPrior.count();
             if (shared > 6) {
                 double[] prior = new double[columns * columns];
@@ -291,12 +309,166 @@ final class LinearModel {
                 }
                 variances.put(VarianceBudget.POSE_PRIOR, priorPart(a, prior));
             }
-            return new VarianceBudget(variances);
+            return new VarianceBudget(variances, left);
+        }
+
+        /**
+         * What the object's own corners contribute if one of the sources of their errors is zero.
+         *
+         * @param without corner noise, flatness, or null for neither
+         */
+        private double[] ownVariance(double[] arm, String without) {
+            if (!noisy || (VarianceBudget.CORNER_NOISE_OF_OBJECT.equals(without) && !target.errors.hasFlatness())) {
+                return new double[3];
+            }
+            double[] covariance = objectMode.covariance();
+            if (without != null) {
+                double[] bent = target.errors.flatness(target.marker.id());
+                double[] noise = new double[64];
+                target.errors.covariance(target.marker.id(), state.noise, noise);
+                for (int i = 0; i < 64; i++) {
+                    noise[i] -= bent[i];
+                }
+                double[] information = Cholesky.inverse(covariance, 6);
+                boolean stays = without.equals(VarianceBudget.FLATNESS_OF_PRINTS);
+                exchange(objectMode, information, 0, stays ? noise : bent, stays ? bent : noise);
+                covariance = Cholesky.inverse(information, 6);
+            }
+            return covariance == null ? new double[] {Double.NaN, Double.NaN, Double.NaN}
+                    : diagonal(byObject(arm, false), covariance, 6);
         }
 
         /** What a Gaussian prior of the given information contributes: a C I C a^T. */
         private double[] priorPart(double[][] a, double[] information) {
             return diagonal(times(a, mode.covariance(), columns), information, columns);
+        }
+    }
+
+    /**
+     * The linear model fitted again with one source's variance set to zero, all of the camera's in turn but for a prior
+     * of its pose.
+     */
+    private Map<String, double[]> refitted(ReferenceNoise atMode, CornerErrors errors) {
+        Map<String, double[]> out = new LinkedHashMap<>();
+        double[] information = Cholesky.inverse(mode.covariance(), columns);
+        int n = camera.view.size();
+        double[] placement = new double[64];
+        double[] pixel = new double[64];
+        double[] others = new double[64];
+        double[] exactCorners = information.clone();
+        double[] flat = information.clone();
+        for (int m = 0; m < n; m++) {
+            int id = camera.view.references().get(m).id();
+            double[] bent = errors.flatness(id);
+            atMode.covariance(state, m, placement, pixel);
+            double[] exact = information.clone();
+            exchange(mode, exact, m, pixel, placement);
+            put(out, VarianceBudget.PLACEMENT_OF_REFERENCE + id, exact);
+            for (int i = 0; i < 64; i++) {
+                pixel[i] -= bent[i];
+                others[i] = placement[i] + bent[i];
+            }
+            exchange(mode, exactCorners, m, others, pixel);
+            for (int i = 0; i < 64; i++) {
+                others[i] = placement[i] + pixel[i];
+            }
+            if (errors.hasFlatness()) {
+                exchange(mode, flat, m, others, bent);
+            }
+        }
+        put(out, VarianceBudget.CORNER_NOISE_OF_REFERENCES, exactCorners);
+        if (errors.hasFlatness()) {
+            put(out, VarianceBudget.FLATNESS_OF_PRINTS, flat);
+        }
+        int shared = 6 + camera.intrinsicsPrior.count();
+        boolean[] known = new boolean[columns];
+        java.util.Arrays.fill(known, 6, shared, true);
+        putKnown(out, VarianceBudget.INTRINSICS, information, known);
+        for (String source : new String[] {CornerErrors.EDGES, CornerErrors.SIZES}) {
+            for (int f = 0; f < columns; f++) {
+                known[f] = f >= shared && errors.source(f - shared).equals(source);
+            }
+            putKnown(out, source, information, known);
+        }
+        return out;
+    }
+
+    /** Known unknowns: their part of an information stays out, and so does their covariance. */
+    private void putKnown(Map<String, double[]> out, String source, double[] information, boolean[] known) {
+        int[] left = java.util.stream.IntStream.range(0, columns).filter(f -> !known[f]).toArray();
+        int n = left.length;
+        if (n == columns) {
+            return;
+        }
+        double[] part = new double[n * n];
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                part[i * n + j] = information[left[i] * columns + left[j]];
+            }
+        }
+        double[] covariance = Cholesky.inverse(part, n);
+        if (covariance == null) {
+            return;
+        }
+        double[] full = new double[columns * columns];
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                full[left[i] * columns + left[j]] = covariance[i * n + j];
+            }
+        }
+        out.put(source, full);
+    }
+
+    private void put(Map<String, double[]> out, String source, double[] information) {
+        double[] covariance = Cholesky.inverse(information, columns);
+        if (covariance != null) {
+            out.put(source, covariance);
+        }
+    }
+
+    /**
+     * Exchanges what one marker contributes to an information for what it contributes with other residuals: a part
+     * of their covariance that stays and one that goes, all but a billionth of it, which keeps the rest definite.
+     */
+    private static void exchange(PoseMode mode, double[] information, int marker, double[] stays, double[] goes) {
+        int columns = mode.dimension();
+        double[] whitened = mode.jacobian(marker);
+        double[] whitening = mode.whitening();
+        double[] plain = whitened.clone();
+        double[] factor = new double[64];
+        for (int i = 0; i < 64; i++) {
+            factor[i] = stays[i] + NEXT_TO_NOTHING * goes[i];
+        }
+        if (!Cholesky.factor(factor, 8)) {
+            return;
+        }
+        double[] column = new double[8];
+        for (int c = 0; c < columns; c++) {
+            // undo the whitening row by row, then whiten by the other covariance
+            for (int i = 0; i < 8; i++) {
+                double s = whitened[i * columns + c];
+                for (int k = 0; k < i; k++) {
+                    s -= whitening[64 * marker + 8 * i + k] * plain[k * columns + c];
+                }
+                plain[i * columns + c] = s / whitening[64 * marker + 9 * i];
+                column[i] = plain[i * columns + c];
+            }
+            Cholesky.solveLower(factor, 8, column);
+            for (int i = 0; i < 8; i++) {
+                plain[i * columns + c] = column[i];
+            }
+            // columns before this one are whitened already, so both products are complete up to here
+            for (int d = 0; d <= c; d++) {
+                double change = 0;
+                for (int i = 0; i < 8; i++) {
+                    change += plain[i * columns + c] * plain[i * columns + d]
+                            - whitened[i * columns + c] * whitened[i * columns + d];
+                }
+                information[c * columns + d] += change;
+                if (d < c) {
+                    information[d * columns + c] += change;
+                }
+            }
         }
     }
 

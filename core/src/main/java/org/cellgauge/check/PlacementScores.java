@@ -39,7 +39,7 @@ final class PlacementScores {
         whole = new double[size];
         covariance = new double[size * size];
         int columns = mode.dimension();
-        RigidMarkerNoise geometry = new RigidMarkerNoise(view, 1);
+        RigidMarkerNoise geometry = new RigidMarkerNoise(view, 1).about(mode.placed());
         CameraState state = mode.state();
         double[] whitening = mode.whitening();
         double[] byPlacement = new double[8 * COORDINATES];

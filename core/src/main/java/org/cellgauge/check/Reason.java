@@ -173,6 +173,7 @@ public final class Reason {
         private double rHat = Double.NaN;
         private double effectiveDraws = Double.NaN;
         private Misplacement misplacement;
+        private OptionalDouble undecidedMm = OptionalDouble.empty();
 
         Parts(Kind kind) {
             this.kind = kind;
@@ -225,15 +226,17 @@ public final class Reason {
      * @param missingObjects ids of objects that count as a failure because they are not seen; empty where none does
      * @param targetMm the target, or empty
      * @param misplacement what misplaced references add, or null
+     * @param undecidedMm Monte Carlo error because of which the target is neither met nor missed; empty where it is
      */
     static Reason largestDeviation(List<ObjectEstimate> objects, List<Integer> missingObjects, OptionalDouble targetMm,
-            Misplacement misplacement) {
+            Misplacement misplacement, OptionalDouble undecidedMm) {
         Kind kind = !missingObjects.isEmpty() ? Kind.OBJECT_NOT_SEEN
                 : objects.isEmpty() ? Kind.NO_OBJECT : Kind.LARGEST_DEVIATION;
         Parts parts = new Parts(kind);
         parts.missingObjects = Collections.unmodifiableList(new ArrayList<>(missingObjects));
         parts.targetMm = targetMm;
         parts.misplacement = misplacement;
+        parts.undecidedMm = undecidedMm;
         double std = -1;
         VarianceBudget budget = null;
         int axis = 0;
@@ -373,6 +376,15 @@ public final class Reason {
     }
 
     /**
+     * Where the target lies so near to a deviation that more draws might change the verdict.
+     *
+     * @return the Monte Carlo error of that deviation, mm; empty where the verdict stands
+     */
+    public OptionalDouble undecidedMm() {
+        return p.undecidedMm;
+    }
+
+    /**
      * The quantity whose chains agree least.
      *
      * @return its name among the diagnostics, or null
@@ -435,7 +447,9 @@ public final class Reason {
     }
 
     private String besides() {
-        return p.misplacement == null ? "" : p.misplacement.english();
+        return (p.undecidedMm.isPresent() ? String.format(Locale.ROOT, " Undecided: the target lies within twice the "
+                + "Monte Carlo error of a deviation (%.3f mm), so that a longer run might say otherwise.",
+                p.undecidedMm.getAsDouble()) : "") + (p.misplacement == null ? "" : p.misplacement.english());
     }
 
     private String deviation() {

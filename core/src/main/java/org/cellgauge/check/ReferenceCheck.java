@@ -177,6 +177,14 @@ public final class ReferenceCheck {
                 without == null ? null : without.object(object.id()).gripErrorMm());
     }
 
+    /** The largest error of an object's position and gripping point if references are misplaced; 0 where none is. */
+    double errorMm(ObjectEstimate object) {
+        if (misplaced.isEmpty()) {
+            return 0;
+        }
+        return without == null ? Double.POSITIVE_INFINITY : without.object(object.id()).worstErrorMm();
+    }
+
     private double judged(double stdMm, double[] errorMm) {
         if (misplaced.isEmpty()) {
             return stdMm;

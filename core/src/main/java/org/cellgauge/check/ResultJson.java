@@ -87,6 +87,7 @@ public final class ResultJson {
         json.beginObject();
         json.name("schema").value(SCHEMA);
         json.name("verdict").value(result.verdict().key());
+        json.name("decided").value(result.decided());
         json.name("reason").value(result.reason());
         json.name("input").beginObject();
         json.name("name").value(inputName);
@@ -316,12 +317,13 @@ public final class ResultJson {
         numbers("std", pose.std());
         matrix("covariance", pose.covariance());
         strings("tangent_order", TANGENT_ORDER);
+        numbers("tangent_base", wrapped(pose.meanTransform().eulerRad()));
         matrix("tangent_covariance", pose.tangentCovariance());
     }
 
     /** The modes of a pose where it is ambiguous; nothing where it is not. */
     private void modes(List<ModeEstimate> modes) throws IOException {
-        if (modes.size() < 2 || !(modes.get(1).weight() > CellCheck.AMBIGUOUS_SHARE)) {
+        if (!Judgement.ambiguous(modes)) {
             return;
         }
         json.name("modes").beginArray();
@@ -356,7 +358,7 @@ public final class ResultJson {
         json.beginObject();
         json.name("within_target");
         if (trusted && cell.targetStdMm().isPresent()) {
-            json.value(result.referenceCheck().meets(object, cell.targetStdMm().getAsDouble()));
+            json.value(result.verdict(object.id()) == Verdict.PASS);
         } else {
             json.nullValue();
         }
@@ -392,6 +394,14 @@ public final class ResultJson {
         for (int axis = 0; axis < 3; axis++) {
             json.name("xyz".substring(axis, axis + 1));
             shares(budget.shares(axis));
+        }
+        json.endObject();
+        json.name(name + "_gain");
+        shares(budget.gains());
+        json.name(name + "_gain_axes").beginObject();
+        for (int axis = 0; axis < 3; axis++) {
+            json.name("xyz".substring(axis, axis + 1));
+            shares(budget.gains(axis));
         }
         json.endObject();
     }
@@ -542,11 +552,12 @@ public final class ResultJson {
         number("ess_bulk_min", d.essBulkMin());
         number("ess_tail_min", d.essTailMin());
         number("mcse_std_rel_max", d.mcseStdRelMax());
+        number("pareto_k_max", d.paretoKMax());
         json.name("precision_reached");
         if (result.settings().iterations().isPresent()) {
             json.nullValue();
         } else {
-            json.value(d.mcseStdRelMax() < result.settings().targetMcseStdRel());
+            json.value(d.mcseStdRelMax() < result.settings().targetMcseStdRel() && !d.heavyTails());
         }
         json.name("camera_evaluations").beginObject();
         json.name("tuning").value(result.tuningEvaluations());
@@ -567,6 +578,7 @@ public final class ResultJson {
             number("ess_tail", p.essTail());
             number("mcse_mean", p.mcseMean());
             number("mcse_std", p.mcseSd());
+            number("pareto_k", d.paretoK().getOrDefault(e.getKey(), Double.NaN));
             for (int percent : QUANTILE_PERCENT) {
                 double quantile = p.quantile(percent / 100.0);
                 number("q" + percent, angle && Double.isFinite(quantile) ? Angles.wrapToPi(quantile) : quantile);

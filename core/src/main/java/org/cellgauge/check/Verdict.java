@@ -2,9 +2,9 @@ package org.cellgauge.check;
 
 /** What a check says of a photo. */
 public enum Verdict {
-    /** Every axis of every object and gripping point is within the target. */
+    /** Every axis of every object and gripping point is within the target, by twice its Monte Carlo error. */
     PASS("pass"),
-    /** An axis is beyond the target, or an object was not seen. */
+    /** An axis is beyond the target or nearer to it than twice its Monte Carlo error, or an object was not seen. */
     FAIL("fail"),
     /** The chains have not converged: no figure can be trusted. */
     NOT_CONVERGED("not-converged"),

@@ -171,6 +171,40 @@ public final class Rotations {
     }
 
     /**
+     * Left Jacobian of SO(3): {@code exp(w + d) = exp(J d) exp(w)} for small d.
+     *
+     * <p>{@code J = I + (1 - cos|w|)/|w|² [w] + (|w| - sin|w|)/|w|³ [w]²} (Chirikjian 2011, section 10.6).
+     *
+     * @param wx x of the rotation vector, rad
+     * @param wy y of the rotation vector, rad
+     * @param wz z of the rotation vector, rad
+     * @param out J, 9 values row by row
+     */
+    public static void leftJacobian(double wx, double wy, double wz, double[] out) {
+        double squared = wx * wx + wy * wy + wz * wz;
+        double b;
+        double c;
+        if (squared < SMALL_ANGLE * SMALL_ANGLE) {
+            b = 0.5 - squared / 24;
+            c = 1.0 / 6 - squared / 120;
+        } else {
+            double angle = Math.sqrt(squared);
+            double s = Math.sin(angle / 2) / angle;
+            b = 2 * s * s;
+            c = (angle - Math.sin(angle)) / (squared * angle);
+        }
+        out[0] = 1 - c * (wy * wy + wz * wz);
+        out[1] = c * wx * wy - b * wz;
+        out[2] = c * wx * wz + b * wy;
+        out[3] = c * wx * wy + b * wz;
+        out[4] = 1 - c * (wx * wx + wz * wz);
+        out[5] = c * wy * wz - b * wx;
+        out[6] = c * wx * wz - b * wy;
+        out[7] = c * wy * wz + b * wx;
+        out[8] = 1 - c * (wx * wx + wy * wy);
+    }
+
+    /**
      * Inverse of the left Jacobian of SO(3): {@code log(exp(d) exp(w)) = w + J d} for small d.
      *
      * <p>{@code J = I - [w]/2 + (1/|w|² - (1 + cos|w|) / (2 |w| sin|w|)) [w]²} (Chirikjian 2011, section 10.6).

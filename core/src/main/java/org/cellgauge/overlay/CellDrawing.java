@@ -283,7 +283,7 @@ final class CellDrawing {
     }
 
     private static boolean ambiguous(List<ModeEstimate> modes) {
-        return modes.size() > 1 && modes.get(1).weight() > CellCheck.AMBIGUOUS_SHARE;
+        return modes.size() > 1 && 1 - modes.get(0).weight() > CellCheck.AMBIGUOUS_SHARE;
     }
 
     private void outline(Role role, Status status, double strokeU, boolean dashed, RigidTransform worldFromMarker,

@@ -1,14 +1,20 @@
 package org.cellgauge.pose;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.cellgauge.cell.Placement;
+import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
+import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
 /**
- * Modes of the camera pose given all references: damped Gauss-Newton with the residual covariances frozen at the mode
- * itself, repeated until mode and covariances agree.
+ * Modes of the camera pose given all references: damped Gauss-Newton with the placement errors of the references
+ * linearised, and the residual covariances frozen, at the mode itself; repeated until all agree.
  */
 public final class CameraModeFinder {
     private static final int MAX_FREEZES = 100;
@@ -16,6 +22,16 @@ public final class CameraModeFinder {
     /** A mode with less than this share of the heaviest one's mass cannot change any figure shown. */
     private static final double NEGLIGIBLE_LOG_WEIGHT = -20;
     private static final double SAME_MODE_STDS = 1e-2;
+    /** A search that comes this near to a known mode is taken to end there. */
+    private static final double SAME_BASIN_STDS = 0.3;
+    /** Half a chi-square more than the best mode's by this much, and no determinant makes up for it. */
+    private static final double HOPELESS = 40;
+    /** A start is in the basin of a pose at most this far, where the reference has only one pose, rad. */
+    private static final double REACH_RAD = 0.1;
+    /** Length in stated deviations beyond which a reference's placement error is not followed. */
+    private static final double FARTHEST_STDS = 6;
+    private static final double SMALLEST_SHARE = 0.25;
+    private static final double[] IDENTITY = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
     private final ReferenceView view;
     private final PinholeCamera camera;
@@ -44,97 +60,313 @@ public final class CameraModeFinder {
     /**
      * Finds the modes.
      *
+     * <p>Starts are the one given; the pose mirrored about the plane that fits all corners best (a set of references
+     * that is nearly flat and small in the image may be seen mirrored: Schweighofer and Pinz, PAMI 2006); and the one
+     * or two poses of every reference alone. A start that leads where another one has led is not followed.
+     *
      * @param worldFromCamera start
-     * @return the mode reached from the start and, where the references may be seen mirrored and that mode has any
-     *     weight, that one; the heavier first; empty if the start does not lead to a mode
+     * @return the modes with any weight, the heaviest first; empty if the start does not lead to a mode
      */
     public List<PoseMode> modes(RigidTransform worldFromCamera) {
         RigidTransform start = view.cameraFromSet(worldFromCamera);
-        PoseMode first = fitFrom(start);
+        PoseMode first = fitFrom(start, Collections.emptyList());
         if (first == null) {
             return Collections.emptyList();
         }
-        List<PoseMode> modes = new ArrayList<>();
-        modes.add(first);
+        List<PoseMode> found = new ArrayList<>();
+        found.add(first);
+        List<RigidTransform> visited = new ArrayList<>();
+        visited.add(first.state().cameraFromSet());
         RigidTransform planeFromSet = planeFromSet();
-        if (planeFromSet != null) {
-            RigidTransform cameraFromPlane = first.state().cameraFromSet().compose(planeFromSet.inverse());
-            RigidTransform mirrored = MarkerPoseFinder.mirrored(cameraFromPlane).compose(planeFromSet);
-            PoseMode second = fitFrom(mirrored);
-            if (second != null && distinct(first, second)) {
-                double difference = second.logWeight() - first.logWeight();
-                if (difference > -NEGLIGIBLE_LOG_WEIGHT) {
-                    modes.clear();
+        RigidTransform cameraFromPlane = visited.get(0).compose(planeFromSet.inverse());
+        follow(MarkerPoseFinder.mirrored(cameraFromPlane).compose(planeFromSet), found, visited);
+        for (int m = 0; m < view.size(); m++) {
+            List<RigidTransform> poses = posesOf(m);
+            double reach = poses.size() < 2 ? REACH_RAD : poses.get(0).angleRadTo(poses.get(1)) / 4;
+            for (RigidTransform pose : poses) {
+                if (!near(pose, visited, reach)) {
+                    follow(pose, found, visited);
                 }
-                if (difference > NEGLIGIBLE_LOG_WEIGHT) {
-                    modes.add(difference > 0 ? 0 : modes.size(), second);
-                }
+            }
+        }
+        found.sort((a, b) -> Double.compare(b.logWeight(), a.logWeight()));
+        List<PoseMode> modes = new ArrayList<>();
+        for (PoseMode mode : found) {
+            if (mode.logWeight() - found.get(0).logWeight() > NEGLIGIBLE_LOG_WEIGHT) {
+                modes.add(mode);
             }
         }
         return modes;
     }
 
-    /** Rotation that turns the common plane of all references into z = 0, or null where they have none. */
+    /**
+     * The modes that are found from modes of another noise, for instance of the same references with more of it: each
+     * mode is followed from where it was, and no other start is tried.
+     *
+     * @param others modes of the same view and unknowns
+     * @return the modes that they lead to, the heaviest first; empty if none leads to a mode
+     */
+    public List<PoseMode> refined(List<PoseMode> others) {
+        List<PoseMode> found = new ArrayList<>();
+        for (PoseMode other : others) {
+            CameraState state = other.state();
+            state.noise = noise.noise();
+            PoseMode mode = converged(state, new Linearisation(other.placed()), Collections.emptyList(),
+                    Double.POSITIVE_INFINITY);
+            if (mode != null && !isKnown(mode.state(), found, SAME_MODE_STDS)) {
+                found.add(mode);
+            }
+        }
+        found.sort((a, b) -> Double.compare(b.logWeight(), a.logWeight()));
+        return found;
+    }
+
+    private void follow(RigidTransform start, List<PoseMode> found, List<RigidTransform> visited) {
+        visited.add(start);
+        PoseMode mode = start.translationMm()[2] > 0 ? fitFrom(start, found) : null;
+        if (mode != null && !isKnown(mode.state(), found, SAME_MODE_STDS)) {
+            found.add(mode);
+            visited.add(mode.state().cameraFromSet());
+        }
+    }
+
+    private static boolean near(RigidTransform pose, List<RigidTransform> visited, double reachRad) {
+        for (RigidTransform other : visited) {
+            if (pose.angleRadTo(other) < reachRad) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The poses of the set that explain one reference alone. */
+    private List<RigidTransform> posesOf(int marker) {
+        Reference reference = view.references().get(marker);
+        RigidTransform markerFromSet = reference.worldFromMarker().inverse()
+                .compose(RigidTransform.of(IDENTITY, view.centroidMm()));
+        List<RigidTransform> poses = new ArrayList<>();
+        double[] corners = Arrays.copyOfRange(view.observed(), 8 * marker, 8 * marker + 8);
+        for (PoseMode mode : MarkerPoseFinder.modes(corners, reference.sizeMm(), camera, 1)) {
+            poses.add(mode.state().cameraFromSet().compose(markerFromSet));
+        }
+        return poses;
+    }
+
+    /** Rotation that turns the plane nearest to all corners into z = 0. */
     private RigidTransform planeFromSet() {
-        double[] r = view.references().get(0).worldFromMarker().rotation();
         double[] points = view.points();
-        double extent = 0;
-        double height = 0;
-        double first = r[2] * points[0] + r[5] * points[1] + r[8] * points[2];
+        double[] mean = new double[3];
+        int n = points.length / 3;
+        for (int k = 0; k < points.length; k++) {
+            mean[k % 3] += points[k] / n;
+        }
+        DMatrixRMaj scatter = new DMatrixRMaj(3, 3);
         for (int k = 0; k < points.length; k += 3) {
-            double h = r[2] * points[k] + r[5] * points[k + 1] + r[8] * points[k + 2];
-            height = Math.max(height, Math.abs(h - first));
-            extent = Math.max(extent, Math.hypot(Math.hypot(points[k], points[k + 1]), points[k + 2]));
+            for (int i = 0; i < 3; i++) {
+                for (int j = 0; j < 3; j++) {
+                    scatter.add(i, j, (points[k + i] - mean[i]) * (points[k + j] - mean[j]));
+                }
+            }
         }
-        // references far out of one plane tell a mirrored pose apart at sight
-        return height > 0.02 * extent ? null : RigidTransform.of(r, new double[3]).inverse();
+        EigenDecomposition_F64<DMatrixRMaj> eigen = DecompositionFactory_DDRM.eig(3, true, true);
+        eigen.decompose(scatter);
+        int least = 0;
+        int most = 0;
+        for (int i = 1; i < 3; i++) {
+            least = eigen.getEigenvalue(i).getReal() < eigen.getEigenvalue(least).getReal() ? i : least;
+            most = eigen.getEigenvalue(i).getReal() >= eigen.getEigenvalue(most).getReal() ? i : most;
+        }
+        DMatrixRMaj x = eigen.getEigenVector(most);
+        DMatrixRMaj z = eigen.getEigenVector(least);
+        double[] rows = {x.get(0), x.get(1), x.get(2),
+            z.get(1) * x.get(2) - z.get(2) * x.get(1), z.get(2) * x.get(0) - z.get(0) * x.get(2),
+            z.get(0) * x.get(1) - z.get(1) * x.get(0), z.get(0), z.get(1), z.get(2)};
+        return RigidTransform.of(rows, new double[3]);
     }
 
-    private static boolean distinct(PoseMode a, PoseMode b) {
-        double[] step = b.state().stepFrom(a.state());
-        double[] covariance = a.covariance();
-        double squared = 0;
-        for (int i = 0; i < 6; i++) {
-            squared += step[i] * step[i] / covariance[i * a.dimension() + i];
+    private static boolean isKnown(CameraState state, List<PoseMode> known, double stds) {
+        for (PoseMode mode : known) {
+            double[] step = state.stepFrom(mode.state());
+            double[] covariance = mode.covariance();
+            double squared = 0;
+            for (int i = 0; i < 6; i++) {
+                squared += step[i] * step[i] / covariance[i * mode.dimension() + i];
+            }
+            if (squared < stds * stds) {
+                return true;
+            }
         }
-        return Math.sqrt(squared) > SAME_MODE_STDS;
+        return false;
     }
 
-    private PoseMode fitFrom(RigidTransform cameraFromSet) {
+    /**
+     * The joint mode of pose, intrinsics and placement errors that a start leads to.
+     *
+     * <p>Placement errors d are linearised at d_m: {@code observed = projection(d_m) + J (d - d_m) + noise}. Integrated
+     * out they leave residuals {@code projection(d_m) - J d_m - observed} with the covariance {@code J S J^T + C}; the
+     * pose is fitted to these, and {@code d_m = -S J^T (J S J^T + C)^-1 residual} is what the residuals say of the
+     * errors; what markers share is part of the residuals. Where both agree they are the mode of the joint posterior, and the mass around it is that of Laplace's
+     * method with the errors as unknowns (matrix determinant lemma).
+     *
+     * @param known modes found; the search is given up where it comes to one of these or lies hopelessly above them
+     * @return null if there is none, or the search is given up
+     */
+    private PoseMode fitFrom(RigidTransform cameraFromSet, List<PoseMode> known) {
+        double hopeless = Double.POSITIVE_INFINITY;
+        for (PoseMode mode : known) {
+            hopeless = Math.min(hopeless, mode.halfChiSquare() + HOPELESS);
+        }
         CameraState state = CameraState.of(cameraFromSet, camera);
         state.unknowns = new double[view.unknowns()];
         state.noise = noise.noise();
-        ReprojectionFit fit = new ReprojectionFit(view.points(), view.observed(), view.columns(), view.unknowns(),
+        return converged(state, new Linearisation(PlacedReferences.nominal(view)), known, hopeless);
+    }
+
+    private PoseMode converged(CameraState state, Linearisation errors, List<PoseMode> known, double hopeless) {
+        ReprojectionFit fit = new ReprojectionFit(errors.points, errors.observed, view.columns(), view.unknowns(),
                 intrinsicsPrior, posePrior);
         CameraState before = new CameraState();
         double cost = Double.NaN;
         for (int i = 0; i < MAX_FREEZES; i++) {
             before.copyFrom(state);
-            if (!fit.freeze(noise, state)) {
+            if (!errors.freeze(state) || !fit.freeze(errors.noise, state)) {
                 return null;
             }
             cost = fit.fit(state);
-            if (Double.isNaN(cost)) {
+            if (Double.isNaN(cost) || (i > 0 && (cost > hopeless || isKnown(state, known, SAME_BASIN_STDS)))) {
                 return null;
             }
             fit.evaluate(state, true);
-            double[] step = state.stepFrom(before);
-            double squared = 0;
-            for (int k = 0; k < 6; k++) {
-                squared += step[k] * step[k] * fit.information()[k * fit.columns() + k];
-            }
-            for (int k = 0; k < intrinsicsPrior.count(); k++) {
-                double d = state.intrinsics[intrinsicsPrior.index(k)] - before.intrinsics[intrinsicsPrior.index(k)];
-                squared += d * d * fit.information()[(6 + k) * (fit.columns() + 1)];
-            }
-            for (int k = 0; k < view.unknowns(); k++) {
-                double d = state.unknowns[k] - before.unknowns[k];
-                squared += d * d * fit.information()[(6 + intrinsicsPrior.count() + k) * (fit.columns() + 1)];
-            }
-            if (squared < AGREEMENT * AGREEMENT) {
+            double squared = squaredStep(before, state, fit);
+            if (squared < AGREEMENT * AGREEMENT && errors.agree(fit)) {
                 break;
             }
+            errors.move(fit);
         }
-        return PoseMode.of(fit, state, cost, view.size());
+        return PoseMode.of(fit, state, cost, view.size(), errors.placed);
+    }
+
+    private double squaredStep(CameraState before, CameraState state, ReprojectionFit fit) {
+        double[] step = state.stepFrom(before);
+        double squared = 0;
+        for (int k = 0; k < 6; k++) {
+            squared += step[k] * step[k] * fit.information()[k * fit.columns() + k];
+        }
+        for (int k = 0; k < intrinsicsPrior.count(); k++) {
+            double d = state.intrinsics[intrinsicsPrior.index(k)] - before.intrinsics[intrinsicsPrior.index(k)];
+            squared += d * d * fit.information()[(6 + k) * (fit.columns() + 1)];
+        }
+        for (int k = 0; k < view.unknowns(); k++) {
+            double d = state.unknowns[k] - before.unknowns[k];
+            squared += d * d * fit.information()[(6 + intrinsicsPrior.count() + k) * (fit.columns() + 1)];
+        }
+        return squared;
+    }
+
+    /** Placement errors on their way to those of a mode. */
+    private final class Linearisation {
+        final double[] points = view.pointsMm();
+        final double[] observed = view.observedPx();
+        PlacedReferences placed;
+        ReferenceNoise noise;
+        private final boolean rigid = CameraModeFinder.this.noise.hasRigidPlacement();
+        private final int size = rigid ? 6 * view.size() : 0;
+        private final double[] jacobian = new double[8 * size];
+        private final double[] errors;
+        /** The errors in their stated deviations, and what the residuals say they are. */
+        private final double[] stated = new double[size];
+        private final double[] wanted = new double[size];
+        private double lastChange = Double.POSITIVE_INFINITY;
+        private double share = 1;
+
+        Linearisation(PlacedReferences start) {
+            placed = start;
+            noise = CameraModeFinder.this.noise.about(start);
+            errors = start.errors();
+            for (int k = 0; k < size; k++) {
+                // an error of no deviation is zero
+                stated[k] = errors[k] == 0 ? 0 : errors[k] / std(k / 6, k % 6);
+            }
+        }
+
+        /** Linearises at the errors as they are, and at a state. */
+        boolean freeze(CameraState state) {
+            if (!rigid) {
+                return true;
+            }
+            double[] one = new double[48];
+            System.arraycopy(placed.points(), 0, points, 0, points.length);
+            for (int m = 0; m < view.size(); m++) {
+                if (!noise.placementJacobian(state, m, one)) {
+                    return false;
+                }
+                System.arraycopy(one, 0, jacobian, 48 * m, 48);
+                for (int i = 0; i < 8; i++) {
+                    double moved = 0;
+                    for (int c = 0; c < 6; c++) {
+                        moved += one[6 * i + c] * errors[6 * m + c];
+                    }
+                    observed[8 * m + i] = view.observed()[8 * m + i] + moved;
+                }
+            }
+            return true;
+        }
+
+        /** Whether the residuals of a fit say that the errors are what they are taken for. */
+        boolean agree(ReprojectionFit fit) {
+            return !rigid || change(fit) < AGREEMENT;
+        }
+
+        /** Length of the change that the residuals ask for, in stated deviations. */
+        private double change(ReprojectionFit fit) {
+            double squares = 0;
+            for (int m = 0; m < view.size(); m++) {
+                double[] byPlain = new double[8];
+                for (int i = 0; i < 8; i++) {
+                    for (int k = 0; k <= i; k++) {
+                        byPlain[k] += fit.whitening()[64 * m + 8 * i + k] * fit.residuals()[8 * m + i];
+                    }
+                }
+                double length = 0;
+                for (int c = 0; c < 6; c++) {
+                    double sum = 0;
+                    for (int i = 0; i < 8; i++) {
+                        sum -= jacobian[48 * m + 6 * i + c] * byPlain[i];
+                    }
+                    wanted[6 * m + c] = sum * std(m, c);
+                    length += wanted[6 * m + c] * wanted[6 * m + c];
+                }
+                // a foreign marker must not be followed wherever its corners are: any point of linearisation is valid
+                double shrink = Math.min(1, FARTHEST_STDS / Math.sqrt(length));
+                for (int c = 6 * m; c < 6 * m + 6; c++) {
+                    wanted[c] = length > 0 ? wanted[c] * shrink : 0;
+                    squares += (wanted[c] - stated[c]) * (wanted[c] - stated[c]);
+                }
+            }
+            return Math.sqrt(squares);
+        }
+
+        /** Moves the errors to where the residuals say they are; less far while that does not settle. */
+        void move(ReprojectionFit fit) {
+            if (!rigid) {
+                return;
+            }
+            double change = change(fit);
+            if (change > 0.5 * lastChange) {
+                share = Math.max(SMALLEST_SHARE, share / 2);
+            }
+            lastChange = change;
+            for (int k = 0; k < size; k++) {
+                stated[k] += share * (wanted[k] - stated[k]);
+                errors[k] = stated[k] * std(k / 6, k % 6);
+            }
+            placed = PlacedReferences.of(view, errors);
+            noise = CameraModeFinder.this.noise.about(placed);
+        }
+
+        private double std(int marker, int coordinate) {
+            Placement placement = view.references().get(marker).placement();
+            return coordinate < 3 ? placement.stdMm(coordinate) : placement.stdRad();
+        }
     }
 }

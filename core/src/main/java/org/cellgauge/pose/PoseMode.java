@@ -15,6 +15,9 @@ public final class PoseMode {
     private final double[] residuals;
     private final double[] whitening;
     private final double[] placement;
+    private final double[] points;
+    private final double[] observed;
+    private final PlacedReferences placed;
     private final double[] covariance;
     private final int columns;
     private final int markers;
@@ -31,16 +34,35 @@ public final class PoseMode {
      * @return the mode, or null where its information is singular
      */
     static PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare, int markers) {
-        double[] covariance = Cholesky.inverse(fit.information(), fit.columns());
-        return covariance == null ? null : new PoseMode(fit, state, halfChiSquare, markers, covariance);
+        return of(fit, state, halfChiSquare, markers, null);
     }
 
-    private PoseMode(ReprojectionFit fit, CameraState state, double halfChiSquare, int markers, double[] covariance) {
+    /**
+     * Reads a mode off a converged fit to references.
+     *
+     * @param fit evaluated with derivatives at the state
+     * @param state where the fit converged; copied
+     * @param halfChiSquare half the sum of squares there
+     * @param markers number of markers fitted
+     * @param placed where placement errors were linearised, or null where there are none
+     * @return the mode, or null where its information is singular
+     */
+    static PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare, int markers,
+            PlacedReferences placed) {
+        double[] covariance = Cholesky.inverse(fit.information(), fit.columns());
+        return covariance == null ? null : new PoseMode(fit, state, halfChiSquare, markers, placed, covariance);
+    }
+
+    private PoseMode(ReprojectionFit fit, CameraState state, double halfChiSquare, int markers,
+            PlacedReferences placed, double[] covariance) {
         this.state = new CameraState().copyFrom(state);
         this.jacobian = fit.jacobian().clone();
         this.residuals = fit.residuals().clone();
         this.whitening = fit.whitening().clone();
         this.placement = fit.placement().clone();
+        this.points = fit.points().clone();
+        this.observed = fit.observed().clone();
+        this.placed = placed;
         this.covariance = covariance;
         this.columns = fit.columns();
         this.markers = markers;
@@ -132,6 +154,35 @@ public final class PoseMode {
      */
     public double[] placementPx2() {
         return placement.clone();
+    }
+
+    /**
+     * Corners of the markers where the model is linearised: moved by the placement errors that fit this mode best.
+     *
+     * @return a copy, 12 values per marker relative to the centre of the set, mm
+     */
+    public double[] pointsMm() {
+        return points.clone();
+    }
+
+    /**
+     * What the projections of {@link #pointsMm()} are compared with: the image corners and, to first order, how far
+     * each marker's placement error has moved them, so that the residuals are those of the nominal places. What markers
+     * share is not taken off.
+     *
+     * @return a copy, 8 values per marker, px
+     */
+    public double[] comparedPx() {
+        return observed.clone();
+    }
+
+    /**
+     * Where the references are taken to stand at this mode.
+     *
+     * @return the linearisation point of placement errors, or null for a mode that knows none
+     */
+    public PlacedReferences placed() {
+        return placed;
     }
 
     /**

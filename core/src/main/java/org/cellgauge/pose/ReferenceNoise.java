@@ -24,4 +24,37 @@ public interface ReferenceNoise {
     default double noise() {
         return 0;
     }
+
+    /**
+     * The same noise with its placement errors linearised elsewhere than at the references' nominal places.
+     *
+     * @param placed where the references are taken to stand
+     * @return noise of that place; this one where it knows no rigid placement errors
+     */
+    default ReferenceNoise about(PlacedReferences placed) {
+        return this;
+    }
+
+    /**
+     * Whether placement errors are rigid, so that {@link #placementJacobian} is defined.
+     *
+     * @return false where the noise knows no such errors
+     */
+    default boolean hasRigidPlacement() {
+        return false;
+    }
+
+    /**
+     * Derivative of the projected corners of one reference by its placement error, where errors are linearised.
+     *
+     * @param state pose and intrinsics
+     * @param marker index of the reference
+     * @param out 8x6 row by row: (u, v) of each corner by (shift along world x, y, z in mm; rotation vector in world
+     *     axes, rad), px per mm and per rad
+     * @return false, with the output undefined, if a corner is not in front of the camera
+     * @throws UnsupportedOperationException where there are no rigid placement errors
+     */
+    default boolean placementJacobian(CameraState state, int marker, double[] out) {
+        throw new UnsupportedOperationException("no rigid placement errors");
+    }
 }

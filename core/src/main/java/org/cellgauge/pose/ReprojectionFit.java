@@ -434,4 +434,14 @@ public final class ReprojectionFit {
     double[] whitening() {
         return whitening;
     }
+
+    /** Corners relative to the centre of their set, 12 values per marker, mm; shared. */
+    double[] points() {
+        return points;
+    }
+
+    /** Corners in the image, 8 values per marker, px; shared. */
+    double[] observed() {
+        return observed;
+    }
 }

@@ -9,12 +9,14 @@ import org.cellgauge.geometry.Projection;
  * ({@code sigma² I} where their noise is one stated deviation) and S the covariance of the
  * placement error (translation along the world axes, rotation about the marker's own centre) and J the 8x6 derivative
  * of the projected corners by it. It is what remains when six Gaussian nuisance parameters per reference are integrated
- * out of a linearised model (Gelman et al., "Bayesian Data Analysis", 3rd ed. 2013, section 14.2).
+ * out of a linearised model (Gelman et al., "Bayesian Data Analysis", 3rd ed. 2013, section 14.2). It is linearised
+ * where the references are taken to stand ({@link PlacedReferences}): at their nominal places unless stated otherwise.
  *
  * <p>Not thread-safe: it holds scratch arrays.
  */
 public final class RigidMarkerNoise implements ReferenceNoise {
     private final ReferenceView view;
+    private final PlacedReferences placed;
     private final double pixelStdPx;
     private final CornerErrors errors;
     private final double noise;
@@ -34,6 +36,7 @@ public final class RigidMarkerNoise implements ReferenceNoise {
             throw new IllegalArgumentException("pixel deviation must be positive, not " + pixelStdPx);
         }
         this.view = view;
+        this.placed = PlacedReferences.nominal(view);
         this.pixelStdPx = pixelStdPx;
         errors = null;
         noise = 0;
@@ -48,9 +51,33 @@ public final class RigidMarkerNoise implements ReferenceNoise {
      */
     public RigidMarkerNoise(ReferenceView view, CornerErrors errors, double noise) {
         this.view = view;
+        this.placed = PlacedReferences.nominal(view);
         this.errors = errors.isPlain() ? null : errors;
         this.noise = noise;
         pixelStdPx = errors.statedStdPx();
+    }
+
+    private RigidMarkerNoise(RigidMarkerNoise other, PlacedReferences placed) {
+        this.view = other.view;
+        this.placed = placed;
+        this.pixelStdPx = other.pixelStdPx;
+        this.errors = other.errors;
+        this.noise = other.noise;
+    }
+
+    @Override
+    public RigidMarkerNoise about(PlacedReferences other) {
+        return new RigidMarkerNoise(this, other);
+    }
+
+    @Override
+    public boolean hasRigidPlacement() {
+        return true;
+    }
+
+    @Override
+    public boolean placementJacobian(CameraState state, int marker, double[] out) {
+        return jacobian(state, marker, out);
     }
 
     @Override
@@ -97,8 +124,10 @@ public final class RigidMarkerNoise implements ReferenceNoise {
      */
     public boolean jacobian(CameraState state, int marker, double[] out) {
         double[] r = state.rotation;
-        double[] points = view.points();
-        double[] arms = view.arms();
+        double[] points = placed.points();
+        double[] arms = placed.arms();
+        double[] t = placed.turns();
+        int turn = 9 * marker;
         for (int k = 0; k < 4; k++) {
             int at = 12 * marker + 3 * k;
             double x = points[at];
@@ -119,9 +148,13 @@ public final class RigidMarkerNoise implements ReferenceNoise {
                 out[o + 1] = gy;
                 out[o + 2] = gz;
                 // a small rotation e moves the corner by e x arm, so its derivative is arm x gradient
-                out[o + 3] = arms[at + 1] * gz - arms[at + 2] * gy;
-                out[o + 4] = arms[at + 2] * gx - arms[at] * gz;
-                out[o + 5] = arms[at] * gy - arms[at + 1] * gx;
+                double ex = arms[at + 1] * gz - arms[at + 2] * gy;
+                double ey = arms[at + 2] * gx - arms[at] * gz;
+                double ez = arms[at] * gy - arms[at + 1] * gx;
+                // and a change dw of the rotation vector turns by e = T dw, T its left Jacobian
+                for (int c = 0; c < 3; c++) {
+                    out[o + 3 + c] = ex * t[turn + c] + ey * t[turn + 3 + c] + ez * t[turn + 6 + c];
+                }
             }
         }
         return true;

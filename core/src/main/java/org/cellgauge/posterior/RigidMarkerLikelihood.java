@@ -7,6 +7,7 @@ import org.cellgauge.geometry.Projection;
 import org.cellgauge.pose.AddedNoise;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
 
 /**
@@ -14,7 +15,9 @@ import org.cellgauge.pose.ReferenceView;
  * {@link org.cellgauge.pose.RigidMarkerNoise}, frozen at the posterior's own mode.
  *
  * <p>{@code log L = sum_m [ sum_i log W_m,ii - |W_m r_m|² / 2 ]}, W_m the whitening matrix of reference m; the
- * log-determinant is kept, so that modes with different frozen covariances can be compared.
+ * log-determinant is kept, so that modes with different frozen covariances can be compared. Placement errors d are
+ * linearised at those of the mode, d_m: the residual is {@code projection(d_m) - J_m d_m - observed}, which has the same
+ * distribution and costs the same, for what is added to the observed corners is frozen as well.
  *
  * <p>Whitened once (with an unknown noise: once for every step of it) and not factored in the loop; allocates nothing
  * then. Unknowns that markers share move the residuals along their columns. Not thread-safe.
@@ -39,8 +42,22 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
      * @param whitening 64 values per reference, lower triangular 8x8 row by row, 1/px; copied
      */
     public RigidMarkerLikelihood(ReferenceView view, double[] whitening) {
-        points = view.pointsMm();
-        observed = view.observedPx();
+        this(view, view.pointsMm(), view.observedPx(), whitening);
+    }
+
+    /**
+     * The likelihood frozen at a mode: corners where its placement errors have moved them, and its whitening.
+     *
+     * @param view references and their observed corners
+     * @param mode a mode of the camera pose that shows them
+     */
+    public RigidMarkerLikelihood(ReferenceView view, PoseMode mode) {
+        this(view, mode.pointsMm(), mode.comparedPx(), mode.whitening());
+    }
+
+    private RigidMarkerLikelihood(ReferenceView view, double[] points, double[] observed, double[] whitening) {
+        this.points = points;
+        this.observed = observed;
         columns = view.columnsPx();
         unknowns = view.unknowns();
         noise = null;
@@ -63,22 +80,23 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
     }
 
     /**
-     * A likelihood with an unknown noise.
+     * The likelihood frozen at a mode, with an unknown noise: corners where the mode's placement errors have moved them,
+     * and what placement adds to the covariances there.
      *
      * @param view references and their observed corners
-     * @param errors errors of these, with an added noise
-     * @param placementPx2 64 values per reference, 8x8 row by row: covariances by placement, frozen, px²; copied
+     * @param mode a mode of the camera pose that shows them, at any added noise
+     * @param errors errors of these corners, with an added noise
      */
-    public RigidMarkerLikelihood(ReferenceView view, CornerErrors errors, double[] placementPx2) {
-        points = view.pointsMm();
-        observed = view.observedPx();
+    public RigidMarkerLikelihood(ReferenceView view, PoseMode mode, CornerErrors errors) {
+        points = mode.pointsMm();
+        observed = mode.comparedPx();
         columns = view.columnsPx();
         unknowns = view.unknowns();
         stated = null;
         logDeterminant = 0;
         List<Integer> ids = new ArrayList<>();
         view.references().forEach(r -> ids.add(r.id()));
-        noise = new NoiseWhitening(errors, ids, placementPx2.clone());
+        noise = new NoiseWhitening(errors, ids, mode.placementPx2());
     }
 
     @Override

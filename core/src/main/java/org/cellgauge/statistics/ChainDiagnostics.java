@@ -134,6 +134,16 @@ public final class ChainDiagnostics {
     }
 
     /**
+     * How heavy the tails of the draws are: {@link ParetoTail}. Computed at each call.
+     *
+     * @return k of the heavier tail; NaN where the diagnostics do not exist
+     */
+    public double paretoK() {
+        return status == Status.OK && essTail > 0
+                ? ParetoTail.k(sorted, Math.min(1, essTail / sorted.length)) : Double.NaN;
+    }
+
+    /**
      * Diagnoses one parameter.
      *
      * @param chains draws after warm-up, {@code [chain][draw]}; one chain or more, of equal length

@@ -8,7 +8,9 @@ import java.util.Locale;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
+import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.statistics.CoverageRegion;
 import org.junit.jupiter.api.Test;
 
 /** Two poses that explain one small marker: both found, weighted as their chances are, and called ambiguous. */
@@ -102,5 +104,51 @@ class AmbiguousPoseTest {
         double apart = object.modes().get(0).pose().meanTransform()
                 .angleRadTo(object.modes().get(1).pose().meanTransform());
         assertTrue(apart > 0.1, "apart by " + apart);
+    }
+
+    /** Over the draws that it is of, the squared distance by a covariance of six coordinates is 6 on average. */
+    private static double meanSquaredDistance(CheckResult result, String name, PoseEstimate pose, int mode) {
+        CoverageRegion region = CoverageRegion.of(new double[6], pose.tangentCovariance(), 0.95);
+        int first = result.layout().indexOf(name + "_x_mm");
+        int label = mode < 0 ? -1 : result.layout().indexOf(name + "_mode");
+        double[] rotation = new double[9];
+        double[] turned = new double[9];
+        double[] d = new double[6];
+        double sum = 0;
+        int n = 0;
+        for (Draws chain : result.draws()) {
+            for (int i = 0; i < chain.count(); i++) {
+                if (label >= 0 && chain.get(label, i) != mode) {
+                    continue;
+                }
+                for (int k = 0; k < 3; k++) {
+                    d[k] = chain.get(first + k, i) - pose.mean()[k];
+                }
+                Rotations.fromEuler(chain.get(first + 3, i), chain.get(first + 4, i), chain.get(first + 5, i), rotation);
+                Rotations.multiplyTransposed(rotation, pose.meanTransform().rotation(), turned);
+                Rotations.log(turned, d, 3);
+                sum += region.mahalanobisSquared(d);
+                n++;
+            }
+        }
+        return sum / n;
+    }
+
+    @Test
+    void tangentCovariancesAreAboutTheRotationThatTheyName() {
+        ThesisScene scene = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.1)
+                .object(5, RigidTransform.ofEuler(418, 106, 0, 0.25, 0.1, 0.4)).target(1000);
+        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(), CheckSettings.builder().build());
+        ObjectEstimate object = result.estimate().object(5);
+        assertEquals(2, object.modes().size());
+        double apart = object.modes().get(0).pose().meanTransform()
+                .angleRadTo(object.modes().get(1).pose().meanTransform());
+        assertTrue(apart > 0.3, "apart by " + apart);
+        assertEquals(6, meanSquaredDistance(result, "camera", result.estimate().camera(), -1), 0.05);
+        for (ModeEstimate mode : object.modes()) {
+            // the heavier mode has the label 0
+            int label = mode == object.modes().get(0) ? 0 : 1;
+            assertEquals(6, meanSquaredDistance(result, "object_5", mode.pose(), label), 0.3, "mode " + label);
+        }
     }
 }

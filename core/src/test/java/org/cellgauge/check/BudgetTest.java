@@ -52,6 +52,55 @@ class BudgetTest {
         }
     }
 
+    /** Deviations along x, y, z of object 20 and of its gripping point with some sources next to zero. */
+    private static double[][] deviations(int exactReference, double pixelStd, boolean objectNoise) {
+        ThesisScene scene = ThesisScene.oneRaised(4).placement(5, 0.01).pixelStd(pixelStd).grip(20, 10, 20, 100);
+        if (exactReference > 0) {
+            scene.placementOf(exactReference, 1e-5, 1e-8);
+        }
+        ObjectEstimate object = CellCheck.stream(scene.cell(), scene.exactDetections(), CheckSettings.builder()
+                .objectNoise(objectNoise ? CheckSettings.ObjectNoise.DETECTION : CheckSettings.ObjectNoise.NONE).build())
+                .blockingFirst().estimate().object(20);
+        return new double[][] {java.util.Arrays.copyOf(object.pose().std(), 3), object.grip().stdMm()};
+    }
+
+    /** What is gained is what another fit has, of a cell file that states the source as next to zero. */
+    @Test
+    void gainIsWhatARefitWithoutTheSourceTakesOff() {
+        ThesisScene scene = ThesisScene.oneRaised(4).placement(5, 0.01).pixelStd(0.3).grip(20, 10, 20, 100);
+        ObjectEstimate object = CellCheck.stream(scene.cell(), scene.exactDetections(),
+                CheckSettings.builder().build()).blockingFirst().estimate().object(20);
+        double[][] with = deviations(0, 0.3, true);
+        double largest = 0;
+        for (int reference : new int[] {944, 1234, 911, 22}) {
+            double[][] left = deviations(reference, 0.3, true);
+            for (int axis = 0; axis < 3; axis++) {
+                String source = "placement of reference " + reference;
+                assertEquals(1 - left[0][axis] / with[0][axis], object.budget().gains(axis).get(source), 1e-4);
+                assertEquals(1 - left[1][axis] / with[1][axis], object.gripBudget().gains(axis).get(source), 1e-4);
+                largest = Math.max(largest, object.budget().gains(axis).get(source));
+            }
+        }
+        assertTrue(largest > 0.1, "some reference must be worth placing: " + largest);
+        double[][] noObjectNoise = deviations(0, 0.3, false);
+        for (int axis = 0; axis < 3; axis++) {
+            assertEquals(1 - noObjectNoise[0][axis] / with[0][axis],
+                    object.budget().gains(axis).get("corner noise of object"), 1e-9);
+        }
+        double all = 0;
+        double left = 0;
+        double[][] exactCorners = deviations(0, 1e-4, true);
+        double[][] ownNoise = deviations(0, 1e-4, false);
+        for (int axis = 0; axis < 3; axis++) {
+            // corners of references without noise, those of the object as before
+            double own = Math.pow(with[0][axis], 2) - Math.pow(noObjectNoise[0][axis], 2);
+            all += Math.pow(with[0][axis], 2);
+            left += Math.pow(ownNoise[0][axis], 2) + own;
+            assertTrue(exactCorners[0][axis] >= ownNoise[0][axis]);
+        }
+        assertEquals(1 - Math.sqrt(left / all), object.budget().gains().get("corner noise of references"), 1e-3);
+    }
+
     @Test
     void sharesAddToOneOnEveryAxisAndInAll() {
         ThesisScene scene = ThesisScene.oneRaised(4).placement(5, 0.01).pixelStd(0.3).grip(20, 10, 20, 100);

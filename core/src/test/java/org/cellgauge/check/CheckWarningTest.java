@@ -54,6 +54,10 @@ class CheckWarningTest {
         says("the corners of marker 22 fit no square: 12 times worse than those of the others; it counts for little "
                 + "until they do (is it covered, smudged, bent, or has it a glint?)", CheckWarning.MARKER_SET_ASIDE, 22,
                 n(12.3, 0));
+        says("reference 8 and 9 may be turned farther than the model can follow (side in px times squared turn in rad "
+                + "over corner noise in px is up to 61, and the model holds to about 20): figures may be off; state a "
+                + "smaller std_deg after measuring how it is mounted", CheckWarning.TURNS_TOO_LOOSE,
+                Listing.and(Arrays.asList(8, 9)), n(61.2, 0), n(20, 0));
     }
 
     @Test
@@ -69,6 +73,9 @@ class CheckWarningTest {
         says("the chains reached their cap of 4000 iterations before the precision asked for: the standard deviation "
                 + "of camera_x has a Monte Carlo error of 1.7 % in place of 0.1 %; allow more with --max-iterations",
                 CheckWarning.CAP_REACHED, n(4000, 0), "camera_x", n(1.66, 1), Decimal.shortest(0.1));
+        says("the draws of camera_x_mm have heavy tails (Pareto k 0.41, up to 0.25 is well): its standard deviation is "
+                + "less precise than its stated Monte Carlo error, and more iterations hardly help; more or better "
+                + "placed references do", CheckWarning.HEAVY_TAILS, "camera_x_mm", n(0.412, 2), n(0.25, 2));
     }
 
     @Test

@@ -64,8 +64,15 @@ class JudgementTest {
         once.estimate().objects().forEach(o -> worst.add(o.worstStdMm()));
         for (ObjectEstimate object : once.estimate().objects()) {
             double own = object.worstStdMm();
-            assertEquals(Verdict.PASS, once.withTarget(OptionalDouble.of(own)).verdict(object.id()));
-            assertEquals(Verdict.FAIL, once.withTarget(OptionalDouble.of(own * (1 - 1e-9))).verdict(object.id()));
+            CheckResult nearby = once.withTarget(OptionalDouble.of(own));
+            assertEquals(Verdict.FAIL, nearby.verdict(object.id()));
+            assertFalse(nearby.decided(object.id()), "the target is the deviation itself");
+            CheckResult above = once.withTarget(OptionalDouble.of(1.2 * own));
+            assertEquals(Verdict.PASS, above.verdict(object.id()));
+            assertTrue(above.decided(object.id()));
+            CheckResult below = once.withTarget(OptionalDouble.of(0.8 * own));
+            assertEquals(Verdict.FAIL, below.verdict(object.id()));
+            assertTrue(below.decided(object.id()));
             Reason reason = once.finding(object.id());
             assertEquals(object.id(), reason.objectId().getAsInt());
             assertEquals(own, reason.stdMm().getAsDouble());
@@ -74,8 +81,50 @@ class JudgementTest {
             assertFalse(untargeted.targetMm().isPresent());
         }
         double largest = worst.stream().mapToDouble(Double::doubleValue).max().getAsDouble();
-        assertEquals(Verdict.PASS, once.withTarget(OptionalDouble.of(largest)).verdict());
+        assertEquals(Verdict.PASS, once.withTarget(OptionalDouble.of(1.2 * largest)).verdict());
         assertEquals(Verdict.FAIL, once.withTarget(OptionalDouble.of(largest * (1 - 1e-9))).verdict());
+    }
+
+    /** JCGM 106:2012, 8.3: a guard band of two errors on either side of the target. */
+    @Test
+    void targetIsMetOrMissedByTwoMonteCarloErrors() {
+        CheckResult once = run(SCENE.cell(), PHOTO);
+        double reach = 0;
+        double beyond = 0;
+        for (ObjectEstimate object : once.estimate().objects()) {
+            for (String axis : new String[] {"_x_mm", "_y_mm", "_z_mm", "_grip_x_mm", "_grip_y_mm", "_grip_z_mm"}) {
+                var d = once.diagnostics().parameters().get("object_" + object.id() + axis);
+                if (d != null) {
+                    reach = Math.max(reach, d.std() + 2 * d.mcseSd());
+                    beyond = Math.max(beyond, d.std() - 2 * d.mcseSd());
+                }
+            }
+        }
+        assertTrue(beyond < reach);
+        assertEquals(Verdict.PASS, once.withTarget(OptionalDouble.of(reach * (1 + 1e-9))).verdict());
+        for (double target : new double[] {reach * (1 - 1e-9), beyond * (1 + 1e-9)}) {
+            CheckResult undecided = once.withTarget(OptionalDouble.of(target));
+            assertEquals(Verdict.FAIL, undecided.verdict());
+            assertFalse(undecided.decided());
+            assertTrue(undecided.reason().contains("Undecided: the target lies within twice the Monte Carlo error"),
+                    undecided.reason());
+        }
+        CheckResult missed = once.withTarget(OptionalDouble.of(beyond * (1 - 1e-9)));
+        assertEquals(Verdict.FAIL, missed.verdict());
+        assertTrue(missed.decided());
+        assertFalse(missed.reason().contains("Undecided"), missed.reason());
+    }
+
+    @Test
+    void chainsGoOnWhileTheTargetIsTooNearToDecide() {
+        CheckSettings settings = CheckSettings.builder().maxIterations(16_000).build();
+        CheckResult free = CellCheck.run(SCENE.cell().withTarget(OptionalDouble.of(50)), PHOTO, settings);
+        double largest = free.estimate().objects().stream().mapToDouble(ObjectEstimate::worstStdMm).max().getAsDouble();
+        assertTrue(free.decided());
+        assertTrue(free.iterationsPerChain() < 16_000);
+        CheckResult atTheTarget = CellCheck.run(SCENE.cell().withTarget(OptionalDouble.of(largest)), PHOTO, settings);
+        assertTrue(atTheTarget.iterationsPerChain() > free.iterationsPerChain());
+        assertTrue(atTheTarget.decided() || atTheTarget.iterationsPerChain() == 16_000);
     }
 
     @Test

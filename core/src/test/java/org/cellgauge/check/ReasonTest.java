@@ -129,7 +129,8 @@ class ReasonTest {
 
     @Test
     void aChainThatNeverMovedIsCalledThat() {
-        Reason reason = reasonOfChains(CheckSettings.thesis().iterations(2000).warmup(1000));
+        // of 20 draws, where the thesis' steps are accepted once in hundreds: whatever the seed
+        Reason reason = reasonOfChains(CheckSettings.thesis().iterations(1020).warmup(1000));
         assertEquals(Reason.Kind.NEVER_MOVED, reason.kind());
         assertEquals("The chains have not converged (" + reason.worstParameter() + " never moved in at least one of "
                 + "them): no accuracy can be read off them.", reason.english());

@@ -257,6 +257,19 @@ class RotationsTest {
         assertTrue(unit.isIdentical(SimpleMatrix.identity(3), 1e-7), unit::toString);
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-6, 1e-4, 0.01, 0.5, 2, 3})
+    void leftJacobianIsTheOneOfTheSeries(double angle) {
+        double[] w = {0.48 * angle, -0.6 * angle, 0.64 * angle};
+        double[] j = new double[9];
+        Rotations.leftJacobian(w[0], w[1], w[2], j);
+        double[] inverse = new double[9];
+        Rotations.inverseLeftJacobian(w[0], w[1], w[2], inverse);
+        assertTrue(new SimpleMatrix(3, 3, true, j).isIdentical(leftJacobian(w), 1e-7));
+        SimpleMatrix unit = new SimpleMatrix(3, 3, true, j).mult(new SimpleMatrix(3, 3, true, inverse));
+        assertTrue(unit.isIdentical(SimpleMatrix.identity(3), 1e-12), unit::toString);
+    }
+
     @Test
     void productsAgreeWithEjml() {
         RandomGenerator random = new Well19937c(9);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import org.apache.commons.math3.fitting.leastsquares.LeastSquaresBuilder;
 import org.apache.commons.math3.fitting.leastsquares.LevenbergMarquardtOptimizer;
@@ -46,67 +47,65 @@ class CameraModeFinderTest {
         }
     }
 
-    /** Corner residuals by a world pose in Euler angles, whitened by EJML with covariances taken at another pose. */
-    private static double[] residuals(ReferenceView view, PinholeCamera camera, SimpleMatrix[] roots, double[] x) {
+    /**
+     * Residuals over their deviations of corners, by a world pose in Euler angles and a placement error of every
+     * reference, and of these errors.
+     */
+    private static double[] residuals(ReferenceView view, PinholeCamera camera, double[] x) {
         RigidTransform pose = RigidTransform.ofEuler(x[0], x[1], x[2], x[3], x[4], x[5]);
-        double[] all = new double[8 * view.size()];
-        for (int m = 0; m < view.size(); m++) {
+        int n = view.size();
+        double[] all = new double[14 * n];
+        for (int m = 0; m < n; m++) {
             Reference reference = view.references().get(m);
-            double[] px = ReferenceNoiseTest.project(pose, reference.worldFromMarker(), reference.sizeMm(), camera);
-            SimpleMatrix r = new SimpleMatrix(8, 1);
-            for (int i = 0; i < 8; i++) {
-                r.set(i, px[i] - view.observed()[8 * m + i]);
+            double[] t = reference.worldFromMarker().translationMm();
+            double[] w = new double[3];
+            for (int i = 0; i < 3; i++) {
+                t[i] += x[6 + 6 * m + i];
+                w[i] = x[9 + 6 * m + i];
+                all[8 * n + 6 * m + i] = x[6 + 6 * m + i] / reference.placement().stdMm(i);
+                all[8 * n + 6 * m + 3 + i] = w[i] / reference.placement().stdRad();
             }
-            System.arraycopy(roots[m].mult(r).getDDRM().data, 0, all, 8 * m, 8);
+            RigidTransform placed = RigidTransform.ofRotationVector(w, t)
+                    .compose(RigidTransform.of(reference.worldFromMarker().rotation(), new double[3]));
+            double[] px = ReferenceNoiseTest.project(pose, placed, reference.sizeMm(), camera);
+            for (int i = 0; i < 8; i++) {
+                all[8 * m + i] = (px[i] - view.observed()[8 * m + i]) / 0.3;
+            }
         }
         return all;
     }
 
     @ParameterizedTest
-    @CsvSource({"2, false, 1", "3, false, 5", "4, true, 5", "3, true, 20", "6, false, 20"})
-    void modeIsTheOptimumThatAnotherOptimiserFinds(int references, boolean raised, double stdMm) {
+    @CsvSource({"2, false, 1, 0.01", "3, false, 5, 0.01", "4, true, 5, 0.05", "3, true, 20, 0.01", "6, false, 20, 0.05"})
+    void modeIsTheOptimumThatAnotherOptimiserFinds(int references, boolean raised, double stdMm, double stdRad) {
         PinholeCamera camera = InitialPoseTest.STRONG;
-        ThesisScene scene = InitialPoseTest.scene(references, raised, camera).placement(stdMm, 0.01);
+        ThesisScene scene = InitialPoseTest.scene(references, raised, camera).placement(stdMm, stdRad);
         ReferenceView view = InitialPoseTest.view(scene,
-                scene.detections(0.3, RandomStreams.of(11, references), stdMm, 0.01));
+                scene.detections(0.3, RandomStreams.of(11, references), stdMm, stdRad));
         PoseMode mode = new CameraModeFinder(view, camera, new RigidMarkerNoise(view, 0.3), IntrinsicsPrior.KNOWN, null)
                 .modes(scene.worldFromCamera()).get(0);
-        RigidTransform found = view.worldFromCamera(mode.state().cameraFromSet());
 
-        SimpleMatrix[] roots = new SimpleMatrix[view.size()];
-        for (int m = 0; m < view.size(); m++) {
-            SimpleMatrix j = ReferenceNoiseTest.numericJacobian(view.references().get(m), found, camera);
-            double s = stdMm * stdMm;
-            SimpleMatrix covariance = j.mult(SimpleMatrix.diag(s, s, s, 1e-4, 1e-4, 1e-4)).mult(j.transpose())
-                    .plus(SimpleMatrix.identity(8).scale(0.09));
-            // symmetric inverse root, another square root than the finder's triangular one
-            var eig = covariance.svd();
-            double[] d = new double[8];
-            for (int i = 0; i < 8; i++) {
-                d[i] = 1 / Math.sqrt(eig.getSingleValue(i));
-            }
-            roots[m] = eig.getU().mult(SimpleMatrix.diag(d)).mult(eig.getU().transpose());
-        }
+        // pose and placement errors all as unknowns
         double[] t = scene.worldFromCamera().translationMm();
         double[] e = scene.worldFromCamera().eulerRad();
-        double[] start = {t[0], t[1], t[2], e[0], e[1], e[2]};
-        var problem = new LeastSquaresBuilder().start(start).target(new double[8 * view.size()]).maxEvaluations(2000)
+        double[] start = Arrays.copyOf(new double[] {t[0], t[1], t[2], e[0], e[1], e[2]}, 6 + 6 * references);
+        var problem = new LeastSquaresBuilder().start(start).target(new double[14 * view.size()]).maxEvaluations(2000)
                 .maxIterations(2000).model(point -> {
                     double[] x = point.toArray();
-                    double[][] j = new double[8 * view.size()][6];
-                    for (int c = 0; c < 6; c++) {
-                        double h = c < 3 ? 0.01 : 1e-5;
+                    double[][] j = new double[14 * view.size()][x.length];
+                    for (int c = 0; c < x.length; c++) {
+                        double h = c % 6 < 3 ? 0.01 : 1e-5;
                         double[] plus = x.clone();
                         double[] minus = x.clone();
                         plus[c] += h;
                         minus[c] -= h;
-                        double[] up = residuals(view, camera, roots, plus);
-                        double[] down = residuals(view, camera, roots, minus);
+                        double[] up = residuals(view, camera, plus);
+                        double[] down = residuals(view, camera, minus);
                         for (int r = 0; r < up.length; r++) {
                             j[r][c] = (up[r] - down[r]) / (2 * h);
                         }
                     }
-                    return new Pair<>(new ArrayRealVector(residuals(view, camera, roots, x), false),
+                    return new Pair<>(new ArrayRealVector(residuals(view, camera, x), false),
                             new Array2DRowRealMatrix(j, false));
                 }).build();
         var optimum = new LevenbergMarquardtOptimizer().withCostRelativeTolerance(1e-14)
@@ -119,6 +118,9 @@ class CameraModeFinderTest {
         for (int i = 0; i < 6; i++) {
             assertEquals(0, step[i], 1e-4 * Math.sqrt(mode.covariance()[7 * i]));
         }
+        for (int i = 0; i < 6 * references; i++) {
+            assertEquals(x[6 + i], mode.placed().errors()[i], 1e-4 * (i % 6 < 3 ? stdMm : stdRad));
+        }
         assertEquals(Math.pow(optimum.getCost(), 2) / 2, mode.halfChiSquare(), 1e-5 * mode.halfChiSquare());
         double sum = 0;
         for (int m = 0; m < view.size(); m++) {
@@ -129,7 +131,7 @@ class CameraModeFinderTest {
         // covariance of the world pose, by the optimiser's own information
         SimpleMatrix information = new SimpleMatrix(optimum.getJacobian().transpose()
                 .multiply(optimum.getJacobian()).getData());
-        SimpleMatrix theirCovariance = information.invert();
+        SimpleMatrix theirCovariance = information.invert().extractMatrix(0, 6, 0, 6);
         SimpleMatrix byChart = new SimpleMatrix(6, 6);
         for (int c = 0; c < 6; c++) {
             double h = c < 3 ? 0.01 : 1e-5;
@@ -166,7 +168,8 @@ class CameraModeFinderTest {
         PoseMode mode = only(new CameraModeFinder(view, ThesisScene.CAMERA, noise, IntrinsicsPrior.KNOWN, null)
                 .modes(scene.worldFromCamera()));
         double[] whitening = new double[64 * 4];
-        assertTrue(ReprojectionFit.whitening(noise, mode.state(), 4, whitening));
+        ReferenceNoise atMode = noise.about(mode.placed());
+        assertTrue(ReprojectionFit.whitening(atMode, mode.state(), 4, whitening));
         double largest = 0;
         for (double w : whitening) {
             largest = Math.max(largest, Math.abs(w));
@@ -174,8 +177,8 @@ class CameraModeFinderTest {
         assertArrayEquals(whitening, mode.whitening(), 1e-6 * largest);
 
         // stationary: a central difference of the frozen log posterior, in standard deviations
-        ReprojectionFit fit = new ReprojectionFit(view.points(), view.observed(), IntrinsicsPrior.KNOWN, null);
-        assertTrue(fit.freeze(noise, mode.state()));
+        ReprojectionFit fit = new ReprojectionFit(mode.pointsMm(), mode.comparedPx(), IntrinsicsPrior.KNOWN, null);
+        assertTrue(fit.freeze(atMode, mode.state()));
         for (int c = 0; c < 6; c++) {
             double std = Math.sqrt(mode.covariance()[7 * c]);
             double[] d = new double[6];
@@ -221,8 +224,8 @@ class CameraModeFinderTest {
         for (PoseMode mode : modes) {
             nearest = Math.min(nearest, mode.state().cameraFromSet()
                     .angleRadTo(view.cameraFromSet(scene.worldFromCamera())));
-            ReprojectionFit fit = new ReprojectionFit(view.points(), view.observed(), IntrinsicsPrior.KNOWN, null);
-            assertTrue(fit.freeze(noise, mode.state()));
+            ReprojectionFit fit = new ReprojectionFit(mode.pointsMm(), mode.comparedPx(), IntrinsicsPrior.KNOWN, null);
+            assertTrue(fit.freeze(noise.about(mode.placed()), mode.state()));
             double at = fit.evaluate(mode.state(), false);
             var random = RandomStreams.of(14);
             for (int i = 0; i < 200; i++) {
@@ -241,7 +244,7 @@ class CameraModeFinderTest {
         for (int i = 0; i < 2; i++) {
             double[] placement = new double[64];
             double[] pixel = new double[64];
-            noise.covariance(modes.get(i).state(), 0, placement, pixel);
+            noise.about(modes.get(i).placed()).covariance(modes.get(i).state(), 0, placement, pixel);
             SimpleMatrix residuals = new SimpleMatrix(8, 8, true, placement).plus(new SimpleMatrix(8, 8, true, pixel));
             SimpleMatrix volume = new SimpleMatrix(6, 6, true, modes.get(i).covariance());
             mass[i] = 0.5 * Math.log(volume.determinant()) - 0.5 * Math.log(residuals.determinant())

@@ -56,7 +56,8 @@ final class CheckOptions {
     private Integer warmup;
 
     @Option(names = "--seed", paramLabel = "SEED",
-            description = "Seed of everything random; the same seed gives the same figures (1).")
+            description = "Seed of everything random; the same seed gives the same figures (1). Each photo has random "
+                    + "numbers of its own, named by the seed and by the corners of its markers.")
     private Long seed;
 
     @Option(names = "--estimate", paramLabel = "none|focal|intrinsics",

@@ -29,6 +29,7 @@ import org.cellgauge.warning.Warning;
 final class CheckText {
     private static final int WIDTH = 100;
     private static final double NEGLIGIBLE_SHARE = 0.005;
+    private static final int MOST_GAINS = 3;
     /** How the budget names the share of one reference's placement. */
     private static final String PLACEMENT = "placement of reference ";
 
@@ -189,6 +190,17 @@ final class CheckText {
 
     private static void budget(String what, VarianceBudget budget, StringBuilder text) {
         text.append(wrap("  " + what + ": " + sources(budget.shares()), "    "));
+        List<String> gains = new ArrayList<>();
+        for (Map.Entry<String, Double> e : falling(budget.gains())) {
+            if (gains.size() < MOST_GAINS && e.getValue() >= NEGLIGIBLE_SHARE) {
+                gains.add((e.getKey().startsWith(PLACEMENT)
+                        ? "reference " + e.getKey().substring(PLACEMENT.length()) + " placed exactly "
+                        : "no " + e.getKey() + " ") + percent(e.getValue()));
+            }
+        }
+        if (!gains.isEmpty()) {
+            text.append(wrap("    what would take most off the deviation: " + String.join(", ", gains), "      "));
+        }
     }
 
     /** Sources by falling share, those of one kind together, those below half a percent left out. */

@@ -234,7 +234,7 @@ final class HtmlReport {
             return;
         }
         sections.append("<h3>Where the variance comes from</h3>\n");
-        header("", "source", "all", "x", "y", "z");
+        header("", "source", "share of the variance", "x", "y", "z", "taken away: off the deviation");
         for (ObjectEstimate object : result.estimate().objects()) {
             budget("object " + object.id(), object.budget());
             if (object.gripBudget() != null) {
@@ -254,6 +254,7 @@ final class HtmlReport {
             for (int axis = 0; axis < 3; axis++) {
                 cell(percent(budget.shares(axis).get(e.getKey())));
             }
+            cell(percent(budget.gains().getOrDefault(e.getKey(), Double.NaN)));
             sections.append("</tr>\n");
             shown = "";
         }

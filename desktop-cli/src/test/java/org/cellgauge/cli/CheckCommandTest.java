@@ -135,6 +135,30 @@ class CheckCommandTest {
         assertEquals(4, ExitCodes.moreSerious(4, 0));
     }
 
+    /** By seed and content: no photo shares its random numbers with another, and none depends on its neighbours. */
+    @Test
+    void aPhotoHasTheSameFiguresAloneAndInABatchAndOtherPhotosOtherRandomNumbers() throws Exception {
+        Path folder = Files.createDirectories(out.resolveSibling("batch-" + out.getFileName()));
+        Path first = SmallCell.writeDetections(folder.resolve("first.json"), 3);
+        Path second = SmallCell.writeDetections(folder.resolve("second.json"), 4);
+        // the corners of the first but for a digit that no figure shows
+        Path other = Files.writeString(folder.resolve("other.json"),
+                Files.readString(first).replaceFirst("(\\d\\.\\d{6})\\d", "$10"));
+        Path alone = folder.resolve("alone");
+        Path batch = folder.resolve("in-batch");
+        assertEquals(0, check("--detections", first, "--target", 5, "--seed", 7, "--out", alone).code());
+        assertEquals(0, check("--detections", second, "--detections", first, "--detections", other, "--target", 5,
+                "--seed", 7, "--out", batch).code());
+        JsonObject one = json(alone.resolve("first.result.json")).getAsJsonObject("camera");
+        assertEquals(one, json(batch.resolve("first.result.json")).getAsJsonObject("camera"));
+        JsonObject another = json(batch.resolve("other.result.json")).getAsJsonObject("camera");
+        double difference = one.getAsJsonArray("mean").get(0).getAsDouble()
+                - another.getAsJsonArray("mean").get(0).getAsDouble();
+        // the mode moves by a millionth of a pixel, the mean of other draws by its Monte Carlo error
+        double std = one.getAsJsonArray("std").get(0).getAsDouble();
+        assertTrue(Math.abs(difference) > 1e-4 * std, "same random numbers: " + difference);
+    }
+
     // ---- the result file
 
     /** What a detector found out about the light is passed on, and what is stated of the tone curve is a setting. */
@@ -185,7 +209,7 @@ class CheckCommandTest {
         assertEquals("corners.json", result.getAsJsonObject("input").get("name").getAsString());
         byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(corners));
         assertEquals(HexFormat.of().formatHex(digest), result.getAsJsonObject("input").get("sha256").getAsString());
-        for (String key : List.of("reason", "settings", "camera", "objects", "diagnostics", "acceptance", "warnings",
+        for (String key : List.of("decided", "reason", "settings", "camera", "objects", "diagnostics", "acceptance", "warnings",
                 "version")) {
             assertTrue(result.has(key), key);
         }

@@ -68,6 +68,10 @@ final class WarningStrings {
                 return R.string.warning_corner_noise_estimated;
             case MARKER_SET_ASIDE:
                 return R.string.warning_marker_set_aside;
+            case HEAVY_TAILS:
+                return R.string.warning_heavy_tails;
+            case TURNS_TOO_LOOSE:
+                return R.string.warning_turns_too_loose;
             case REFERENCE_LEFT_OUT:
                 return R.string.warning_reference_left_out;
             case INITIAL_ESTIMATE_FAILED:

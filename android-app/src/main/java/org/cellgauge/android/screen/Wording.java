@@ -137,10 +137,10 @@ final class Wording {
                         percent(reason.share().getAsDouble()));
             case OBJECT_NOT_SEEN:
                 return plural(R.plurals.not_seen, reason.missingObjects().size(), ids(reason.missingObjects())) + " "
-                        + deviation(reason) + misplacement(reason, " ");
+                        + deviation(reason) + undecided(reason) + misplacement(reason, " ");
             default:
                 return (reason.targetMm().isPresent() ? "" : get(R.string.no_target) + " ") + deviation(reason)
-                        + misplacement(reason, " ");
+                        + undecided(reason) + misplacement(reason, " ");
         }
     }
 
@@ -156,6 +156,11 @@ final class Wording {
                 ? get(R.string.largest_target, std, axis(reason), of, plain(target.getAsDouble()), share,
                         source(reason))
                 : get(R.string.largest, std, axis(reason), of, share, source(reason));
+    }
+
+    private String undecided(Reason reason) {
+        return reason.undecidedMm().isPresent()
+                ? " " + get(R.string.undecided, number(reason.undecidedMm().getAsDouble(), 3)) : "";
     }
 
     /** What causes most of one object's largest deviation; null where core does not say. */
