@@ -64,7 +64,10 @@ final class CellPart {
 
     /** How the truth lies among the draws of one check. */
     static final class Standing {
-        /** By region: share of the draws with a smaller Mahalanobis distance from the mean than the truth. */
+        /**
+         * By region: share of the draws with a smaller Mahalanobis distance from the mean than the truth; where there are
+         * several modes, share of the draws of higher density.
+         */
         double[] drawShare;
         /** By region: the truth's squared Mahalanobis distance. */
         double[] squaredDistance;
@@ -182,6 +185,7 @@ final class CellPart {
         }
 
         // regions
+        int[] labels = CoverageStudy.labels(result, object == null ? null : prefix);
         int regions = regionNames.size();
         standing.drawShare = new double[regions];
         standing.squaredDistance = new double[regions];
@@ -201,7 +205,10 @@ final class CellPart {
                 distances[k][i] = region.mahalanobisSquared(x);
                 smaller += distances[k][i] < standing.squaredDistance[k] ? 1 : 0;
             }
-            standing.drawShare[k] = (double) smaller / n;
+            // where there are two poses, one ellipsoid over both lies mostly where neither is
+            standing.drawShare[k] = labels == null ? (double) smaller / n
+                    : new MixtureRegion(columns, first, d, labels)
+                            .shareOf(Arrays.copyOfRange(trueValues, first, first + d));
         }
 
         // ranks, among draws weighted to the prior that the truth is from

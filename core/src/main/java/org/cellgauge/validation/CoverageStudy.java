@@ -245,7 +245,7 @@ public final class CoverageStudy {
     }
 
     /** Which of the modes of camera and object together each draw is near; null where there is but one. */
-    private static int[] labels(CheckResult result, String objectPrefix) {
+    static int[] labels(CheckResult result, String objectPrefix) {
         int[] labels = null;
         for (String prefix : Arrays.asList("camera", objectPrefix)) {
             if (prefix == null || !result.layout().names().contains(prefix + "_mode")) {
