@@ -174,7 +174,8 @@ class SharedErrorsTest {
         double most = 1 - Math.sqrt(left / all);
         assertTrue(budget.gains().get("corner noise of object") < most);
         assertTrue(budget.gains().get("corner noise of references") < most);
-        assertTrue(budget.gains().get("edges of the photo") > 0.02, budget.gains().toString());
+        // a hundred times what the comparisons above let pass
+        assertTrue(budget.gains().get("edges of the photo") > 0.01, budget.gains().toString());
     }
 
     /** Edges moved by twice the doubt make every marker smaller, and none of them misplaced. */

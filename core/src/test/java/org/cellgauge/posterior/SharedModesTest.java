@@ -138,7 +138,7 @@ class SharedModesTest {
         return sum;
     }
 
-    /** No unknown alone can be moved to where the joint posterior is higher: neither nu nor d takes the other's part. */
+    /** No unknown alone can be moved to where the joint posterior is higher: nu and d take no part of each other. */
     @Test
     void modesAreThoseOfPosePlacementErrorsAndSharedUnknownsTogether() {
         assertTrue(errors.unknowns() >= 2, "edges and a size");
