@@ -235,8 +235,8 @@ public final class CellCheck {
     }
 
     /**
-     * What names the random streams of this photo: the seed and the corners of its markers, so that photos of a batch do
-     * not share their random numbers, and a photo has the same figures alone, in a batch and under another name.
+     * What names the random streams of this photo: the seed and the corners of its markers, so that photos of a batch
+     * do not share their random numbers, and a photo has the same figures alone, in a batch and under another name.
      */
     private long photoSeed() {
         List<MarkerObservation> markers = detections.markers();
@@ -356,7 +356,8 @@ public final class CellCheck {
 
     /**
      * A reference turned by r shortens one side of its image by about {@code side r² / 2}: what no linear model of the
-     * turn sees. Linearised at the turn that the photo shows, the rest of it is what the photo leaves open of that turn.
+     * turn sees. Linearised at the turn that the photo shows, the rest of it is what the photo leaves open of that
+     * turn.
      */
     private void warnOfLooseTurns() {
         if (settings.model() != LikelihoodModel.RIGID_MARKER) {

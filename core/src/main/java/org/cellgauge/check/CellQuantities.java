@@ -147,8 +147,8 @@ final class CellQuantities {
 
     /**
      * Which quantities' deviations must be known to the precision asked for: all judged ones, but for the rotation of
-     * an object with a second mode, whose deviation hangs on how often a rare mode is visited, and the added noise. Its gripping point
-     * swings with that rotation and stays in all the same: a target is held against it.
+     * an object with a second mode, whose deviation hangs on how often a rare mode is visited, and the added noise.
+     * Its gripping point swings with that rotation and stays in all the same: a target is held against it.
      */
     boolean[] measured() {
         boolean[] measured = judged();

@@ -41,8 +41,8 @@ public final class CheckResult {
     private final ReferenceCheck referenceCheck;
 
     CheckResult(Cell cell, Detections detections, CheckSettings settings, CellEstimate estimate,
-            CellEstimate quickLook, List<Integer> referencesUsed, CornerErrors errors, double noiseLevel, Diagnostics diagnostics,
-            List<AcceptanceCount> acceptance, List<Warning> warnings, List<Draws> draws,
+            CellEstimate quickLook, List<Integer> referencesUsed, CornerErrors errors, double noiseLevel,
+            Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<Warning> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
             long tuningEvaluations, CameraTarget camera, ReferenceCheck referenceCheck) {
         this.cell = cell;

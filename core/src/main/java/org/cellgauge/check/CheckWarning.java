@@ -19,9 +19,9 @@ public enum CheckWarning implements WarningKind {
     /** A marker whose corners fit no square: its id, how many times worse than the others. */
     MARKER_SET_ASIDE("the corners of marker %s fit no square: %s times worse than those of the others; it counts for "
             + "little until they do (is it covered, smudged, bent, or has it a glint?)"),
-    /** References whose turn is stated too loosely for the model: ids, largest figure of theirs, figure it holds up to. */
-    TURNS_TOO_LOOSE("reference %s may be turned farther than the model can follow (side in px times squared turn in rad "
-            + "over corner noise in px is up to %s, and the model holds to about %s): figures may be off; state a "
+    /** References whose turn is stated too loosely for the model: ids, largest figure, figure it holds up to. */
+    TURNS_TOO_LOOSE("reference %s may be turned farther than the model can follow (side in px times squared turn in "
+            + "rad over corner noise in px is up to %s, and the model holds to about %s): figures may be off; state a "
             + "smaller std_deg after measuring how it is mounted"),
     /** A reference that no pose explains along with the others: id. */
     REFERENCE_LEFT_OUT("reference %s is left out: its corners are nowhere near where the other references put it; "
@@ -34,7 +34,7 @@ public enum CheckWarning implements WarningKind {
     /** Too few iterations allowed: how many, the parameter's name, its Monte Carlo error, %, what was asked for, %. */
     CAP_REACHED("the chains reached their cap of %s iterations before the precision asked for: the standard deviation "
             + "of %s has a Monte Carlo error of %s %% in place of %s %%; allow more with --max-iterations"),
-    /** Tails too heavy: the parameter's name, its Pareto k, largest k at which a deviation's error is what is stated. */
+    /** Tails too heavy: the parameter's name, its Pareto k, largest k at which deviations are as stated. */
     HEAVY_TAILS("the draws of %s have heavy tails (Pareto k %s, up to %s is well): its standard deviation is less "
             + "precise than its stated Monte Carlo error, and more iterations hardly help; more or better placed "
             + "references do"),

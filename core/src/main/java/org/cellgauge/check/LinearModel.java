@@ -30,7 +30,7 @@ final class LinearModel {
     private final CameraState state;
     private final double[] worldFromCamera = new double[9];
     private final int columns;
-    /** Covariance that a fit has which knows a source to be zero, by source; filled when a budget is first asked for. */
+    /** Covariance that a fit has which knows a source to be zero, by source; filled when a budget is asked for. */
     private Map<String, double[]> refitted;
 
     LinearModel(CameraTarget camera) {

@@ -16,8 +16,8 @@ import org.cellgauge.pose.ReferenceView;
  *
  * <p>{@code log L = sum_m [ sum_i log W_m,ii - |W_m r_m|² / 2 ]}, W_m the whitening matrix of reference m; the
  * log-determinant is kept, so that modes with different frozen covariances can be compared. Placement errors d are
- * linearised at those of the mode, d_m: the residual is {@code projection(d_m) - J_m d_m - observed}, which has the same
- * distribution and costs the same, for what is added to the observed corners is frozen as well.
+ * linearised at those of the mode, d_m: the residual is {@code projection(d_m) - J_m d_m - observed}, which has the
+ * same distribution and costs the same, for what is added to the observed corners is frozen as well.
  *
  * <p>Whitened once (with an unknown noise: once for every step of it) and not factored in the loop; allocates nothing
  * then. Unknowns that markers share move the residuals along their columns. Not thread-safe.
@@ -80,8 +80,8 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
     }
 
     /**
-     * The likelihood frozen at a mode, with an unknown noise: corners where the mode's placement errors have moved them,
-     * and what placement adds to the covariances there.
+     * The likelihood frozen at a mode, with an unknown noise: corners where the mode's placement errors have moved
+     * them, and what placement adds to the covariances there.
      *
      * @param view references and their observed corners
      * @param mode a mode of the camera pose that shows them, at any added noise

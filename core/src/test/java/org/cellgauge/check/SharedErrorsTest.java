@@ -130,6 +130,54 @@ class SharedErrorsTest {
         assertTrue(predicted.object(30).budget().shares().get("edges of the photo") > 0.5);
     }
 
+    private static double[] deviations(ThesisScene scene, double pixelStdPx, double doubtPx, PrintPrecision prints) {
+        double[] std = quickLook(with(scene.cell(), OptionalDouble.of(pixelStdPx), prints),
+                shifted(scene.exactDetections(), 0, doubtPx)).object(20).pose().std();
+        return java.util.Arrays.copyOf(std, 3);
+    }
+
+    /**
+     * With unknowns that markers share, what is gained by taking a source away is what another fit has whose cell file
+     * or photo states it as next to zero: all unknowns fitted again together, none kept where it was.
+     */
+    @Test
+    void gainsAreThoseOfRefitsWithTheOtherUnknowns() {
+        PrintPrecision prints = new PrintPrecision(0.1, 0.2, 0);
+        double doubtPx = 0.1;
+        double noisePx = 0.05;
+        ThesisScene scene = withOneObject(ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(noisePx));
+        VarianceBudget budget = quickLook(with(scene.cell(), OptionalDouble.of(noisePx), prints),
+                shifted(scene.exactDetections(), 0, doubtPx)).object(20).budget();
+        double[] with = deviations(scene, noisePx, doubtPx, prints);
+        double[] knownEdges = deviations(scene, noisePx, 0, prints);
+        double[] knownSizes = deviations(scene, noisePx, doubtPx, new PrintPrecision(0, 0.2, 0));
+        double[] flat = deviations(scene, noisePx, doubtPx, new PrintPrecision(0.1, 0, 0));
+        double[] placed = deviations(withOneObject(ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(noisePx)
+                .placementOf(22, 1e-5, 1e-8)), noisePx, doubtPx, prints);
+        for (int axis = 0; axis < 3; axis++) {
+            assertEquals(1 - knownEdges[axis] / with[axis], budget.gains(axis).get("edges of the photo"), 1e-4);
+            assertEquals(1 - knownSizes[axis] / with[axis], budget.gains(axis).get("size of prints"), 1e-4);
+            assertEquals(1 - flat[axis] / with[axis], budget.gains(axis).get("flatness of prints"), 1e-4);
+            assertEquals(1 - placed[axis] / with[axis], budget.gains(axis).get("placement of reference 22"), 1e-4);
+        }
+        double[] exact = deviations(scene, 1e-4, doubtPx, prints);
+        double left = 0;
+        double all = 0;
+        VarianceBudget exactBudget = quickLook(with(scene.cell(), OptionalDouble.of(1e-4), prints),
+                shifted(scene.exactDetections(), 0, doubtPx)).object(20).budget();
+        for (int axis = 0; axis < 3; axis++) {
+            left += exact[axis] * exact[axis];
+            all += with[axis] * with[axis];
+            assertTrue(exactBudget.gains(axis).get("corner noise of object") < 1e-3);
+        }
+        // taking either noise away leaves more than taking both
+        double most = 1 - Math.sqrt(left / all);
+        assertTrue(budget.gains().get("corner noise of object") < most);
+        assertTrue(budget.gains().get("corner noise of references") < most);
+        // a hundred times what the comparisons above let pass
+        assertTrue(budget.gains().get("edges of the photo") > 0.01, budget.gains().toString());
+    }
+
     /** Edges moved by twice the doubt make every marker smaller, and none of them misplaced. */
     @Test
     void shrinkageIsNoDisplacement() {
@@ -236,7 +284,8 @@ class SharedErrorsTest {
         }
         // 95 % of 300: 91.3 to 98 with a confidence of 99.5 %; Laplace has no tails of an unknown noise, 3 % below
         for (int hit : hits) {
-            assertTrue(hit > 0.87 * photos && hit < 0.99 * photos, hits[0] + " and " + hits[1] + " of " + photos + ", width " + logWidth);
+            assertTrue(hit > 0.87 * photos && hit < 0.99 * photos,
+                    hits[0] + " and " + hits[1] + " of " + photos + ", width " + logWidth);
         }
         assertEquals(0, logWidth, times == 1 ? 0.06 : 0.12, "width against a noise that is known");
     }
