@@ -59,6 +59,8 @@ final class LightFit {
     private static final double STATED_STD_PX = 0.05;
     /** A side whose residuals are so many times those of all is weighed by its own. */
     private static final double OUT_OF_LINE = 3;
+    /** Noise before any is measured: what the photo before had must not matter. */
+    private static final double FIRST_NOISE_GREY = 1.5;
     /** Noise of rounding to whole grey levels. */
     private static final double ROUNDING = Math.sqrt(1.0 / 12);
 
@@ -92,6 +94,7 @@ final class LightFit {
         said = ofFile != null;
         fileSaid = said;
         clippedShare = 0;
+        scale.setNoise(FIRST_NOISE_GREY);
         if (stated != null) {
             scale.set(stated);
             return;

@@ -71,10 +71,13 @@ final class MarkerEdges {
     private boolean[] white;
 
     // the pattern as seen from one side: depth of the lines between rows at the middle of the side and its change
-    // along it, and for each row the ends of its white stretches along the side
+    // along it, and for each row the ends of its white stretches along the side, their change with depth (a marker seen
+    // aslant is sheared: taken as upright, the ends would feign a shift of 0.01 px) and the cosine of that slant
     private final double[] depth = new double[ROWS + 1];
     private final double[] depthSlope = new double[ROWS + 1];
     private final double[][] ends = new double[ROWS][];
+    private final double[][] endSlope = new double[ROWS][];
+    private final double[][] endCosine = new double[ROWS][];
     private final int[] endCount = new int[ROWS];
     private int rows;
     private final double[] rowWhite = new double[ROWS];
@@ -111,6 +114,8 @@ final class MarkerEdges {
         this.borderCells = borderCells;
         for (int r = 0; r < ROWS; r++) {
             ends[r] = new double[cells + 1];
+            endSlope[r] = new double[cells + 1];
+            endCosine[r] = new double[cells + 1];
         }
     }
 
@@ -421,9 +426,16 @@ final class MarkerEdges {
             for (int k = 0; k <= cells; k++) {
                 boolean here = k < cells && whiteCell(i, borderCells + r, k);
                 if (here != inWhite) {
-                    fromSide(i, (double) k / cells, (borderCells + r + 0.5) / cells, side);
+                    fromSide(i, (double) k / cells, (double) (borderCells + r) / cells, side);
+                    double t0 = point[0];
+                    double z0 = point[1];
+                    fromSide(i, (double) k / cells, (borderCells + r + 1.0) / cells, side);
+                    double slope = (point[0] - t0) / (point[1] - z0);
+                    double cosine = 1 / Math.sqrt(1 + slope * slope);
                     // white that has spread begins earlier and ends later
-                    ends[r][count++] = point[0] * stretch + (here ? -shiftPx : shiftPx);
+                    ends[r][count] = (t0 - slope * z0) * stretch + (here ? -shiftPx : shiftPx) / cosine;
+                    endSlope[r][count] = slope;
+                    endCosine[r][count++] = cosine;
                     inWhite = here;
                 }
             }
@@ -432,7 +444,7 @@ final class MarkerEdges {
     }
 
     /** How white each row is at a place along the side, and how that changes where white spreads or all is stretched. */
-    private void setRowWhites(double t, double blur, double reach, double perLength) {
+    private void setRowWhites(double t, double depthPx, double blur, double reach, double perLength) {
         for (int r = 0; r < rows; r++) {
             double sum = 0;
             double growth = 0;
@@ -440,7 +452,8 @@ final class MarkerEdges {
             double byBlur = 0;
             double[] at = ends[r];
             for (int k = 0; k < endCount[r]; k++) {
-                double z = t - at[k];
+                double end = at[k] + endSlope[r][k] * depthPx;
+                double z = (t - end) * endCosine[r][k];
                 double sign = (k & 1) == 0 ? 1 : -1;
                 if (z >= reach) {
                     sum += sign;
@@ -450,7 +463,7 @@ final class MarkerEdges {
                     sum += sign * profile.share;
                     byBlur += sign * profile.byBlur;
                     growth += profile.byDistance;
-                    stretch -= sign * profile.byDistance * at[k] * perLength;
+                    stretch -= sign * profile.byDistance * end * perLength;
                 }
             }
             rowWhite[r] = sum;
@@ -621,7 +634,7 @@ final class MarkerEdges {
 
     /** Light from the white cells of the pattern at a place along a side and a depth. */
     private double innerShare(double t, double z, double blur, double reach) {
-        setRowWhites(t, blur, reach, 0);
+        setRowWhites(t, z, blur, reach, 0);
         double share = 0;
         double beforeRow = 0;
         double beforeByBlur = 0;
@@ -763,7 +776,7 @@ final class MarkerEdges {
                     if (z < shallow || z > deep || t < -halfLength || t > halfLength) {
                         continue;
                     }
-                    setRowWhites(t, blur, REACH * std, 2 / side.lengthPx);
+                    setRowWhites(t, z, blur, REACH * std, 2 / side.lengthPx);
                     double share = 0;
                     double bySlide = 0;
                     double byShift = 0;

@@ -39,6 +39,9 @@ final class SideFit {
     /** Where an overshoot is looked for, and beyond what it is measured from: deviations of the blur. */
     private static final double NEAR = 1.3;
     private static final double FAR = 2.6;
+    /** And at least so far from the edge, px: a pixel that the edge itself crosses says nothing of an overshoot. */
+    private static final double NEAR_PX = 0.8;
+    private static final double FAR_PX = 1.6;
     /** Grey level from which on a value is taken for clipped. */
     private static final double CLIPPED = 254.5;
 
@@ -102,6 +105,8 @@ final class SideFit {
     /** Forgets the last fit: the next one starts from the grey values alone. */
     void restart() {
         started = false;
+        // what another marker left would decide when this one counts as settled
+        unknowns[BLUR] = 0;
     }
 
     /** Whether there was a fit before. */
@@ -334,6 +339,8 @@ final class SideFit {
         int nearCount = 0;
         int farCount = 0;
         double std = Math.sqrt(p[BLUR] * p[BLUR] + 1.0 / 12);
+        double nearPx = Math.max(NEAR * std, NEAR_PX);
+        double farPx = Math.max(FAR * std, FAR_PX);
         for (int i = 0; i < samples; i++) {
             profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
             double share = base[i] + baseByBlur[i] * (p[BLUR] - baseBlur) + window[i] * profile.share;
@@ -369,11 +376,11 @@ final class SideFit {
                     powerRow[a] += row[POWER] * row[a];
                 }
             }
-            double z = (across[i] - p[OFFSET] - p[SLOPE] * along[i]) / std;
-            if (Math.abs(z) > NEAR && Math.abs(base[i]) < 0.02) {
+            double distance = across[i] - p[OFFSET] - p[SLOPE] * along[i];
+            if (Math.abs(distance) > nearPx && Math.abs(base[i]) < 0.02) {
                 // sharpening lifts the bright side beside an edge and lowers the dark one
-                double beyond = z > 0 ? -residual : residual;
-                if (Math.abs(z) < FAR) {
+                double beyond = distance > 0 ? -residual : residual;
+                if (Math.abs(distance) < farPx) {
                     near += beyond;
                     nearCount++;
                 } else {
