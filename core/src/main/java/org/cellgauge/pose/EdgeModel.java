@@ -22,8 +22,8 @@ import org.cellgauge.vision.MarkerObservation;
 public final class EdgeModel {
     /** What a measured shift may be off by beside its stated error: inner and outer edges are not quite alike, px. */
     private static final double DISCREPANCY_STD_PX = 0.01;
-    /** The part of it that all markers of a photo share, px: rendered photos of known shift show 0.004 to 0.006. */
-    private static final double COMMON_DISCREPANCY_STD_PX = 0.006;
+    /** The part of it that all markers of a photo share, px: rendered photos of known shift show up to 0.003. */
+    private static final double COMMON_DISCREPANCY_STD_PX = 0.003;
     /** Shift of a photo of whose light nothing is said but whose markers have measured shifts, px. */
     private static final double UNSAID_STD_PX = 0.2;
 
