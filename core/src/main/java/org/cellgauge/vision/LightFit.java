@@ -11,8 +11,8 @@ import org.cellgauge.warning.Warning;
  *
  * <p>The curve is of the kind that the image file says (a power, if it says nothing), its power unknown with a Gaussian
  * prior about what it says; each round fits all sides at one power, sums up score and information of the power with the
- * sides' own unknowns projected out, and takes one Gauss-Newton step (variable projection: Golub and Pereyra, SIAM J. Numer. Anal. 1973). A curve that the
- * user states is taken as it is.
+ * sides' own unknowns projected out, and takes one Gauss-Newton step (variable projection: Golub and Pereyra, SIAM
+ * J. Numer. Anal. 1973). A curve that the user states is taken as it is.
  */
 final class LightFit {
     private static final double UNKNOWN_POWER = 1.6;
@@ -245,7 +245,8 @@ final class LightFit {
         double usual = median(shifts);
         usualShiftPx = shifts.length < LEAST_TO_JUDGE ? Double.NaN : usual;
         for (MarkerEdges marker : markers) {
-            if (Math.abs(marker.shiftPx() - usual) > ODD_SHIFT_PX || ofMarker(marker) > ODD_NOISE * noiseGrey * noiseGrey) {
+            if (Math.abs(marker.shiftPx() - usual) > ODD_SHIFT_PX
+                    || ofMarker(marker) > ODD_NOISE * noiseGrey * noiseGrey) {
                 marker.fitAnew(image, scale, usual);
                 marker.measureShift(image, scale);
                 marker.conclude(scale, false);

@@ -739,8 +739,8 @@ final class MarkerEdges {
     /**
      * Measures, at the solution, the shift common to all edges from the border's inner edge and the cells behind it.
      *
-     * <p>One linear step from the shift found before, black and white of the inner cells free. With every edge moved into the dark by
-     * s, the true outline lies s outside the one that is seen, and all that hangs on it moves along; and white cells
+     * <p>One linear step from the shift found before, black and white of the inner cells free. With every edge moved into
+     * the dark by s, the true outline lies s outside the one that is seen, and all that hangs on it moves along; and white cells
      * are s larger on all sides.
      */
     void measureShift(GreyImage image, GreyScale scale) {

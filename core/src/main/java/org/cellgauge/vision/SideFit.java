@@ -94,7 +94,11 @@ final class SideFit {
     /** How far grey rises above white and falls below black beside the edge, as a share of their difference. */
     double overshoot;
 
-    /** Drops the pixels (light from elsewhere will be given at this blur); the line is where the side's new coordinates have it. */
+    /**
+     * Drops the pixels; the line is where the side's new coordinates have it.
+     *
+     * @param blurPx at which light from elsewhere will be given
+     */
     void clear(double blurPx) {
         samples = 0;
         baseBlur = blurPx;
