@@ -38,6 +38,9 @@ final class MarkerEdges {
     private static final double FURTHEST_MOVE_PX = 3;
     private static final int SHORTEST_SIDE_PX = 8;
     private static final double LARGEST_SHIFT_PX = 1;
+    /** A step of the shift by more than this has left the place where it is linear to a thousandth of a pixel. */
+    private static final double LINEAR_SHIFT_PX = 0.02;
+    private static final int MAX_SHIFT_STEPS = 4;
     /** Rows of the pattern, from its border inwards, whose light reaches a side. */
     private static final int ROWS = 3;
     private static final double REACH = 4;
@@ -739,12 +742,22 @@ final class MarkerEdges {
     /**
      * Measures, at the solution, the shift common to all edges from the border's inner edge and the cells behind it.
      *
-     * <p>One linear step from the shift found before, black and white of the inner cells free. With every edge moved into
-     * the dark by s, the true outline lies s outside the one that is seen, and all that hangs on it moves along; and white cells
-     * are s larger on all sides.
+     * <p>Linear steps from the shift found before, black and white of the inner cells free. With every edge moved into
+     * the dark by s, the true outline lies s outside the one that is seen, and all that hangs on it moves along; and
+     * white cells are s larger on all sides.
      */
     void measureShift(GreyImage image, GreyScale scale) {
         setHomography();
+        for (int i = 0; i < MAX_SHIFT_STEPS; i++) {
+            double from = shiftPx;
+            stepShift(image, scale);
+            if (!shiftMeasured || Math.abs(shiftPx - from) < LINEAR_SHIFT_PX) {
+                return;
+            }
+        }
+    }
+
+    private void stepShift(GreyImage image, GreyScale scale) {
         double[] n = new double[9];
         double[] g = new double[3];
         double[] row = new double[3];

@@ -1,0 +1,181 @@
+package org.cellgauge.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cli.render.Backdrop;
+import org.cellgauge.cli.render.Scene;
+import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.light.ToneCurve;
+import org.cellgauge.vision.DetectionWarning;
+import org.cellgauge.vision.GreyImage;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Corners found in light against corners that were rendered: whatever the tone curve, the sides lie where they are but
+ * for the shift that the inner edges measure, and the stated covariance is that of the errors.
+ *
+ * <p>The mean of e' S^-1 e / 8 over the 40 markers has 320 degrees of freedom, so a deviation of 0.08 about 1 if S is
+ * right; the bounds 0.85 and 1.2 leave room beside it for what the model of the light leaves out, which weighs more the
+ * larger markers and the stronger blur are. The noise is 1.5 grey levels.
+ */
+class CornersInLightTest {
+    private static final String BINARY = "square-binary";
+    private static final double SMALL_MM = 47;
+    private static final double LARGE_MM = 88;
+
+    private static Sensor sensor(double blurPx, ToneCurve curve) {
+        return Sensor.IDEAL.withNoiseGrey(1.5).withBlurPx(blurPx).withToneCurve(curve);
+    }
+
+    private static boolean warns(MarkerField.Found found, DetectionWarning kind) {
+        return found.detections.warnings().stream().anyMatch(w -> w.kind() == kind);
+    }
+
+    /** Nothing is said of the curve, and the edges alone have to tell it. */
+    @ParameterizedTest
+    @CsvSource({
+        "linear,    0.3, 47", "linear,    0.7, 47", "linear,    1.2, 47", "linear,    0.7, 88", "linear,    1.2, 88",
+        "srgb,      0.3, 47", "srgb,      0.7, 47", "srgb,      1.2, 47", "srgb,      0.7, 88", "srgb,      1.2, 88",
+        "gamma 2.2, 0.3, 47", "gamma 2.2, 0.7, 47", "gamma 2.2, 1.2, 47", "gamma 2.2, 0.7, 88", "gamma 2.2, 1.2, 88",
+    })
+    void edgesTellTheCurveAndTheShiftThatIsLeft(String words, double blurPx, double sizeMm) {
+        ToneCurve curve = ToneCurve.of(words);
+        MarkerField field = MarkerField.of(BINARY, sizeMm);
+        MarkerField.Found found = field.find(field.photo(sensor(blurPx, curve)), null);
+        assertTrue(found.detections.light().toneCurveEstimated());
+        assertEquals(0, found.leftPx, 0.012, found.toString());
+        ToneCurve estimated = found.detections.light().toneCurve();
+        if (curve == ToneCurve.SRGB) {
+            // no power is sRGB: the nearest ones differ from it by 0.01 of white, and the edges tell it to another 0.01
+            for (double grey : new double[] {0.3, 0.5, 0.7}) {
+                assertEquals(curve.light(grey), estimated.light(grey), 0.02, found.toString());
+            }
+        } else {
+            assertEquals(curve.power(), estimated.power(), 0.1, found.toString());
+        }
+    }
+
+    /** The file says sRGB: then a curve of that kind is sought, and found again. */
+    @Test
+    void curveThatTheFileSaysIsConfirmed() {
+        MarkerField field = MarkerField.of(BINARY, SMALL_MM);
+        GreyImage photo = field.photo(sensor(0.7, ToneCurve.SRGB)).withToneCurve(ToneCurve.SRGB);
+        MarkerField.Found found = field.find(photo, null);
+        assertEquals(0, found.leftPx, 0.012, found.toString());
+        for (double grey : new double[] {0.3, 0.5, 0.7}) {
+            assertEquals(ToneCurve.SRGB.light(grey), found.detections.light().toneCurve().light(grey), 0.01,
+                    found.toString());
+        }
+    }
+
+    /** The curve is stated, so all that is left is noise, and its covariance must be the stated one. */
+    @ParameterizedTest
+    @CsvSource({
+        "square-binary,  linear,    0.3, 47, 0.85, 1.2",
+        "square-binary,  srgb,      0.3, 47, 0.85, 1.2",
+        "square-binary,  gamma 2.2, 0.3, 88, 0.85, 1.2",
+        "square-binary,  linear,    0.7, 47, 0.85, 1.2",
+        "square-binary,  srgb,      0.7, 88, 0.85, 1.2",
+        "square-binary,  gamma 2.2, 0.7, 47, 0.85, 1.2",
+        "square-binary,  linear,    1.2, 88, 0.8,  1.3",
+        "square-binary,  srgb,      1.2, 88, 0.8,  1.3",
+        "square-binary,  gamma 2.2, 1.2, 47, 0.8,  1.3",
+        "apriltag-36h11, linear,    0.7, 88, 0.85, 1.2",
+        "apriltag-36h11, srgb,      0.7, 88, 0.85, 1.2",
+    })
+    void covarianceIsThatOfTheErrors(String family, String words, double blurPx, double sizeMm, double least,
+            double most) {
+        ToneCurve curve = ToneCurve.of(words);
+        MarkerField field = MarkerField.of(family, sizeMm);
+        MarkerField.Found found = field.find(field.photo(sensor(blurPx, curve)), curve);
+        assertFalse(found.detections.light().toneCurveEstimated());
+        assertEquals(0, found.insidePx, 0.005, found.toString());
+        assertEquals(0, found.leftPx, 0.008, found.toString());
+        assertEquals((least + most) / 2, found.chiSquarePerValue, (most - least) / 2, found.toString());
+    }
+
+    /** Lines are fitted in undistorted pixels: their covariance goes through the lens with the corners. */
+    @Test
+    void covarianceGoesThroughTheLens() {
+        MarkerField field = MarkerField.of(BINARY, LARGE_MM, -0.3, 0.08, Backdrop.plain(), Scene.DEFAULT_QUIET_ZONE, 0);
+        MarkerField.Found found = field.find(field.photo(sensor(0.7, ToneCurve.LINEAR)), ToneCurve.LINEAR);
+        assertEquals(0, found.insidePx, 0.005, found.toString());
+        assertEquals(1, found.chiSquarePerValue, 0.3, found.toString());
+    }
+
+    /** Ink that spreads moves edges outwards: so much in mm is so much in pixels where the marker stands. */
+    @ParameterizedTest
+    @CsvSource({"-0.2, linear", "0.2, linear", "0.2, srgb", "0.4, linear"})
+    void spreadingInkIsMeasuredAsAShift(double printGainMm, String words) {
+        ToneCurve curve = ToneCurve.of(words);
+        MarkerField field = MarkerField.of(BINARY, LARGE_MM, 0, 0, Backdrop.plain(), Scene.DEFAULT_QUIET_ZONE,
+                printGainMm);
+        MarkerField.Found found = field.find(field.photo(sensor(0.7, curve)), curve);
+        double expected = -printGainMm * MarkerField.PX_PER_MM;
+        // foreshortening makes less of the gain across a tilted marker: by 2 % in the mean
+        assertEquals(expected, found.insidePx, 0.05 * Math.abs(expected), found.toString());
+        assertEquals(expected, found.shiftPx, 0.15 * Math.abs(expected), found.toString());
+    }
+
+    @Test
+    void paperThatEndsNearTheBorderMovesNoEdge() {
+        MarkerField field = MarkerField.of(BINARY, SMALL_MM, 0, 0, Backdrop.plain(), 0.1, 0);
+        MarkerField.Found found = field.find(field.photo(sensor(0.7, ToneCurve.LINEAR)), ToneCurve.LINEAR);
+        assertEquals(0, found.insidePx, 0.015, found.toString());
+        assertEquals(40, found.markers);
+        MarkerField large = MarkerField.of(BINARY, LARGE_MM, 0, 0, Backdrop.plain(), 0.1, 0);
+        found = large.find(large.photo(sensor(0.7, ToneCurve.SRGB)), ToneCurve.SRGB);
+        assertEquals(0, found.insidePx, 0.005, found.toString());
+    }
+
+    @Test
+    void clippedWhitesAreNoMeasurementsWhereTheCurveIsStated() {
+        MarkerField field = MarkerField.of(BINARY, LARGE_MM);
+        GreyImage photo = field.photo(sensor(0.7, ToneCurve.SRGB).withExposure(1.3));
+        MarkerField.Found found = field.find(photo, ToneCurve.SRGB);
+        assertTrue(warns(found, DetectionWarning.WHITES_CLIPPED), found.toString());
+        assertEquals(0, found.rmsPx, 0.02, found.toString());
+        assertEquals(0, found.insidePx, 0.005, found.toString());
+        String message = assertThrows(InputRefusedException.class, () -> field.find(photo, null)).getMessage();
+        assertTrue(message.contains("whites are clipped") && message.contains("tone_curve"), message);
+    }
+
+    @Test
+    void darkPhotosAreNoted() {
+        MarkerField field = MarkerField.of(BINARY, LARGE_MM);
+        GreyImage photo = field.photo(sensor(0.7, ToneCurve.LINEAR).withExposure(0.1));
+        MarkerField.Found found = field.find(photo, ToneCurve.LINEAR);
+        assertTrue(warns(found, DetectionWarning.TOO_DARK), found.toString());
+        // a tenth of the contrast is ten times the error of a usual exposure, 0.004 px
+        assertEquals(0, found.rmsPx, 0.06, found.toString());
+        assertEquals(1, found.chiSquarePerValue, 0.3, found.toString());
+        MarkerField.Found usual = field.find(field.photo(sensor(0.7, ToneCurve.LINEAR)), ToneCurve.LINEAR);
+        assertFalse(warns(usual, DetectionWarning.TOO_DARK), usual.toString());
+    }
+
+    /** Overshoot is seen, and what it does to the edges is seen by the inner ones. */
+    @ParameterizedTest
+    @CsvSource({"0.3, 0.5, linear", "0.5, 0.5, linear", "0.5, 0.5, srgb", "0.7, 1, linear"})
+    void sharpenedPhotosAreNotedAndTheirShiftMeasured(double blurPx, double amount, String words) {
+        MarkerField field = MarkerField.of(BINARY, SMALL_MM);
+        MarkerField.Found found = field.find(field.photo(sensor(blurPx, ToneCurve.of(words)).withUnsharp(amount, 1)),
+                null);
+        assertTrue(warns(found, DetectionWarning.SHARPENED), found.toString());
+        assertEquals(0, found.leftPx, 0.02, found.toString());
+    }
+
+    /** No sharpening is seen where there is none, however sharp the edges. */
+    @ParameterizedTest
+    @CsvSource({"0, linear", "0.3, linear", "0.3, srgb", "0.7, gamma 2.2"})
+    void photosThatAreNotSharpenedAreNotCalledSo(double blurPx, String words) {
+        MarkerField field = MarkerField.of(BINARY, SMALL_MM);
+        MarkerField.Found found = field.find(field.photo(sensor(blurPx, ToneCurve.of(words))), null);
+        assertFalse(warns(found, DetectionWarning.SHARPENED), found.toString());
+    }
+}
