@@ -64,6 +64,33 @@ class FixturesConvergeTest {
         return JsonParser.parseString(text).getAsJsonObject();
     }
 
+    /** Positions of objects and camera are where the truth has them: of 84 figures none is four deviations off. */
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void figuresCoverTheTruth(Path scene) throws IOException {
+        JsonObject result = json(check(scene, "--json").printed());
+        JsonObject truth = json(Files.readString(scene.resolve("photo.truth.json")));
+        JsonObject objects = truth.getAsJsonObject("objects");
+        double worst = off(result.getAsJsonObject("camera"), truth.getAsJsonObject("camera").getAsJsonObject("pose"));
+        for (String id : objects.keySet()) {
+            worst = Math.max(worst, off(result.getAsJsonObject("objects").getAsJsonObject(id).getAsJsonObject("pose"),
+                    objects.getAsJsonObject(id).getAsJsonObject("pose")));
+        }
+        assertTrue(worst < 4, worst + " deviations");
+        assertEquals(0, result.getAsJsonArray("misplaced_references").size(), "all stand as the cell file says");
+    }
+
+    /** The largest difference of a coordinate, in stated deviations. */
+    private static double off(JsonObject stated, JsonObject truth) {
+        double worst = 0;
+        for (int i = 0; i < 3; i++) {
+            double difference = stated.getAsJsonArray("mean").get(i).getAsDouble()
+                    - truth.getAsJsonArray("position_mm").get(i).getAsDouble();
+            worst = Math.max(worst, Math.abs(difference) / stated.getAsJsonArray("std").get(i).getAsDouble());
+        }
+        return worst;
+    }
+
     /** Two seeds, so that no lucky one passes; target met or missed, but a figure. */
     @ParameterizedTest
     @MethodSource("scenesAndLikelihoods")
