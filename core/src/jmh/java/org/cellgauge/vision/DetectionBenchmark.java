@@ -6,6 +6,7 @@ import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.light.ToneCurve;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -18,7 +19,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Time to find eight markers in an image of 1280 x 720 px, on one thread, by ground and by lens. */
+/** Time to find eight markers in an image of 1280 x 720 px, on one thread, by ground, lens and tone curve. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -30,6 +31,9 @@ public class DetectionBenchmark {
     private static final int HEIGHT = 720;
     private static final Integer[] IDS = {5, 20, 22, 30, 911, 944, 1234, 2000};
     private static final int CELL_PX = 4;
+    private static final double LIGHT_OF_WHITE = 0.8;
+    private static final double LIGHT_OF_GROUND = 0.5;
+    private static final double LIGHT_OF_BLACK = 0.1;
 
     /** Deviation of the ground's grey from pixel to pixel; markers have 2 everywhere. */
     @Param({"2", "15"})
@@ -39,18 +43,23 @@ public class DetectionBenchmark {
     @Param({"0", "-0.3"})
     public double k1;
 
+    /**
+     * The curve that makes grey of light, and whether the detector is told: "linear" and "srgb" are to be found out.
+     */
+    @Param({"linear", "srgb", "srgb stated"})
+    public String light;
+
     private BoofMarkerDetector detector;
     private GreyImage image;
 
-    /** Draws upright markers of 32 px on a grey ground. */
+    /** Draws upright markers of 32 px on a grey ground, blurred over 3 x 3 px, so that edges tell the curve. */
     @Setup
     public void draw() {
         BoofThreads.useOne();
         Random random = new Random(1);
-        byte[] grey = new byte[WIDTH * HEIGHT];
-        for (int i = 0; i < grey.length; i++) {
-            grey[i] = grey(140, groundNoise, random);
-        }
+        double[] sharp = new double[WIDTH * HEIGHT];
+        Arrays.fill(sharp, LIGHT_OF_GROUND);
+        boolean[] marked = new boolean[WIDTH * HEIGHT];
         MarkerPattern patterns = new MarkerPattern(MarkerFamily.SQUARE_BINARY);
         int size = patterns.cells() * CELL_PX;
         for (int m = 0; m < IDS.length; m++) {
@@ -61,15 +70,34 @@ public class DetectionBenchmark {
                 for (int x = -8; x < size + 8; x++) {
                     boolean inside = x >= 0 && y >= 0 && x < size && y < size;
                     boolean bright = !inside || white[y / CELL_PX * patterns.cells() + x / CELL_PX];
-                    grey[(top + y) * WIDTH + left + x] = grey(bright ? 210 : 40, 2, random);
+                    sharp[(top + y) * WIDTH + left + x] = bright ? LIGHT_OF_WHITE : LIGHT_OF_BLACK;
+                    marked[(top + y) * WIDTH + left + x] = true;
                 }
             }
+        }
+        ToneCurve curve = ToneCurve.of(light.startsWith("srgb") ? "srgb" : "linear");
+        byte[] grey = new byte[WIDTH * HEIGHT];
+        for (int i = 0; i < grey.length; i++) {
+            double level = 255 * curve.grey(marked[i] ? blurred(sharp, i) : LIGHT_OF_GROUND);
+            grey[i] = grey(level, marked[i] ? 2 : groundNoise, random);
         }
         image = GreyImage.packed(grey, WIDTH, HEIGHT);
         double[] values = PinholeCamera.ideal(WIDTH, HEIGHT, 581, 581, WIDTH / 2.0, HEIGHT / 2.0).intrinsics();
         values[PinholeCamera.K1] = k1;
         List<Integer> ids = Arrays.asList(IDS);
-        detector = new BoofMarkerDetector(PinholeCamera.of(WIDTH, HEIGHT, values), MarkerFamily.SQUARE_BINARY, ids);
+        detector = new BoofMarkerDetector(PinholeCamera.of(WIDTH, HEIGHT, values), MarkerFamily.SQUARE_BINARY, ids,
+                BoofMarkerDetector.RESIDUAL_LIMIT_PER_SIDE, light.endsWith("stated") ? ToneCurve.SRGB : null);
+    }
+
+    /** By the kernel (1 2 1) / 4 both ways, a blur of 0.7 px. */
+    private static double blurred(double[] sharp, int at) {
+        double sum = 0;
+        for (int y = -1; y <= 1; y++) {
+            for (int x = -1; x <= 1; x++) {
+                sum += sharp[at + y * WIDTH + x] * (x == 0 ? 2 : 1) * (y == 0 ? 2 : 1);
+            }
+        }
+        return sum / 16;
     }
 
     private static byte grey(double mean, double deviation, Random random) {

@@ -282,6 +282,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         MarkerEdges marker = square.edges;
         double[] corners = square.cornersPx;
         boolean refined = marker != null;
+        boolean turned = false;
         if (refined) {
             boolean[] listed = patterns.get(id);
             if (listed == null) {
@@ -298,6 +299,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 id = listedId(white);
                 if (id == NONE) {
                     white = familyPatterns.turnedClockwise(white);
+                    turned = true;
                 } else {
                     marker.turn((4 - turns) % 4);
                 }
@@ -315,7 +317,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (!refined) {
             return new Candidate(new MarkerObservation(id, corners), residual.impliedStdPx(corners), false);
         }
-        if (id != square.idRead) {
+        if (id != square.idRead || turned) {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
             light.refit(image, marker, patterns.get(id));
         }

@@ -101,6 +101,7 @@ final class MarkerEdges {
     private double shiftPx;
     private double shiftInformation;
     private final double[] shiftByLine = new double[2 * CORNERS];
+    private final double[] shiftByBlur = new double[CORNERS];
     private boolean shiftMeasured;
 
     /**
@@ -763,6 +764,7 @@ final class MarkerEdges {
         double[] row = new double[3];
         double[][] byOwn = new double[CORNERS][3];
         double[][] byOwnAlong = new double[CORNERS][3];
+        double[][] byOwnBlur = new double[CORNERS][3];
         for (int i = 0; i < CORNERS; i++) {
             SideFit side = sides[i];
             double blur = side.unknowns[SideFit.BLUR];
@@ -793,8 +795,10 @@ final class MarkerEdges {
                     double share = 0;
                     double bySlide = 0;
                     double byShift = 0;
+                    double ofBlur = 0;
                     double beforeRow = 0;
                     double beforeGrowth = 0;
+                    double beforeByBlur = 0;
                     for (int r = 0; r < rows; r++) {
                         double change = rowWhite[r] - beforeRow;
                         profile.at(z - depth[r] - depthSlope[r] * t + (change > 0 ? shiftPx : -shiftPx), blur);
@@ -803,12 +807,15 @@ final class MarkerEdges {
                         bySlide += change * profile.byDistance;
                         byShift += (Math.abs(change) + change * frame(r)) * profile.byDistance
                                 + (lateral - beforeGrowth) * profile.share;
+                        ofBlur += change * profile.byBlur + (rowByBlur[r] - beforeByBlur) * profile.share;
                         beforeRow = rowWhite[r];
                         beforeGrowth = lateral;
+                        beforeByBlur = rowByBlur[r];
                     }
                     if (z < REACH * std) {
                         profile.at(-z - side.unknowns[SideFit.OFFSET] - side.unknowns[SideFit.SLOPE] * t, blur);
                         share += profile.share;
+                        ofBlur += profile.byBlur;
                     }
                     scale.at(lightDark + contrast * share);
                     double residual = scale.grey - image.get(x, y);
@@ -820,6 +827,7 @@ final class MarkerEdges {
                         g[a] -= row[a] * residual;
                         byOwn[i][a] += row[a] * byShare * bySlide;
                         byOwnAlong[i][a] += row[a] * byShare * bySlide * t;
+                        byOwnBlur[i][a] += row[a] * byShare * ofBlur;
                         for (int b = 0; b < 3; b++) {
                             n[3 * a + b] += row[a] * row[b];
                         }
@@ -846,11 +854,13 @@ final class MarkerEdges {
             double ownAlong = 0;
             double other = 0;
             double otherAlong = 0;
+            shiftByBlur[i] = 0;
             for (int a = 0; a < 3; a++) {
                 own += inverse[a] * byOwn[i][a];
                 ownAlong += inverse[a] * byOwnAlong[i][a];
                 other += inverse[a] * byOwn[opposite][a];
                 otherAlong += inverse[a] * byOwnAlong[opposite][a];
+                shiftByBlur[i] -= inverse[a] * byOwnBlur[i][a];
             }
             // a line moved outwards takes the pattern that is expected behind it along: more white is expected, and
             // less shift is found
@@ -924,6 +934,18 @@ final class MarkerEdges {
             for (int r = 0; r < 8; r++) {
                 for (int k = 0; k < 8; k++) {
                     withCorners[r] += half[8 * r + k] * shiftByLine[k];
+                }
+            }
+            // the inner edges are as blurred as the outline was found to be
+            for (int i = 0; i < CORNERS; i++) {
+                double scaled = noiseGrey[i] * noiseGrey[i] * shiftByBlur[i];
+                variance += scaled * shiftByBlur[i] * sides[i].covariance(SideFit.BLUR, SideFit.BLUR);
+                for (int a = 0; a < 2; a++) {
+                    double withLine = scaled * sides[i].covariance(a, SideFit.BLUR);
+                    variance += 2 * withLine * shiftByLine[2 * i + a];
+                    for (int r = 0; r < 8; r++) {
+                        withCorners[r] += byLines[8 * r + 2 * i + a] * withLine;
+                    }
                 }
             }
             shift = new EdgeShift(shiftPx, variance, withCorners);
