@@ -147,11 +147,16 @@ final class CellQuantities {
 
     /**
      * Which quantities' deviations must be known to the precision asked for: all judged ones, but for the rotation of
-     * an object with a second mode, whose deviation hangs on how often a rare mode is visited, and the added noise.
+     * an object with a second mode and the pose of a camera with one, whose deviations hang on how often a rare mode is
+     * visited, and the added noise.
      * Its gripping point swings with that rotation and stays in all the same: a target is held against it.
      */
     boolean[] measured() {
         boolean[] measured = judged();
+        if (camera.modes.size() > 1) {
+            int first = layout.indexOf("camera_x_mm");
+            java.util.Arrays.fill(measured, first, first + 9, false);
+        }
         if (camera.belief != null) {
             // its deviation is that of a long tail, and no figure of a pose
             measured[layout.indexOf(ADDED_NOISE)] = false;
