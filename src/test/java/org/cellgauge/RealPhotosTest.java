@@ -11,13 +11,11 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalDouble;
 import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.MarkerFamily;
-import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cli.ImageFiles;
 import org.cellgauge.cli.Main;
 import org.cellgauge.geometry.Cholesky;
@@ -130,8 +128,8 @@ class RealPhotosTest {
             alone += squareness(marker, camera, sizeMm, covariance) / 2 / found.markers().size();
             with += squareness(marker, camera, sizeMm, more) / 2 / found.markers().size();
         }
-        System.out.printf("  %s %s, blur %.2f px, noise %.1f; off squares by px rms%s; chi-square per degree of freedom "
-                + "%.1f by the fit, %.2f with %.3f px added%n", name, found.light().toneCurve().words(),
+        System.out.printf("  %s %s, blur %.2f px, noise %.1f; off squares by px rms%s; chi-square per degree of "
+                + "freedom %.1f by the fit, %.2f with %.3f px added%n", name, found.light().toneCurve().words(),
                 found.light().blurPx(), found.light().noiseGrey(), rms, alone, with, addedStdPx);
     }
 
@@ -212,7 +210,7 @@ class RealPhotosTest {
     }
 
     @Test
-    void hammingMarkersAreFound() {
+    void hammingMarkersAreFound() throws IOException {
         Path folder = folder("aruco_25h7");
         PinholeCamera camera = CameraReader.read(folder.resolve("intrinsic.yaml"));
         Detections near = detect(folder.resolve("image01.jpg"), camera, "aruco-mip-25h7", List.of(0, 4, 10, 1, 7));
@@ -223,11 +221,12 @@ class RealPhotosTest {
         assertCorner(near.find(10), 219, 164);
         Detections tilted = detect(folder.resolve("image03.jpg"), camera, "aruco-mip-25h7", List.of(0, 4, 10));
         assertEquals(3, tilted.markers().size());
+        Files.copy(folder.resolve("intrinsic.yaml"), scratch.resolve("camera.yaml"));
+        Cell cell = CellReader.read(Files.writeString(scratch.resolve("cell.yaml"), "cellgauge: 1\n"
+                + "camera: camera.yaml\nmarkers: {family: aruco-mip-25h7, size_mm: 100}\n"
+                + "placement: {std_mm: [1, 1, 1], std_deg: 1}\n"
+                + "references:\n  0: {position_mm: [0, 0, 0]}\nobjects:\n  4: {}\n  10: {}\n"));
         for (Detections found : List.of(near, tilted)) {
-            List<ObjectMarker> objects = new ArrayList<>();
-            found.markers().forEach(m -> objects.add(new ObjectMarker(m.id(), SIZE_MM, null)));
-            Cell cell = new Cell(camera, MarkerFamily.of("aruco-mip-25h7"), List.of(), objects, OptionalDouble.empty(),
-                    OptionalDouble.empty());
             double added = CornerErrors.of(cell, found).squarenessBelief().quantileStdPx(0.5);
             printSquareness(found.imageName(), found, camera, SIZE_MM, added);
         }

@@ -89,7 +89,7 @@ class ShrunkCodeTest {
 
     /** Messages come from far inside the YAML reader. */
     @ParameterizedTest
-    @CsvSource({"pixel_std_px: 0.05, pixel_std_px: [0.05", "size_mm: 47, size_mm: -47", "square-binary, square-binarry",
+    @CsvSource({"std_deg: 0.2, std_deg: [0.2", "size_mm: 47, size_mm: -47", "square-binary, square-binarry",
         "target:, tarrget:"})
     void faultsAreRefusedInTheSameWords(String right, String wrong) throws Exception {
         Map<String, Object> input = new HashMap<>(input("lifted-4", "default"));
