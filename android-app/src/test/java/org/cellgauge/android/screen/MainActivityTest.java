@@ -35,6 +35,7 @@ import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.cellgauge.android.R;
@@ -247,7 +248,9 @@ public class MainActivityTest {
             }
             assertEquals(Verdict.PASS, screen.state().verdict());
             assertEquals(alone.reason().replace(" %", "%"), screen.text(R.id.reason));
-            assertTrue(rows(screen), rows(screen).contains("σ  x 0.72 · y 0.76 · z 1.77 mm"));
+            double[] std = alone.estimate().object(5).pose().std();
+            assertTrue(rows(screen), rows(screen).contains(
+                    String.format(Locale.ROOT, "σ  x %.2f · y %.2f · z %.2f mm", std[0], std[1], std[2])));
             assertEquals("95% ellipses, magnified 10× · grid 100 mm", screen.text(R.id.caption));
         }
     }
@@ -315,13 +318,13 @@ public class MainActivityTest {
         try (Screen screen = live()) {
             screen.holdStillUntilResult(FIXTURE);
             CheckResult before = screen.state().result();
-            screen.session().chooseTarget(1.5);
+            screen.session().chooseTarget(0.5);
             screen.settle();
             assertEquals("Target missed", screen.text(R.id.banner_headline));
             assertSame(before.estimate(), screen.state().result().estimate());
             assertSame(before.draws(), screen.state().result().draws());
-            assertTrue(rows(screen), rows(screen).contains("Object 5 – beyond 1.5 mm"));
-            assertTrue(rows(screen), rows(screen).contains("Target: 1.5 mm on every axis, chosen here."));
+            assertTrue(rows(screen), rows(screen).contains("Object 5 – beyond 0.5 mm"));
+            assertTrue(rows(screen), rows(screen).contains("Target: 0.5 mm on every axis, chosen here."));
             screen.session().resetTarget();
             screen.settle();
             assertEquals("Pass – target met", screen.text(R.id.banner_headline));
@@ -580,7 +583,7 @@ public class MainActivityTest {
         CellDocument bare = new CellDocument("bare.yaml", "content://cells/bare", FIXTURE.cell(), null);
         try (Screen screen = Screen.start()) {
             screen.chooseCell(bare);
-            screen.session().chooseTarget(1.5);
+            screen.session().chooseTarget(0.5);
             screen.openPhoto(FIXTURE.photo());
             assertEquals("The camera of this photo is not known", screen.text(R.id.message_title));
             assertEquals("Choose calibration file", screen.text(R.id.message_second));
@@ -595,7 +598,7 @@ public class MainActivityTest {
             screen.until("result", () -> screen.state().verdict() != null);
             assertEquals(ImageSource.PHOTO, screen.state().source());
             assertEquals("lifted-4.png", screen.state().still().name());
-            assertEquals(OptionalDouble.of(1.5), screen.state().targetStdMm());
+            assertEquals(OptionalDouble.of(0.5), screen.state().targetStdMm());
             assertEquals("Target missed", screen.text(R.id.banner_headline));
             assertEquals(CheckSettings.Estimate.NONE, screen.state().result().settings().estimate());
         }
@@ -941,7 +944,7 @@ public class MainActivityTest {
             screen.chooseCell(FIXTURE.document());
             screen.session().chooseCalibration("content://calibrations/tablet");
             screen.settle();
-            screen.session().chooseTarget(1.5);
+            screen.session().chooseTarget(0.5);
             screen.settle();
             feed().opened(FIXTURE.cell().camera(), 90, false);
             screen.holdStillUntilResult(FIXTURE);
@@ -956,7 +959,7 @@ public class MainActivityTest {
             assertTrue(feed().isOpen());
             feed().opened(FIXTURE.cell().camera(), 90, false);
             screen.holdStillUntilResult(FIXTURE);
-            assertEquals(OptionalDouble.of(1.5), screen.state().targetStdMm());
+            assertEquals(OptionalDouble.of(0.5), screen.state().targetStdMm());
             assertEquals("Target missed", screen.text(R.id.banner_headline));
         }
     }
