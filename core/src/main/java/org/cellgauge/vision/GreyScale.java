@@ -14,6 +14,10 @@ final class GreyScale {
     /** Light up to which the table goes: what is beyond white is seen by its edges alone. */
     private static final double MOST_LIGHT = 3;
     private static final double LEAST_LIGHT = 1e-7;
+    /** Level below which powers are cut off: there light would no longer change with the level. */
+    private static final double CUT_LEVEL = 0.25;
+    private static final double LEAST_LEVEL = 0.3;
+    private static final double LEAST_LEVEL_LINEAR = -20;
     /** Noise reaches the ends of the scale within so many deviations. */
     private static final double REACH = 3;
 
@@ -66,6 +70,15 @@ final class GreyScale {
         noise = Math.max(0.3, stdGrey);
     }
 
+    /**
+     * The least grey level that black may be fitted with: below it {@link #light} is constant and a fit would stick.
+     *
+     * @return grey level; negative where grey is light, as a black level that is not quite 0 makes it
+     */
+    double leastLevel() {
+        return linear ? LEAST_LEVEL_LINEAR : LEAST_LEVEL;
+    }
+
     /** The curve in force. */
     ToneCurve curve() {
         return curve;
@@ -78,7 +91,7 @@ final class GreyScale {
      * @return light, 1 at 255
      */
     double light(double level) {
-        return linear ? level / WHITE : curve.light(Math.max(level, 0.25) / WHITE);
+        return linear ? level / WHITE : curve.light(Math.max(level, CUT_LEVEL) / WHITE);
     }
 
     /**
@@ -114,8 +127,8 @@ final class GreyScale {
      */
     void setEnds(double dark, double bright) {
         double offset = curve.offset();
-        double d = (Math.max(dark, 0.25) / WHITE + offset) / (1 + offset);
-        double b = (Math.max(bright, 0.25) / WHITE + offset) / (1 + offset);
+        double d = (Math.max(dark, CUT_LEVEL) / WHITE + offset) / (1 + offset);
+        double b = (Math.max(bright, CUT_LEVEL) / WHITE + offset) / (1 + offset);
         darkLight = Math.pow(d, curve.power());
         brightLight = Math.pow(b, curve.power());
         darkByPower = darkLight * Math.log(d);

@@ -28,7 +28,6 @@ final class SideFit {
     private static final double SETTLED_PX = 1e-3;
     static final double SMALLEST_BLUR_PX = 0.1;
     static final double LARGEST_BLUR_PX = 4;
-    private static final double LEAST_LEVEL = -20;
     /** A bright side that is clipped may be as bright as this, in grey levels of the tone curve's continuation. */
     private static final double LARGEST_LEVEL = 400;
     /**
@@ -177,6 +176,8 @@ final class SideFit {
             unknowns[BRIGHT] = 10 * clipped > samples ? 1.1 * high : high;
             started = true;
         }
+        // clipped noise makes the darkest pixel 0, and another curve may have left less
+        unknowns[DARK] = Math.max(scale.leastLevel(), unknowns[DARK]);
         double damping = 1e-3;
         double sum = linearise(scale, profile, unknowns, normal, gradient);
         for (int i = 0; i < MAX_STEPS; i++) {
@@ -194,7 +195,7 @@ final class SideFit {
                 trial[k] = unknowns[k] - step[k];
             }
             trial[BLUR] = Math.min(LARGEST_BLUR_PX, Math.max(SMALLEST_BLUR_PX, trial[BLUR]));
-            trial[DARK] = Math.max(LEAST_LEVEL, trial[DARK]);
+            trial[DARK] = Math.max(scale.leastLevel(), trial[DARK]);
             trial[BRIGHT] = Math.min(LARGEST_LEVEL, trial[BRIGHT]);
             double moved = Math.abs(trial[OFFSET] - unknowns[OFFSET])
                     + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx;
