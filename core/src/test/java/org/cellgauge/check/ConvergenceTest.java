@@ -44,20 +44,20 @@ class ConvergenceTest {
     @MethodSource("setUps")
     void defaultSettingsConverge(LikelihoodModel model, double stdMm, int number) {
         ThesisScene scene = setUp(number).placement(stdMm, 0.01);
+        // with two references at 20 mm corner-cube has tails that 200 000 draws do not measure to 2 %
+        boolean hard = model == LikelihoodModel.CORNER_CUBE && stdMm == 20
+                && (number == 0 || number == 5 || number == 10);
         // corner-cube is there to reproduce the thesis: one draw of errors shows that it converges
         for (int seed = 1; seed <= (model == LikelihoodModel.CORNER_CUBE ? 1 : 2); seed++) {
             long errors = 100 * number + 10 * (long) stdMm + seed;
             CheckResult result = CellCheck.run(scene.cell(),
                     scene.detections(0.3, RandomStreams.of(errors), stdMm, 0.01),
-                    CheckSettings.builder().model(model).seed(seed).build());
+                    CheckSettings.builder().model(model).seed(seed).maxIterations(hard ? 8200 : 50_000).build());
             Diagnostics found = result.diagnostics();
             assertEquals(Convergence.CONVERGED, found.convergence(), "seed " + seed + ": " + found.worstParameter());
             assertNotEquals(Verdict.NOT_CONVERGED, result.verdict());
             boolean precise = found.mcseStdRelMax() < 0.02;
             assertEquals(!precise, warns(result, "before the precision asked for"));
-            // with two references at 20 mm corner-cube has tails that 200 000 draws do not measure to 2 %
-            boolean hard = model == LikelihoodModel.CORNER_CUBE && stdMm == 20
-                    && (number == 0 || number == 5 || number == 10);
             assertTrue(precise || hard, "seed " + seed + ": Monte Carlo error " + found.mcseStdRelMax() + " of "
                     + found.leastPreciseParameter());
         }
