@@ -27,7 +27,8 @@ class ConvergenceTest {
         List<Arguments> all = new ArrayList<>();
         for (LikelihoodModel model : LikelihoodModel.values()) {
             for (double stdMm : new double[] {1, 5, 20}) {
-                for (int number = 0; number < SET_UPS; number++) {
+                // corner-cube is there to reproduce the thesis, and takes its time: every other of its set-ups
+                for (int number = 0; number < SET_UPS; number += model == LikelihoodModel.CORNER_CUBE ? 2 : 1) {
                     all.add(Arguments.of(model, stdMm, number));
                 }
             }
@@ -46,7 +47,7 @@ class ConvergenceTest {
         ThesisScene scene = setUp(number).placement(stdMm, 0.01);
         // with two references at 20 mm corner-cube has tails that 200 000 draws do not measure to 2 %
         boolean hard = model == LikelihoodModel.CORNER_CUBE && stdMm == 20
-                && (number == 0 || number == 5 || number == 10);
+                && (number == 0 || number == 10);
         // corner-cube is there to reproduce the thesis: one draw of errors shows that it converges
         for (int seed = 1; seed <= (model == LikelihoodModel.CORNER_CUBE ? 1 : 2); seed++) {
             long errors = 100 * number + 10 * (long) stdMm + seed;
