@@ -76,7 +76,7 @@ public class KeptPictureTest {
     public void bannerLegendAndLabelsFollowTheLanguage() throws IOException {
         FolderArchive archive = new FolderArchive(context, this::paint, new ScreenWords(context),
                 Clock.systemUTC(), "1");
-        CheckResult failed = check(FIXTURE.doubtful().withTarget(OptionalDouble.of(0.5)));
+        CheckResult failed = check(FIXTURE.doubtful().withTarget(OptionalDouble.of(0.3)));
         RuntimeEnvironment.setQualifiers("de");
         name = "kept-picture-german";
         archive.save(FIXTURE.photo(), failed);

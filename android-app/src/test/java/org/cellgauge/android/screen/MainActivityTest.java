@@ -318,13 +318,13 @@ public class MainActivityTest {
         try (Screen screen = live()) {
             screen.holdStillUntilResult(FIXTURE);
             CheckResult before = screen.state().result();
-            screen.session().chooseTarget(0.5);
+            screen.session().chooseTarget(0.3);
             screen.settle();
             assertEquals("Target missed", screen.text(R.id.banner_headline));
             assertSame(before.estimate(), screen.state().result().estimate());
             assertSame(before.draws(), screen.state().result().draws());
-            assertTrue(rows(screen), rows(screen).contains("Object 5 – beyond 0.5 mm"));
-            assertTrue(rows(screen), rows(screen).contains("Target: 0.5 mm on every axis, chosen here."));
+            assertTrue(rows(screen), rows(screen).contains("Object 5 – beyond 0.3 mm"));
+            assertTrue(rows(screen), rows(screen).contains("Target: 0.3 mm on every axis, chosen here."));
             screen.session().resetTarget();
             screen.settle();
             assertEquals("Pass – target met", screen.text(R.id.banner_headline));
@@ -583,7 +583,7 @@ public class MainActivityTest {
         CellDocument bare = new CellDocument("bare.yaml", "content://cells/bare", FIXTURE.cell(), null);
         try (Screen screen = Screen.start()) {
             screen.chooseCell(bare);
-            screen.session().chooseTarget(0.5);
+            screen.session().chooseTarget(0.3);
             screen.openPhoto(FIXTURE.photo());
             assertEquals("The camera of this photo is not known", screen.text(R.id.message_title));
             assertEquals("Choose calibration file", screen.text(R.id.message_second));
@@ -598,7 +598,7 @@ public class MainActivityTest {
             screen.until("result", () -> screen.state().verdict() != null);
             assertEquals(ImageSource.PHOTO, screen.state().source());
             assertEquals("lifted-4.png", screen.state().still().name());
-            assertEquals(OptionalDouble.of(0.5), screen.state().targetStdMm());
+            assertEquals(OptionalDouble.of(0.3), screen.state().targetStdMm());
             assertEquals("Target missed", screen.text(R.id.banner_headline));
             assertEquals(CheckSettings.Estimate.NONE, screen.state().result().settings().estimate());
         }
@@ -944,7 +944,7 @@ public class MainActivityTest {
             screen.chooseCell(FIXTURE.document());
             screen.session().chooseCalibration("content://calibrations/tablet");
             screen.settle();
-            screen.session().chooseTarget(0.5);
+            screen.session().chooseTarget(0.3);
             screen.settle();
             feed().opened(FIXTURE.cell().camera(), 90, false);
             screen.holdStillUntilResult(FIXTURE);
@@ -959,7 +959,7 @@ public class MainActivityTest {
             assertTrue(feed().isOpen());
             feed().opened(FIXTURE.cell().camera(), 90, false);
             screen.holdStillUntilResult(FIXTURE);
-            assertEquals(OptionalDouble.of(0.5), screen.state().targetStdMm());
+            assertEquals(OptionalDouble.of(0.3), screen.state().targetStdMm());
             assertEquals("Target missed", screen.text(R.id.banner_headline));
         }
     }

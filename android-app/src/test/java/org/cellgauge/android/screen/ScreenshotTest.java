@@ -131,10 +131,10 @@ public class ScreenshotTest {
 
     @Test
     public void verdicts() {
-        verdict("fail", Banner.FAIL, FIXTURE.cell().withTarget(OptionalDouble.of(0.5)), Screen.TABLET_LANDSCAPE);
-        verdict("fail-dark", Banner.FAIL, FIXTURE.cell().withTarget(OptionalDouble.of(0.5)),
+        verdict("fail", Banner.FAIL, FIXTURE.cell().withTarget(OptionalDouble.of(0.3)), Screen.TABLET_LANDSCAPE);
+        verdict("fail-dark", Banner.FAIL, FIXTURE.cell().withTarget(OptionalDouble.of(0.3)),
                 Screen.TABLET_LANDSCAPE.replace("notnight", "night"));
-        verdict("fail-german-portrait", Banner.FAIL, FIXTURE.cell().withTarget(OptionalDouble.of(0.5)),
+        verdict("fail-german-portrait", Banner.FAIL, FIXTURE.cell().withTarget(OptionalDouble.of(0.3)),
                 "de-" + Screen.TABLET_PORTRAIT);
         verdict("no-target", Banner.NO_TARGET, FIXTURE.cell().withTarget(OptionalDouble.empty()),
                 Screen.TABLET_LANDSCAPE);
