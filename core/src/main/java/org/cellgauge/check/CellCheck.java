@@ -297,6 +297,11 @@ public final class CellCheck {
     // ---- from detections to modes
 
     private void prepare() {
+        if (detections.light() != null && detections.light().toneCurveOpen()) {
+            throw new InputRefusedException(detections.imageName() + ": whites are clipped, and then nothing in the "
+                    + "photo tells its tone curve, without which edges are not where they seem; expose less, or state "
+                    + "tone_curve in the cell file");
+        }
         warnOfReferencesNotSeen();
         errors = cornerErrors();
         ReferenceView view = ReferenceView.of(cell.references(), errors);

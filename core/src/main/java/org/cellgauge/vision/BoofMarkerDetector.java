@@ -228,11 +228,6 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         light.fit(image, fitted, read);
         light.warn(fitted, warnings);
-        if (light.curveIsOpen()) {
-            throw new InputRefusedException(imageName + ": whites are clipped, and then nothing in the photo tells its "
-                    + "tone curve, without which edges are not where they seem; expose less, or state tone_curve in "
-                    + "the cell file");
-        }
         for (Seen square : seen) {
             Candidate candidate = candidate(image, square, warnings);
             if (candidate != null) {

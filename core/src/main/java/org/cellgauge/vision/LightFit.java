@@ -361,13 +361,15 @@ final class LightFit {
      * Whether whites are clipped and the curve is not known beforehand: then nothing tells the two apart, and edges lie
      * wherever the curve puts them.
      */
-    boolean curveIsOpen() {
+    private boolean curveIsOpen() {
         return estimated && clippedShare > CLIPPED_SHARE
                 && !(fileSaid && Math.abs(curve.power() - powerMean) < CONFIRMED_POWER);
     }
 
     /** What was found. */
     PhotoLight light() {
-        return new PhotoLight(scale.curve(), estimated, blurPx, noiseGrey, degreesOfFreedom, edgeShiftStdPx);
+        PhotoLight light = new PhotoLight(scale.curve(), estimated, blurPx, noiseGrey, degreesOfFreedom,
+                edgeShiftStdPx);
+        return curveIsOpen() ? light.withOpenToneCurve() : light;
     }
 }

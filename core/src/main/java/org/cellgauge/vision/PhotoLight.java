@@ -10,6 +10,7 @@ public final class PhotoLight {
     private final double noiseGrey;
     private final double noiseDegreesOfFreedom;
     private final double edgeShiftStdPx;
+    private final boolean toneCurveOpen;
 
     /**
      * Light of a photo.
@@ -25,12 +26,38 @@ public final class PhotoLight {
      */
     public PhotoLight(ToneCurve toneCurve, boolean toneCurveEstimated, double blurPx, double noiseGrey,
             double noiseDegreesOfFreedom, double edgeShiftStdPx) {
+        this(toneCurve, toneCurveEstimated, blurPx, noiseGrey, noiseDegreesOfFreedom, edgeShiftStdPx, false);
+    }
+
+    private PhotoLight(ToneCurve toneCurve, boolean toneCurveEstimated, double blurPx, double noiseGrey,
+            double noiseDegreesOfFreedom, double edgeShiftStdPx, boolean toneCurveOpen) {
         this.toneCurve = toneCurve;
         this.toneCurveEstimated = toneCurveEstimated;
         this.blurPx = blurPx;
         this.noiseGrey = noiseGrey;
         this.noiseDegreesOfFreedom = noiseDegreesOfFreedom;
         this.edgeShiftStdPx = edgeShiftStdPx;
+        this.toneCurveOpen = toneCurveOpen;
+    }
+
+    /**
+     * The same light of a photo whose whites are clipped and of whose curve nothing is known beforehand.
+     *
+     * @return light with an open tone curve
+     */
+    public PhotoLight withOpenToneCurve() {
+        return new PhotoLight(toneCurve, toneCurveEstimated, blurPx, noiseGrey, noiseDegreesOfFreedom, edgeShiftStdPx,
+                true);
+    }
+
+    /**
+     * Whether nothing tells the tone curve: whites are clipped, and what the image says of its curve is not borne out.
+     * Edges then lie wherever a curve puts them, and corners are good for showing markers, not for measuring.
+     *
+     * @return true if corners are not to be measured with
+     */
+    public boolean toneCurveOpen() {
+        return toneCurveOpen;
     }
 
     /**

@@ -28,9 +28,11 @@ import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.vision.PhotoLight;
 import org.junit.jupiter.api.Test;
 
 /** When a live check restarts, waits, samples and stops; time and threads are the tests' own. */
@@ -401,6 +403,20 @@ class LiveCheckTest {
     }
 
     // ---- refusals
+
+    /** Clipped frames of an unknown curve come and go with the exposure: they must not end the stream. */
+    @Test
+    void aFrameWhoseToneCurveIsOpenIsRefusedInWordsAndTheNextOneIsTried() {
+        TestSubscriber<LiveState> states = start();
+        Detections seen = noisy(0, 1);
+        send(new Detections("clipped", seen.widthPx(), seen.heightPx(), seen.markers(), seen.warnings(),
+                new PhotoLight(ToneCurve.SRGB, true, 0.7, 2, 100, 0.1).withOpenToneCurve()));
+        assertEquals(LiveState.Phase.REFUSED, last(states).phase());
+        assertTrue(last(states).message().startsWith("clipped: whites are clipped"), last(states).message());
+        send(noisy(0, 2));
+        assertEquals(LiveState.Phase.QUICK_LOOK, last(states).phase());
+        states.assertNoErrors();
+    }
 
     @Test
     void aFrameThatCannotBeEstimatedIsRefusedWithTheReasonAndTheNextOneIsTried() {
