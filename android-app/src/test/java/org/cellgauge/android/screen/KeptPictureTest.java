@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import org.cellgauge.android.files.FolderArchive;
 import org.cellgauge.android.files.Photo;
@@ -87,7 +88,8 @@ public class KeptPictureTest {
                 || texts(german, Role.BANNER).contains("nicht gesehen"));
         String legend = texts(german, Role.LEGEND);
         assertTrue(legend, legend.contains("wo die Kameralage sie erwarten lässt")
-                && legend.contains("95 % der Positionen, ") && legend.contains("-fach vergrößert")
+                && legend.contains("95 % der Positionen, " + (german.magnification() == 1 ? "wahre Größe"
+                        : String.format(Locale.ROOT, "%.0f-fach vergrößert", german.magnification())))
                 && legend.contains("Gitter "));
         String labels = texts(german, Role.LABEL);
         assertTrue(labels, labels.contains("22 scheint versetzt") && labels.contains("Greifpunkt: σ "));
@@ -103,7 +105,8 @@ public class KeptPictureTest {
         Overlay english = painted.get(1);
         assertEquals("Target missed " + new Wording(context.getResources()).reason(failed.finding()),
                 texts(english, Role.BANNER));
-        assertTrue(texts(english, Role.LEGEND), texts(english, Role.LEGEND).contains("95 % of positions, magnified "));
+        assertTrue(texts(english, Role.LEGEND), texts(english, Role.LEGEND).contains("95 % of positions, "
+                + (english.magnification() == 1 ? "true size" : "magnified ")));
         assertDrawable(english);
         assertEquals(german.shapes(Role.OBJECT_ELLIPSE).size(), english.shapes(Role.OBJECT_ELLIPSE).size());
     }

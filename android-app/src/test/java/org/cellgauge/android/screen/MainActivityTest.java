@@ -251,7 +251,7 @@ public class MainActivityTest {
             double[] std = alone.estimate().object(5).pose().std();
             assertTrue(rows(screen), rows(screen).contains(
                     String.format(Locale.ROOT, "σ  x %.2f · y %.2f · z %.2f mm", std[0], std[1], std[2])));
-            assertEquals("95% ellipses, magnified 10× · grid 100 mm", screen.text(R.id.caption));
+            assertEquals("95% ellipses, magnified 20× · grid 100 mm", screen.text(R.id.caption));
         }
     }
 
@@ -418,11 +418,11 @@ public class MainActivityTest {
         try (Screen screen = live()) {
             screen.holdStillUntilResult(FIXTURE);
             screen.tap(R.id.save);
-            screen.session().chooseTarget(1);
+            screen.session().chooseTarget(0.3);
             screen.settle();
             assertTrue(rows(screen), rows(screen).contains("Saved before: lifted-4-1"));
             screen.tap(R.id.save);
-            assertEquals(OptionalDouble.of(1), Screen.app().archive.results.get(1).cell().targetStdMm());
+            assertEquals(OptionalDouble.of(0.3), Screen.app().archive.results.get(1).cell().targetStdMm());
             assertEquals(Verdict.FAIL, Screen.app().archive.results.get(1).verdict());
         }
     }
@@ -868,7 +868,7 @@ public class MainActivityTest {
             screen.holdStillUntilResult(FIXTURE);
             CheckSession session = screen.session();
             CheckResult result = screen.state().result();
-            screen.session().chooseTarget(1);
+            screen.session().chooseTarget(0.3);
             MainActivity before = screen.activity();
             screen.turn(Screen.TABLET_PORTRAIT, Surface.ROTATION_0);
             assertNotSame(before, screen.activity());
