@@ -1,6 +1,7 @@
 package org.cellgauge.pose;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -43,6 +44,11 @@ public final class CornerErrors {
     private static final double SET_ASIDE = 0.8;
     /** Share of a variance below which more or less of it does not show. */
     private static final double NEGLIGIBLE = 1e-3;
+    /**
+     * Probability, by squareness, that the added noise is no more than what references may say of it: a reference that
+     * stands elsewhere than stated would else be taken for noise of all corners.
+     */
+    private static final double NOISE_LIMIT = 0.999;
     /** Fewer markers than this cannot say which of them is out of line. */
     private static final int LEAST_MARKERS = 3;
 
@@ -239,14 +245,19 @@ public final class CornerErrors {
     }
 
     /**
-     * Logarithm of the prior of the added noise times what some markers say of it by their squareness.
+     * Logarithm of the prior of the added noise times what some markers say of it by their squareness, for the others
+     * to speak through their likelihood: within what the squareness of all of them allows.
      *
      * @param ids the markers
-     * @return one value per node of the grid, up to a constant
+     * @return one value per node of the grid, up to a constant; -infinity where markers would be less square than they
+     *     are in 999 of 1000 photos
      * @throws IllegalStateException if the noise is stated
      */
     public double[] logNoise(List<Integer> ids) {
         double[] log = logPrior();
+        NoiseBelief bySquares = squarenessBelief();
+        int last = Math.max(bySquares.quantileNode(NOISE_LIMIT), AddedNoise.node(bySquares.ofMeanVariance()));
+        Arrays.fill(log, last + 1, log.length, Double.NEGATIVE_INFINITY);
         for (int id : ids) {
             MarkerErrors m = markers.get(id);
             for (int i = 0; i < log.length && m != null; i++) {

@@ -88,13 +88,23 @@ public final class NoiseBelief {
      * @return standard deviation, px
      */
     public double quantileStdPx(double share) {
+        return Math.sqrt(added.variancePx2(AddedNoise.atNode(quantileNode(share))));
+    }
+
+    /**
+     * The node of a quantile.
+     *
+     * @param share 0 to 1
+     * @return the first node up to which so much of the probability lies
+     */
+    int quantileNode(double share) {
         double sum = 0;
         for (int i = 0; i < weights.length; i++) {
             sum += weights[i];
             if (sum >= share) {
-                return Math.sqrt(added.variancePx2(AddedNoise.atNode(i)));
+                return i;
             }
         }
-        return Math.sqrt(added.variancePx2(AddedNoise.atNode(weights.length - 1)));
+        return weights.length - 1;
     }
 }

@@ -16,10 +16,12 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is written is read back as the same cell, from one file. */
+@Isolated("changes the default locale")
 class CellWriterTest {
     private static final CameraSource NO_OTHER_FILE = name -> {
         throw new IOException("a written cell names no other file, but this one names " + name);

@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
+import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
@@ -25,6 +26,7 @@ import org.ejml.simple.SimpleMatrix;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Errors that the markers of a photo share, and noise that nobody states, through the whole check. */
 class SharedErrorsTest {
@@ -308,5 +310,38 @@ class SharedErrorsTest {
         }
         // at least 90 % is asked for
         assertTrue(hits[0] >= 0.9 * photos && hits[1] >= 0.9 * photos, hits[0] + " and " + hits[1]);
+    }
+
+    /**
+     * A reference 24 of its deviations from where the cell file has it would fit if all corners were some hundred times
+     * noisier than their squares show. It is named, and figures stay those of corners as they are.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void misplacedReferenceIsNotTakenForNoise(boolean toldByTheDetector) {
+        ThesisScene scene = withOneObject(ThesisScene.inPlane(4).placement(0.5, 0.002).pixelStd(TOLD_PX));
+        Cell cell = with(scene.cell(), OptionalDouble.empty(), PrintPrecision.USUAL);
+        RandomGenerator random = RandomStreams.of(17);
+        Detections seen = scene.detections(TOLD_PX, random, 0.5, 0.002);
+        seen = toldByTheDetector ? told(seen, TOLD_PX, 0, 0, random) : seen;
+        List<Reference> references = new ArrayList<>(cell.references());
+        Reference last = references.get(3);
+        double[] moved = last.worldFromMarker().translationMm();
+        moved[1] += 12;
+        references.set(3, new Reference(last.id(), last.sizeMm(),
+                RigidTransform.of(last.worldFromMarker().rotation(), moved), last.placement()));
+        Cell wrong = new Cell(cell.camera(), cell.family(), references, cell.objects(), cell.pixelStdPx(),
+                cell.targetStdMm(), cell.prints());
+        CheckSettings settings = CheckSettings.builder().build();
+        CheckResult right = CellCheck.run(cell, seen, settings);
+        CheckResult off = CellCheck.run(wrong, seen, settings);
+        assertEquals(Collections.emptyList(), right.referenceCheck().misplaced());
+        assertEquals(last.id(), off.referenceCheck().misplaced().get(0).id());
+        // what the squares of five markers, of 10 degrees of freedom, leave to noise with 999 in 1000: a factor of 2.6
+        double most = Math.sqrt(10 / CoverageRegion.chiSquareQuantile(0.001, 10));
+        for (int i = 0; i < 3; i++) {
+            double ratio = off.estimate().object(20).pose().std()[i] / right.estimate().object(20).pose().std()[i];
+            assertTrue(ratio < most && ratio > 1 / most, "deviations grow " + ratio + " times");
+        }
     }
 }

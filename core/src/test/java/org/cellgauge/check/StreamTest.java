@@ -15,10 +15,12 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.vision.Detections;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** What a check promises of its course: same figures whatever the threads, updates in order, an end when asked for. */
+@Isolated("looks for threads that are left")
 class StreamTest {
     private static final ThesisScene SCENE = ThesisScene.inPlane(3);
     private static final Detections NOISY = SCENE.detections(0.3, RandomStreams.of(3), 5, 0.01);

@@ -34,8 +34,10 @@ import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.vision.PhotoLight;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** When a live check restarts, waits, samples and stops; time and threads are the tests' own. */
+@Isolated("counts threads, and takes over what RxJava does with lost errors")
 class LiveCheckTest {
     private static final CheckSettings SETTINGS = CheckSettings.builder().iterations(1200).threads(1).build();
     private static final Cell CELL = scene(0).cell();

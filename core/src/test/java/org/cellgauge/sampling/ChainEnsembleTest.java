@@ -20,7 +20,9 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
 
+@Isolated("counts threads, and takes over what RxJava does with lost errors")
 @Timeout(60)
 class ChainEnsembleTest {
     private static QuantityLayout layout() {
