@@ -431,15 +431,28 @@ public final class ChainDiagnostics {
     private static double[][] normalScores(double[][] halves) {
         double[] all = flatten(halves);
         Arrays.sort(all);
+        double[] ofFirst = scoresOfSorted(all);
         double[][] scores = new double[halves.length][halves[0].length];
         for (int c = 0; c < halves.length; c++) {
             for (int i = 0; i < scores[c].length; i++) {
-                double x = halves[c][i];
-                // Ranks first..last, counted from 1, are shared by all draws equal to x
-                double rank = (lowerBound(all, x) + 1 + upperBound(all, x)) / 2.0;
-                double p = (rank - 0.375) / (all.length + 0.25);
-                scores[c][i] = Math.sqrt(2) * Erf.erfInv(2 * p - 1);
+                scores[c][i] = ofFirst[lowerBound(all, halves[c][i])];
             }
+        }
+        return scores;
+    }
+
+    /** The score of each value of a sorted series, where the first of equal ones stands. */
+    private static double[] scoresOfSorted(double[] all) {
+        double[] scores = new double[all.length];
+        for (int first = 0, next; first < all.length; first = next) {
+            next = first + 1;
+            while (next < all.length && all[next] == all[first]) {
+                next++;
+            }
+            // Ranks first + 1..next, counted from 1, are shared by all that are equal
+            double rank = (first + 1 + next) / 2.0;
+            double p = (rank - 0.375) / (all.length + 0.25);
+            scores[first] = Math.sqrt(2) * Erf.erfInv(2 * p - 1);
         }
         return scores;
     }
@@ -450,20 +463,6 @@ public final class ChainDiagnostics {
         while (low < high) {
             int middle = (low + high) >>> 1;
             if (sorted[middle] < x) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
-    }
-
-    private static int upperBound(double[] sorted, double x) {
-        int low = 0;
-        int high = sorted.length;
-        while (low < high) {
-            int middle = (low + high) >>> 1;
-            if (sorted[middle] <= x) {
                 low = middle + 1;
             } else {
                 high = middle;
