@@ -37,7 +37,7 @@ import org.robolectric.shadows.ShadowDialog;
 
 /**
  * Pictures of the screens, for people to look at: android-app/build/screenshots. The camera's own picture is painted in
- * from the fixture, since no camera draws here.
+ * from the fixture, since no camera draws here. Those that need many checks are of the newest Android only.
  */
 @RunWith(RobolectricTestRunner.class)
 @Config(application = TestApp.class)
@@ -130,6 +130,7 @@ public class ScreenshotTest {
     }
 
     @Test
+    @Config(minSdk = 27)
     public void verdicts() {
         verdict("fail", Banner.FAIL, FIXTURE.cell().withTarget(OptionalDouble.of(0.3)), Screen.TABLET_LANDSCAPE);
         verdict("fail-dark", Banner.FAIL, FIXTURE.cell().withTarget(OptionalDouble.of(0.3)),
@@ -152,6 +153,7 @@ public class ScreenshotTest {
 
     /** A reference stated wrongly, corner noise not stated, an object that is not there, small markers. */
     @Test
+    @Config(minSdk = 27)
     public void warnings() {
         for (String qualifiers : new String[] {Screen.TABLET_LANDSCAPE, "de-" + Screen.TABLET_LANDSCAPE,
             "de-" + Screen.PHONE_PORTRAIT}) {
@@ -177,6 +179,7 @@ public class ScreenshotTest {
     }
 
     @Test
+    @Config(minSdk = 27)
     public void faults() {
         for (CameraFault fault : CameraFault.values()) {
             String name = "fault-" + fault.name().toLowerCase(Locale.ROOT).replace('_', '-');
@@ -240,6 +243,7 @@ public class ScreenshotTest {
     }
 
     @Test
+    @Config(minSdk = 27)
     public void files() {
         String message = "kitchen.yaml, line 7, references.944.position_mm: has 2 numbers where three are needed; "
                 + "write position_mm: [x, y, z], in mm along the world's axes";
