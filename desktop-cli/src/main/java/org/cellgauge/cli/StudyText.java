@@ -100,7 +100,7 @@ final class StudyText {
                 corners.squaredStated().value(), corners.squaredStated().standardError(),
                 100 * corners.outlyingShare()));
         if (corners.squaredAsTaken().count() > 0) {
-            text.append(String.format(Locale.ROOT, "; as the check takes them %.3f +- %.3f",
+            text.append(String.format(Locale.ROOT, ";%nas the check takes them %.3f +- %.3f",
                     corners.squaredAsTaken().value(), corners.squaredAsTaken().standardError()));
         }
         text.append(".\n");
