@@ -99,7 +99,6 @@ public final class CellCheck {
     private Diagnostics diagnostics;
     private int diagnosedDraws;
     private SamplerKind samplerUsed;
-    private ReferenceCheck referenceCheck;
     private long tuningEvaluations;
 
     private CellCheck(Cell cell, Detections detections, CheckSettings settings, RigidTransform worldFromCameraStart) {
@@ -645,7 +644,7 @@ public final class CellCheck {
         diagnostics = diagnosed(draws, quantities, judged).withTails();
         CellEstimate estimate = estimates.of(last.summary(), draws);
         NoiseFit noiseFit = noiseFit();
-        referenceCheck = ReferenceCheck.of(atNoise(noiseFit.inflation()), objects);
+        ReferenceCheck referenceCheck = referenceCheck(noiseFit);
         warnings.addAll(noiseFit.warnings());
         warnings.addAll(referenceCheck.warnings());
         if (camera.posePrior != null) {
@@ -674,6 +673,23 @@ public final class CellCheck {
                 && settings.objectNoise() == CheckSettings.ObjectNoise.NONE ? NoiseFit.untested()
                 : NoiseFit.of(cell, errors, PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(),
                         camera.modes.get(0).state().intrinsics));
+    }
+
+    private ReferenceCheck referenceCheck(NoiseFit noiseFit) {
+        return ReferenceCheck.of(atNoise(noiseFit.inflation()), objects);
+    }
+
+    /**
+     * Whether the references of one photo fit together: the part of a check that needs no chains.
+     *
+     * @param cell the cell
+     * @param detections markers seen in its photo
+     * @param settings how to go about it
+     */
+    static ReferenceCheck references(Cell cell, Detections detections, CheckSettings settings) {
+        CellCheck check = new CellCheck(cell, detections, settings, null);
+        check.prepare();
+        return check.referenceCheck(check.noiseFit());
     }
 
     /** The camera as it is fitted where corners are noisier than stated, so that no reference is accused for them. */
