@@ -27,8 +27,11 @@ import org.cellgauge.warning.Warning;
 public final class ReferenceCheck {
     /** Twice the logarithm of 20: another reference for which this much less speaks may be the one instead. */
     private static final double DOUBT = 2 * Math.log(20);
-    /** So many times its stated deviation a reference has to be off to be noticed: then it would not be, in words. */
-    private static final double NEVER_MM_BY_STD = 50;
+    /**
+     * A reference that has to be off by more than this share of its distance from the camera to be noticed is said not
+     * to be noticed: no linear model holds that far, and nobody reads anything off such a number.
+     */
+    private static final double SENSIBLE_SHARE = 0.25;
     /** Chance that references as stated fail to fit together without any being named. */
     static final double LEVEL_TOGETHER = 0.001;
 
@@ -290,8 +293,7 @@ public final class ReferenceCheck {
             tested |= fit.tested();
             for (int axis = 0; axis < 3; axis++) {
                 double mm = fit.detectable()[axis];
-                // nobody puts a reference that far off; the number would only be that of a linear model gone astray
-                boolean sensible = mm <= NEVER_MM_BY_STD * fit.statedStdMm(axis) && mm <= fit.distanceMm();
+                boolean sensible = mm <= SENSIBLE_SHARE * fit.distanceMm();
                 worstMm[axis] = Math.max(worstMm[axis], sensible ? mm : Double.POSITIVE_INFINITY);
                 most = Math.max(most, sensible ? mm / fit.statedStdMm(axis) : 0);
             }
