@@ -643,9 +643,7 @@ public final class CellCheck {
             EnsembleSnapshot last) {
         diagnostics = diagnosed(draws, quantities, judged).withTails();
         CellEstimate estimate = estimates.of(last.summary(), draws);
-        NoiseFit noiseFit = noiseFit();
-        ReferenceCheck referenceCheck = referenceCheck(noiseFit);
-        warnings.addAll(noiseFit.warnings());
+        ReferenceCheck referenceCheck = referenceCheck();
         warnings.addAll(referenceCheck.warnings());
         if (camera.posePrior != null) {
             double share = LinearModel.priorShare(camera.modes.get(0), PRIOR_STD_MM, PRIOR_STD_RAD);
@@ -664,7 +662,7 @@ public final class CellCheck {
         }
         return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), errors, noiseLevel,
                 diagnostics, last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(),
-                posePriorText, samplerUsed, tuningEvaluations, camera, referenceCheck, noiseFit);
+                posePriorText, samplerUsed, tuningEvaluations, camera, referenceCheck);
     }
 
     private NoiseFit noiseFit() {
@@ -675,8 +673,9 @@ public final class CellCheck {
                         camera.modes.get(0).state().intrinsics));
     }
 
-    private ReferenceCheck referenceCheck(NoiseFit noiseFit) {
-        return ReferenceCheck.of(atNoise(noiseFit.inflation()), objects);
+    private ReferenceCheck referenceCheck() {
+        NoiseFit noiseFit = noiseFit();
+        return ReferenceCheck.of(atNoise(noiseFit.inflation()), objects, noiseFit);
     }
 
     /**
@@ -689,7 +688,7 @@ public final class CellCheck {
     static ReferenceCheck references(Cell cell, Detections detections, CheckSettings settings) {
         CellCheck check = new CellCheck(cell, detections, settings, null);
         check.prepare();
-        return check.referenceCheck(check.noiseFit());
+        return check.referenceCheck();
     }
 
     /** The camera as it is fitted where corners are noisier than stated, so that no reference is accused for them. */

@@ -39,17 +39,16 @@ public final class CheckResult {
     private final long tuningEvaluations;
     private final CameraTarget camera;
     private final ReferenceCheck referenceCheck;
-    private final NoiseFit noiseFit;
 
     CheckResult(Cell cell, Detections detections, CheckSettings settings, CellEstimate estimate,
             CellEstimate quickLook, List<Integer> referencesUsed, CornerErrors errors, double noiseLevel,
             Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<Warning> warnings, List<Draws> draws,
             QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
-            long tuningEvaluations, CameraTarget camera, ReferenceCheck referenceCheck, NoiseFit noiseFit) {
+            long tuningEvaluations, CameraTarget camera, ReferenceCheck referenceCheck) {
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
-        this.judgement = new Judgement(cell, estimate, diagnostics, referenceCheck, noiseFit);
+        this.judgement = new Judgement(cell, estimate, diagnostics, referenceCheck);
         this.verdict = judgement.verdict();
         this.finding = judgement.finding();
         this.estimate = estimate;
@@ -69,7 +68,6 @@ public final class CheckResult {
         this.tuningEvaluations = tuningEvaluations;
         this.camera = camera;
         this.referenceCheck = referenceCheck;
-        this.noiseFit = noiseFit;
     }
 
     /**
@@ -179,7 +177,7 @@ public final class CheckResult {
         }
         return new CheckResult(cell.withTarget(targetStdMm), detections, settings, estimate, quickLook, referencesUsed,
                 errors, noiseLevel, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior,
-                samplerUsed, tuningEvaluations, camera, referenceCheck, noiseFit);
+                samplerUsed, tuningEvaluations, camera, referenceCheck);
     }
 
     /**
@@ -234,7 +232,7 @@ public final class CheckResult {
      * @return how square markers are, in stated deviations; nothing where the noise is not stated
      */
     public NoiseFit noiseFit() {
-        return noiseFit;
+        return referenceCheck.noise();
     }
 
     /**

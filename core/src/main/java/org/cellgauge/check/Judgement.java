@@ -33,10 +33,9 @@ final class Judgement {
      * @param estimate what the chains say
      * @param diagnostics their convergence
      * @param references whether the references fit together: a target must hold whether they are right or not
-     * @param noise whether corners are as precise as stated: if not, no target is met
      */
-    Judgement(Cell cell, CellEstimate estimate, Diagnostics diagnostics, ReferenceCheck references, NoiseFit noise) {
-        this.misfit = noise.holds() ? references.misfit() : noise.misfit();
+    Judgement(Cell cell, CellEstimate estimate, Diagnostics diagnostics, ReferenceCheck references) {
+        this.misfit = references.misfit();
         this.estimate = estimate;
         this.diagnostics = diagnostics;
         this.references = references;

@@ -41,8 +41,11 @@ public final class ReferenceCheck {
     private final double chiSquare;
     private final int degreesOfFreedom;
 
+    private final NoiseFit noise;
+
     private ReferenceCheck(List<ReferenceFit> fits, List<MisplacedReference> misplaced, WithoutMisplaced without,
-            double chiSquare, int degreesOfFreedom) {
+            double chiSquare, int degreesOfFreedom, NoiseFit noise) {
+        this.noise = noise;
         this.chiSquare = chiSquare;
         this.degreesOfFreedom = degreesOfFreedom;
         this.fits = Collections.unmodifiableList(fits);
@@ -55,8 +58,9 @@ public final class ReferenceCheck {
      *
      * @param camera the camera from all of them, at a corner noise that the photo does not contradict
      * @param objects the objects seen
+     * @param noise whether corners are as precise as stated
      */
-    static ReferenceCheck of(CameraTarget camera, List<ObjectTarget> objects) {
+    static ReferenceCheck of(CameraTarget camera, List<ObjectTarget> objects, NoiseFit noise) {
         PoseMode mode = camera.modes.get(0);
         // without rigid placements in the likelihood there is nothing stated that a test could hold against them
         List<PlacementTest> tests = camera.settings.model() == LikelihoodModel.RIGID_MARKER
@@ -87,7 +91,8 @@ public final class ReferenceCheck {
         boolean together = rest != null && rest.view.size() >= 2 && !tests.isEmpty();
         return new ReferenceCheck(fits, found,
                 found.isEmpty() || rest == null ? null : WithoutMisplaced.of(leftOut, camera, rest, objects),
-                together ? ofPlacements(rest.modes.get(0)) : Double.NaN, together ? 6 * rest.view.size() - 6 : 0);
+                together ? ofPlacements(rest.modes.get(0)) : Double.NaN, together ? 6 * rest.view.size() - 6 : 0,
+                noise);
     }
 
     /**
@@ -218,9 +223,28 @@ public final class ReferenceCheck {
         return Math.sqrt(chiSquare / degreesOfFreedom);
     }
 
-    /** What that adds to a reason; null where they fit together. */
+    /**
+     * Whether the photo contradicts what all figures rest on, so that none of them can meet a target: corners are
+     * noisier than stated, or the references together fit worse than stated.
+     *
+     * @return mostly false
+     */
+    public boolean contradicted() {
+        return !noise.holds() || !fitTogether();
+    }
+
+    /** What that adds to a reason, the noise first; null where nothing is contradicted. */
     Reason.Misfit misfit() {
-        return fitTogether() ? null : Reason.Misfit.ofReferences(timesWorse());
+        return !noise.holds() ? noise.misfit() : fitTogether() ? null : Reason.Misfit.ofReferences(timesWorse());
+    }
+
+    /**
+     * Whether corners are as precise as stated.
+     *
+     * @return how square markers are, in stated deviations; nothing where the noise is not stated
+     */
+    public NoiseFit noise() {
+        return noise;
     }
 
     /**
@@ -236,7 +260,8 @@ public final class ReferenceCheck {
      * What the target is held against at an object's position.
      *
      * @param object as the chains have it
-     * @return its largest deviation; where a reference is misplaced, the error the position has without it if larger
+     * @return its largest deviation; where a reference is misplaced, the error the position has without it if larger;
+     *     infinite where the figures are {@link #contradicted()}
      */
     public double judgedMm(ObjectEstimate object) {
         return judged(WithoutMisplaced.largest(object.pose().std()),
@@ -263,6 +288,9 @@ public final class ReferenceCheck {
     }
 
     private double judged(double stdMm, double[] errorMm) {
+        if (contradicted()) {
+            return Double.POSITIVE_INFINITY;
+        }
         if (misplaced.isEmpty()) {
             return stdMm;
         }
@@ -329,7 +357,7 @@ public final class ReferenceCheck {
 
     /** Warnings to the user. */
     List<Warning> warnings() {
-        List<Warning> warnings = new ArrayList<>();
+        List<Warning> warnings = noise.warnings();
         for (MisplacedReference reference : misplaced) {
             warnings.add(reference.warning());
         }

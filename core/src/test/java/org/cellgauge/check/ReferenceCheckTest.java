@@ -43,7 +43,7 @@ class ReferenceCheckTest {
                 new RigidMarkerNoise(v, cell.pixelStdPx().getAsDouble()), IntrinsicsPrior.KNOWN, null);
         List<PoseMode> modes = finders.apply(view).modes(ThesisScene.WORLD_FROM_CAMERA);
         return ReferenceCheck.of(new CameraTarget(view, CheckSettings.builder().build(), IntrinsicsPrior.KNOWN, null,
-                modes, ThesisScene.WORLD_FROM_CAMERA, finders), Collections.emptyList());
+                modes, ThesisScene.WORLD_FROM_CAMERA, finders), Collections.emptyList(), NoiseFit.untested());
     }
 
     private static boolean names(ReferenceCheck check, int id) {
