@@ -88,7 +88,9 @@ final class CheckText {
         if (result.detections().light() != null) {
             text.append(wrap("Light: " + light(result), "        "));
         }
-        text.append(noiseLines(result));
+        for (String line : noiseLines(result).split("\n")) {
+            text.append(wrap(line, "        "));
+        }
         if (!result.warnings().isEmpty()) {
             text.append("\nWarnings\n");
             for (Warning warning : result.warnings()) {

@@ -516,7 +516,8 @@ class CheckCommandTest {
         assertEquals(0.05, fit.get("shown_std_px").getAsDouble(), 0.025);
         assertTrue(fit.get("p").getAsDouble() < 1e-6);
         String text = call.out();
-        assertTrue(text.contains("chi-square") && text.contains(": NOT AS STATED"), text);
+        assertTrue(text.replaceAll("\\s+", " ").matches(".* px as stated; markers are square to 0\\.[0-9]{3} px "
+                + "\\(chi-square [0-9.]+ of 12, p below 0\\.001\\): NOT AS STATED References together: .*"), text);
         assertTrue(text.lines().noneMatch(l -> l.matches("  (object 5|object 20|  its gripping point) .*pass")), text);
         String report = Files.readString(out.resolve("report.html"));
         assertTrue(report.contains(": NOT AS STATED"), "noise of the report");
