@@ -4,6 +4,7 @@ import io.reactivex.rxjava3.core.Flowable;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 import java.util.function.IntSupplier;
 import org.cellgauge.cell.Cell;
@@ -98,7 +99,6 @@ public final class CellCheck {
     private Diagnostics diagnostics;
     private int diagnosedDraws;
     private SamplerKind samplerUsed;
-    private ReferenceCheck referenceCheck;
     private long tuningEvaluations;
 
     private CellCheck(Cell cell, Detections detections, CheckSettings settings, RigidTransform worldFromCameraStart) {
@@ -643,7 +643,7 @@ public final class CellCheck {
             EnsembleSnapshot last) {
         diagnostics = diagnosed(draws, quantities, judged).withTails();
         CellEstimate estimate = estimates.of(last.summary(), draws);
-        referenceCheck = ReferenceCheck.of(camera, objects);
+        ReferenceCheck referenceCheck = referenceCheck();
         warnings.addAll(referenceCheck.warnings());
         if (camera.posePrior != null) {
             double share = LinearModel.priorShare(camera.modes.get(0), PRIOR_STD_MM, PRIOR_STD_RAD);
@@ -663,6 +663,46 @@ public final class CellCheck {
         return new CheckResult(cell, detections, settings, estimate, quickLook, ids(camera.view), errors, noiseLevel,
                 diagnostics, last.acceptance(), warnings, draws, quantities.layout, last.iterationsPerChain(),
                 posePriorText, samplerUsed, tuningEvaluations, camera, referenceCheck);
+    }
+
+    private NoiseFit noiseFit() {
+        // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
+        return settings.model() != LikelihoodModel.RIGID_MARKER
+                && settings.objectNoise() == CheckSettings.ObjectNoise.NONE ? NoiseFit.untested()
+                : NoiseFit.of(cell, errors, PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(),
+                        camera.modes.get(0).state().intrinsics));
+    }
+
+    private ReferenceCheck referenceCheck() {
+        NoiseFit noiseFit = noiseFit();
+        return ReferenceCheck.of(atNoise(noiseFit.inflation()), objects, noiseFit);
+    }
+
+    /**
+     * Whether the references of one photo fit together: the part of a check that needs no chains.
+     *
+     * @param cell the cell
+     * @param detections markers seen in its photo
+     * @param settings how to go about it
+     */
+    static ReferenceCheck references(Cell cell, Detections detections, CheckSettings settings) {
+        CellCheck check = new CellCheck(cell, detections, settings, null);
+        check.prepare();
+        return check.referenceCheck();
+    }
+
+    /** The camera as it is fitted where corners are noisier than stated, so that no reference is accused for them. */
+    private CameraTarget atNoise(Map<Integer, Double> inflation) {
+        if (inflation.isEmpty() || settings.model() != LikelihoodModel.RIGID_MARKER) {
+            return camera;
+        }
+        CornerErrors noisier = errors.inflated(inflation);
+        Function<ReferenceView, CameraModeFinder> finders = references -> new CameraModeFinder(references,
+                cell.camera(), settings.model().noise(references, noisier, noiseLevel, settings.kappa()),
+                camera.intrinsicsPrior, camera.posePrior);
+        List<PoseMode> modes = finders.apply(camera.view).refined(camera.modes);
+        return modes.isEmpty() ? camera : new CameraTarget(camera.view, settings, camera.intrinsicsPrior,
+                camera.posePrior, modes, camera.initialWorldFromCamera, finders, noisier, null, null);
     }
 
     private static List<Integer> ids(List<ObjectMarker> markers) {

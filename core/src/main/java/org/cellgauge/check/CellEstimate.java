@@ -92,6 +92,6 @@ public final class CellEstimate {
         ObjectEstimate object = object(objectId);
         return object == null ? null
                 : Reason.largestDeviation(Collections.singletonList(object), Collections.emptyList(),
-                        OptionalDouble.empty(), null, OptionalDouble.empty());
+                        OptionalDouble.empty(), null, null, OptionalDouble.empty());
     }
 }

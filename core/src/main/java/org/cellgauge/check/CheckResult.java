@@ -227,6 +227,15 @@ public final class CheckResult {
     }
 
     /**
+     * Whether corners are as precise as the cell file states.
+     *
+     * @return how square markers are, in stated deviations; nothing where the noise is not stated
+     */
+    public NoiseFit noiseFit() {
+        return referenceCheck.noise();
+    }
+
+    /**
      * What the check says of the corners themselves.
      *
      * @return their noise, the shift of edges, markers set aside

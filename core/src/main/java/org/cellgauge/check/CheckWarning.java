@@ -19,6 +19,16 @@ public enum CheckWarning implements WarningKind {
     /** A marker whose corners fit no square: its id, how many times worse than the others. */
     MARKER_SET_ASIDE("the corners of marker %s fit no square: %s times worse than those of the others; it counts for "
             + "little until they do (is it covered, smudged, bent, or has it a glint?)"),
+    /** Corners are not as precise as stated: how many times noisier, stated deviation, px, deviation shown, px. */
+    NOISIER_THAN_STATED("corners are %s times noisier than the stated %s px, by how square markers are: figures promise "
+            + "too much; state pixel_std_px: %s, or leave pixel_std_px out"),
+    /** The corners of one marker are not as precise as stated: its id, how many times noisier, stated deviation, px. */
+    MARKER_NOISIER_THAN_STATED("the corners of marker %s fit no square: they are %s times noisier than the stated %s "
+            + "px, and those of the others are not (is it covered, smudged, bent, or has it a glint?)"),
+    /** References together fit worse than stated: how many times, chi-square, degrees of freedom. */
+    REFERENCES_DO_NOT_FIT("the references together fit %s times worse than their stated precision and corner noise let "
+            + "expect (chi-square %s of %s), and no single one stands out: measure their positions again, or state a "
+            + "placement that they keep"),
     /** References whose turn is stated too loosely for the model: ids, largest figure, figure it holds up to. */
     TURNS_TOO_LOOSE("reference %s may be turned farther than the model can follow (side in px times squared turn in "
             + "rad over corner noise in px is up to %s, and the model holds to about %s): figures may be off; state a "

@@ -22,6 +22,7 @@ final class Judgement {
     private final CellEstimate estimate;
     private final Diagnostics diagnostics;
     private final ReferenceCheck references;
+    private final Reason.Misfit misfit;
     private final OptionalDouble targetStdMm;
     private final List<Integer> missing;
 
@@ -34,6 +35,7 @@ final class Judgement {
      * @param references whether the references fit together: a target must hold whether they are right or not
      */
     Judgement(Cell cell, CellEstimate estimate, Diagnostics diagnostics, ReferenceCheck references) {
+        this.misfit = references.misfit();
         this.estimate = estimate;
         this.diagnostics = diagnostics;
         this.references = references;
@@ -74,7 +76,8 @@ final class Judgement {
         if (!targetStdMm.isPresent()) {
             return Verdict.NO_TARGET;
         }
-        return standing(objects) == Standing.WITHIN ? Verdict.PASS : Verdict.FAIL;
+        // deviations rest on what the photo contradicts, and no figure says what they are instead
+        return misfit == null && standing(objects) == Standing.WITHIN ? Verdict.PASS : Verdict.FAIL;
     }
 
     /** Where deviations stand against the target, given that they are known to within a Monte Carlo error. */
@@ -155,7 +158,7 @@ final class Judgement {
 
     private boolean decided(Verdict verdict, List<ObjectEstimate> objects, List<Integer> notSeen) {
         return (verdict == Verdict.PASS || verdict == Verdict.FAIL)
-                && (!notSeen.isEmpty() || standing(objects) != Standing.UNDECIDED);
+                && (misfit != null || !notSeen.isEmpty() || standing(objects) != Standing.UNDECIDED);
     }
 
     /** The Monte Carlo error of the deviation that reaches farthest beyond the target. */
@@ -199,7 +202,7 @@ final class Judgement {
             }
         }
         return Reason.largestDeviation(objects, verdict == Verdict.FAIL ? notSeen : Collections.emptyList(),
-                targetStdMm, references.misplacement(verdict == Verdict.PASS, objects),
+                targetStdMm, references.misplacement(verdict == Verdict.PASS, objects), misfit,
                 verdict == Verdict.FAIL && !decided(verdict, objects, notSeen)
                         ? OptionalDouble.of(undecidedMm(objects)) : OptionalDouble.empty());
     }

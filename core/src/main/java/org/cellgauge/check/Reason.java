@@ -155,6 +155,106 @@ public final class Reason {
         }
     }
 
+    /** What the photo contradicts of what the figures rest on, so that no target counts as met; immutable. */
+    public static final class Misfit {
+        /** What it contradicts. */
+        public enum Kind {
+            /** The stated corner noise, by how square markers are. */
+            NOISE,
+            /** The same of the one marker {@link Misfit#markerId()} alone. */
+            MARKER,
+            /** Stated placements and corner noise together, and no single reference stands out. */
+            REFERENCES
+        }
+
+        private final Kind kind;
+        private final OptionalInt markerId;
+        private final double times;
+        private final double statedStdPx;
+        private final double shownStdPx;
+
+        private Misfit(Kind kind, OptionalInt markerId, double times, double statedStdPx, double shownStdPx) {
+            this.kind = kind;
+            this.markerId = markerId;
+            this.times = times;
+            this.statedStdPx = statedStdPx;
+            this.shownStdPx = shownStdPx;
+        }
+
+        static Misfit ofNoise(double times, double statedStdPx, double shownStdPx) {
+            return new Misfit(Kind.NOISE, OptionalInt.empty(), times, statedStdPx, shownStdPx);
+        }
+
+        static Misfit ofMarker(int markerId, double times, double statedStdPx) {
+            return new Misfit(Kind.MARKER, OptionalInt.of(markerId), times, statedStdPx, Double.NaN);
+        }
+
+        static Misfit ofReferences(double times) {
+            return new Misfit(Kind.REFERENCES, OptionalInt.empty(), times, Double.NaN, Double.NaN);
+        }
+
+        /**
+         * What the photo contradicts.
+         *
+         * @return the kind
+         */
+        public Kind kind() {
+            return kind;
+        }
+
+        /**
+         * The one marker whose corners are worse than stated.
+         *
+         * @return its id; empty but for {@link Kind#MARKER}
+         */
+        public OptionalInt markerId() {
+            return markerId;
+        }
+
+        /**
+         * How many times worse than stated the fit is: root of chi-square by its degrees of freedom.
+         *
+         * @return more than 1
+         */
+        public double times() {
+            return times;
+        }
+
+        /**
+         * The stated noise of corners.
+         *
+         * @return px; NaN for {@link Kind#REFERENCES}
+         */
+        public double statedStdPx() {
+            return statedStdPx;
+        }
+
+        /**
+         * The noise that the photo shows.
+         *
+         * @return px; NaN but for {@link Kind#NOISE}
+         */
+        public double shownStdPx() {
+            return shownStdPx;
+        }
+
+        private String english() {
+            switch (kind) {
+                case NOISE:
+                    return String.format(Locale.ROOT, " But corners are %.1f times noisier than the stated %.3f px: "
+                            + "figures promise too much; state pixel_std_px: %.3f, or leave pixel_std_px out.", times,
+                            statedStdPx, shownStdPx);
+                case MARKER:
+                    return String.format(Locale.ROOT, " But the corners of marker %d are %.1f times noisier than the "
+                            + "stated %.3f px: see whether it is covered, smudged or bent.", markerId.getAsInt(),
+                            times, statedStdPx);
+                default:
+                    return String.format(Locale.ROOT, " But the references together fit %.1f times worse than stated: "
+                            + "measure their positions again.", times);
+            }
+        }
+    }
+
     private final Parts p;
 
     /** The parts, while they are put together. */
@@ -173,6 +273,7 @@ public final class Reason {
         private double rHat = Double.NaN;
         private double effectiveDraws = Double.NaN;
         private Misplacement misplacement;
+        private Misfit misfit;
         private OptionalDouble undecidedMm = OptionalDouble.empty();
 
         Parts(Kind kind) {
@@ -226,16 +327,18 @@ public final class Reason {
      * @param missingObjects ids of objects that count as a failure because they are not seen; empty where none does
      * @param targetMm the target, or empty
      * @param misplacement what misplaced references add, or null
+     * @param misfit what of the figures' foundations the photo contradicts, or null
      * @param undecidedMm Monte Carlo error because of which the target is neither met nor missed; empty where it is
      */
     static Reason largestDeviation(List<ObjectEstimate> objects, List<Integer> missingObjects, OptionalDouble targetMm,
-            Misplacement misplacement, OptionalDouble undecidedMm) {
+            Misplacement misplacement, Misfit misfit, OptionalDouble undecidedMm) {
         Kind kind = !missingObjects.isEmpty() ? Kind.OBJECT_NOT_SEEN
                 : objects.isEmpty() ? Kind.NO_OBJECT : Kind.LARGEST_DEVIATION;
         Parts parts = new Parts(kind);
         parts.missingObjects = Collections.unmodifiableList(new ArrayList<>(missingObjects));
         parts.targetMm = targetMm;
         parts.misplacement = misplacement;
+        parts.misfit = misfit;
         parts.undecidedMm = undecidedMm;
         double std = -1;
         VarianceBudget budget = null;
@@ -376,6 +479,15 @@ public final class Reason {
     }
 
     /**
+     * What the photo contradicts of what the figures rest on.
+     *
+     * @return null where it contradicts nothing, or no figure is to be trusted anyway
+     */
+    public Misfit misfit() {
+        return p.misfit;
+    }
+
+    /**
      * Where the target lies so near to a deviation that more draws might change the verdict.
      *
      * @return the Monte Carlo error of that deviation, mm; empty where the verdict stands
@@ -449,7 +561,8 @@ public final class Reason {
     private String besides() {
         return (p.undecidedMm.isPresent() ? String.format(Locale.ROOT, " Undecided: the target lies within twice the "
                 + "Monte Carlo error of a deviation (%.3f mm), so that a longer run might say otherwise.",
-                p.undecidedMm.getAsDouble()) : "") + (p.misplacement == null ? "" : p.misplacement.english());
+                p.undecidedMm.getAsDouble()) : "") + (p.misfit == null ? "" : p.misfit.english())
+                + (p.misplacement == null ? "" : p.misplacement.english());
     }
 
     private String deviation() {

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.PoseMode;
@@ -26,12 +27,27 @@ import org.cellgauge.warning.Warning;
 public final class ReferenceCheck {
     /** Twice the logarithm of 20: another reference for which this much less speaks may be the one instead. */
     private static final double DOUBT = 2 * Math.log(20);
+    /**
+     * A reference that has to be off by more than this share of its distance from the camera to be noticed is said not
+     * to be noticed: no linear model holds that far, and nobody reads anything off such a number.
+     */
+    private static final double SENSIBLE_SHARE = 0.25;
+    /** Chance that references as stated fail to fit together without any being named. */
+    static final double LEVEL_TOGETHER = 0.001;
 
     private final List<ReferenceFit> fits;
     private final List<MisplacedReference> misplaced;
     private final WithoutMisplaced without;
+    private final double chiSquare;
+    private final int degreesOfFreedom;
 
-    private ReferenceCheck(List<ReferenceFit> fits, List<MisplacedReference> misplaced, WithoutMisplaced without) {
+    private final NoiseFit noise;
+
+    private ReferenceCheck(List<ReferenceFit> fits, List<MisplacedReference> misplaced, WithoutMisplaced without,
+            double chiSquare, int degreesOfFreedom, NoiseFit noise) {
+        this.noise = noise;
+        this.chiSquare = chiSquare;
+        this.degreesOfFreedom = degreesOfFreedom;
         this.fits = Collections.unmodifiableList(fits);
         this.misplaced = Collections.unmodifiableList(misplaced);
         this.without = without;
@@ -40,10 +56,11 @@ public final class ReferenceCheck {
     /**
      * Checks the references of a photo.
      *
-     * @param camera the camera from all of them
+     * @param camera the camera from all of them, at a corner noise that the photo does not contradict
      * @param objects the objects seen
+     * @param noise whether corners are as precise as stated
      */
-    static ReferenceCheck of(CameraTarget camera, List<ObjectTarget> objects) {
+    static ReferenceCheck of(CameraTarget camera, List<ObjectTarget> objects, NoiseFit noise) {
         PoseMode mode = camera.modes.get(0);
         // without rigid placements in the likelihood there is nothing stated that a test could hold against them
         List<PlacementTest> tests = camera.settings.model() == LikelihoodModel.RIGID_MARKER
@@ -64,13 +81,30 @@ public final class ReferenceCheck {
                     : PlacementTest.of(rest.view, rest.modes.get(0));
         }
         PlacementScores scores = new PlacementScores(camera.view, mode);
+        double[] position = camera.view.worldFromCamera(mode.state().cameraFromSet()).translationMm();
         List<ReferenceFit> fits = new ArrayList<>();
         for (int m = 0; m < camera.view.size(); m++) {
             Reference reference = camera.view.references().get(m);
-            fits.add(new ReferenceFit(reference, scores.chiSquare(m), leftOut.contains(reference.id()), tests));
+            fits.add(new ReferenceFit(reference,
+                    distance(position, reference.worldFromMarker().translationMm()), scores.chiSquare(m), leftOut.contains(reference.id()), tests));
         }
+        boolean together = rest != null && rest.view.size() >= 2 && !tests.isEmpty();
         return new ReferenceCheck(fits, found,
-                found.isEmpty() || rest == null ? null : WithoutMisplaced.of(leftOut, camera, rest, objects));
+                found.isEmpty() || rest == null ? null : WithoutMisplaced.of(leftOut, camera, rest, objects),
+                together ? ofPlacements(rest.modes.get(0)) : Double.NaN, together ? 6 * rest.view.size() - 6 : 0,
+                noise);
+    }
+
+    /**
+     * Chi-square of a fit but for what no placement explains (how square markers are has its own test,
+     * {@link NoiseFit}): the two are independent, and one of them says nothing of placements.
+     */
+    private static double ofPlacements(PoseMode mode) {
+        double sum = 2 * mode.halfChiSquare();
+        for (int m = 0; m < mode.markers(); m++) {
+            sum -= mode.squareChiSquare(m);
+        }
+        return Math.max(0, sum);
     }
 
     /** The test for which most speaks, of references that are not excepted. */
@@ -147,6 +181,73 @@ public final class ReferenceCheck {
     }
 
     /**
+     * Misfit of all references together that are not named as misplaced, but for how square they are.
+     *
+     * @return chi-square distributed with {@link #degreesOfFreedom()} if placement and corner noise are as stated; NaN
+     *     where there are fewer than two, or references are not tested
+     */
+    public double chiSquare() {
+        return chiSquare;
+    }
+
+    /**
+     * Six per reference, less the six of the camera pose.
+     *
+     * @return 0 where there is no {@link #chiSquare()}
+     */
+    public int degreesOfFreedom() {
+        return degreesOfFreedom;
+    }
+
+    /**
+     * Chance of a misfit as large as this if the cell is as stated.
+     *
+     * @return between 0 and 1; NaN where there is none
+     */
+    public double pValue() {
+        return degreesOfFreedom == 0 || !Double.isFinite(chiSquare) ? Double.NaN
+                : 1 - new ChiSquaredDistribution(null, degreesOfFreedom).cumulativeProbability(chiSquare);
+    }
+
+    /**
+     * Whether the references, but for misplaced ones, fit together as stated.
+     *
+     * @return true as well where that is not tested
+     */
+    public boolean fitTogether() {
+        return !(pValue() < LEVEL_TOGETHER);
+    }
+
+    /** How many times worse than stated they fit. */
+    private double timesWorse() {
+        return Math.sqrt(chiSquare / degreesOfFreedom);
+    }
+
+    /**
+     * Whether the photo contradicts what all figures rest on, so that none of them can meet a target: corners are
+     * noisier than stated, or the references together fit worse than stated.
+     *
+     * @return mostly false
+     */
+    public boolean contradicted() {
+        return !noise.holds() || !fitTogether();
+    }
+
+    /** What that adds to a reason, the noise first; null where nothing is contradicted. */
+    Reason.Misfit misfit() {
+        return !noise.holds() ? noise.misfit() : fitTogether() ? null : Reason.Misfit.ofReferences(timesWorse());
+    }
+
+    /**
+     * Whether corners are as precise as stated.
+     *
+     * @return how square markers are, in stated deviations; nothing where the noise is not stated
+     */
+    public NoiseFit noise() {
+        return noise;
+    }
+
+    /**
      * Camera and objects without them.
      *
      * @return null where no reference is misplaced, or the others lead to no pose
@@ -159,7 +260,8 @@ public final class ReferenceCheck {
      * What the target is held against at an object's position.
      *
      * @param object as the chains have it
-     * @return its largest deviation; where a reference is misplaced, the error the position has without it if larger
+     * @return its largest deviation; where a reference is misplaced, the error the position has without it if larger;
+     *     infinite where the figures are {@link #contradicted()}
      */
     public double judgedMm(ObjectEstimate object) {
         return judged(WithoutMisplaced.largest(object.pose().std()),
@@ -186,6 +288,9 @@ public final class ReferenceCheck {
     }
 
     private double judged(double stdMm, double[] errorMm) {
+        if (contradicted()) {
+            return Double.POSITIVE_INFINITY;
+        }
         if (misplaced.isEmpty()) {
             return stdMm;
         }
@@ -216,8 +321,9 @@ public final class ReferenceCheck {
             tested |= fit.tested();
             for (int axis = 0; axis < 3; axis++) {
                 double mm = fit.detectable()[axis];
-                worstMm[axis] = Math.max(worstMm[axis], Double.isNaN(mm) ? Double.POSITIVE_INFINITY : mm);
-                most = Math.max(most, worstMm[axis] / fit.statedStdMm(axis));
+                boolean sensible = mm <= SENSIBLE_SHARE * fit.distanceMm();
+                worstMm[axis] = Math.max(worstMm[axis], sensible ? mm : Double.POSITIVE_INFINITY);
+                most = Math.max(most, sensible ? mm / fit.statedStdMm(axis) : 0);
             }
         }
         if (!tested) {
@@ -239,18 +345,28 @@ public final class ReferenceCheck {
                 + Listing.or(sizes) + ".";
         text += never.isEmpty() ? "" : (text.isEmpty() ? "" : " ") + "A reference that is off in "
                 + Listing.or(never) + " would not be noticed.";
-        return text + (most > PlacementTest.LOOKED_FOR ? String.format(Locale.ROOT, " That is more than %.0f times "
-                + "what is stated: more references would show less.", PlacementTest.LOOKED_FOR) : "");
+        if (most > PlacementTest.LOOKED_FOR) {
+            text += String.format(Locale.ROOT, never.isEmpty() ? " That is more than %.0f times what is stated: more "
+                    + "references would show less."
+                    : " More references would show less than %.0f times what is stated.", PlacementTest.LOOKED_FOR);
+        } else if (!never.isEmpty()) {
+            text += " More references would show it.";
+        }
+        return text;
     }
 
     /** Warnings to the user. */
     List<Warning> warnings() {
-        List<Warning> warnings = new ArrayList<>();
+        List<Warning> warnings = noise.warnings();
         for (MisplacedReference reference : misplaced) {
             warnings.add(reference.warning());
         }
         if (!misplaced.isEmpty()) {
             warnings.add(hangsOnIt());
+        }
+        if (!fitTogether()) {
+            warnings.add(Warning.of(CheckWarning.REFERENCES_DO_NOT_FIT, Decimal.of(timesWorse(), 1),
+                    Decimal.of(chiSquare, 0), degreesOfFreedom));
         }
         return warnings;
     }
@@ -283,6 +399,10 @@ public final class ReferenceCheck {
                 without.objects().size() > 1 ? Warning.of(CheckPhrase.MORE_THAN_ANY_OTHER) : "",
                 without.objects().isEmpty() ? "" : Warning.of(CheckPhrase.LARGEST_DEVIATION,
                         Decimal.of(without.worstStdMm(), 2), Decimal.of(without.worstStdWithAllMm(), 2)));
+    }
+
+    private static double distance(double[] a, double[] b) {
+        return length(new double[] {a[0] - b[0], a[1] - b[1], a[2] - b[2]});
     }
 
     private static double length(double[] v) {

@@ -15,14 +15,17 @@ public final class ReferenceFit {
     private final double chiSquare;
     private final int degreesOfFreedom;
     private final boolean misplaced;
+    private final double distanceMm;
     private final double[] statistic = undefined();
     private final double[] limit = undefined();
     private final double[] offset = undefined();
     private final double[] offsetStd = undefined();
     private final double[] detectable = undefined();
 
-    ReferenceFit(Reference reference, double[] chiSquare, boolean misplaced, Iterable<PlacementTest> tests) {
+    ReferenceFit(Reference reference, double distanceMm, double[] chiSquare, boolean misplaced,
+            Iterable<PlacementTest> tests) {
         this.reference = reference;
+        this.distanceMm = distanceMm;
         this.chiSquare = chiSquare[0];
         this.degreesOfFreedom = (int) chiSquare[1];
         this.misplaced = misplaced;
@@ -56,6 +59,11 @@ public final class ReferenceFit {
     /** Its precision along a world axis as stated, mm. */
     double statedStdMm(int axis) {
         return reference.placement().stdMm(axis);
+    }
+
+    /** How far it stands from the camera, mm. */
+    double distanceMm() {
+        return distanceMm;
     }
 
     /**

@@ -118,7 +118,7 @@ public final class ResultJson {
             object(object);
         }
         json.endObject();
-        noise(result.noise());
+        noise(result.noise(), result.noiseFit(), result.referenceCheck());
         json.name("references").beginObject();
         for (Reference reference : cell.references()) {
             json.name(String.valueOf(reference.id()));
@@ -157,7 +157,7 @@ public final class ResultJson {
     }
 
     /** Noise of the corners and shift of the photo's edges. */
-    private void noise(NoiseEstimate noise) throws IOException {
+    private void noise(NoiseEstimate noise, NoiseFit fit, ReferenceCheck references) throws IOException {
         json.name("noise").beginObject();
         json.name("stated").value(noise.stated());
         number("added_std_px", noise.addedMeanStdPx());
@@ -167,11 +167,35 @@ public final class ResultJson {
             number("added_std_px_q50", quantiles[1]);
             number("added_std_px_q97_5", quantiles[2]);
         }
+        json.name("fit").beginObject();
+        json.name("holds");
+        if (fit.tested()) {
+            json.value(fit.holds());
+        } else {
+            json.nullValue();
+        }
+        number("chi_square", fit.chiSquare());
+        json.name("degrees_of_freedom").value(fit.degreesOfFreedom());
+        number("p", fit.pValue());
+        number("shown_std_px", fit.shownStdPx());
+        json.name("references").beginObject();
+        json.name("holds");
+        if (references.degreesOfFreedom() > 0) {
+            json.value(references.fitTogether());
+        } else {
+            json.nullValue();
+        }
+        number("chi_square", references.chiSquare());
+        json.name("degrees_of_freedom").value(references.degreesOfFreedom());
+        number("p", references.pValue());
+        json.endObject();
+        json.endObject();
         json.name("markers").beginObject();
         for (Map.Entry<Integer, Double> marker : noise.markerStdPx().entrySet()) {
             json.name(String.valueOf(marker.getKey())).beginObject();
             number("std_px", marker.getValue());
             Double times = noise.setAside().get(marker.getKey());
+            number("times_stated", fit.times(marker.getKey()));
             number("set_aside_times", times == null ? Double.NaN : times);
             json.endObject();
         }

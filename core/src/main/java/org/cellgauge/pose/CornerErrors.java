@@ -10,6 +10,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
@@ -353,6 +354,53 @@ public final class CornerErrors {
         markers.forEach((id, m) -> fixed.put(id, m.withAdded(added == null ? 0 : added.variancePx2(u))));
         return new CornerErrors(Collections.unmodifiableMap(fixed), statedStdPx, null, null, Collections.emptyList(), 0,
                 0, inflations);
+    }
+
+    /**
+     * How far the corners of a marker are from any square, measured by what is known of their errors (added noise is
+     * left out). Size and pose of the marker, and so its placement, have no part in it.
+     *
+     * @param id marker id
+     * @param sizeMm its size
+     * @param lens intrinsics
+     * @return if the errors are as known at most distributed like chi-square of 2 degrees of freedom (8 coordinates
+     *     less 6 of the pose; less where a small marker seen frontally can tilt to either side, which is no linear model);
+     *     NaN where the corners are of no pose
+     */
+    public double squareChiSquare(int id, double sizeMm, PinholeCamera lens) {
+        MarkerErrors m = markers.get(id);
+        List<PoseMode> modes = MarkerPoseFinder.modes(m.cornersPx, sizeMm, lens, 1);
+        if (modes.isEmpty()) {
+            return Double.NaN;
+        }
+        double[] all = m.covariancePx2.clone();
+        for (int i = 0; i < 8; i++) {
+            for (int k = 0; k < 8; k++) {
+                for (int j = 0; j < unknowns; j++) {
+                    all[8 * i + k] += m.columns[i * unknowns + j] * m.columns[k * unknowns + j];
+                }
+            }
+        }
+        return new Squareness(modes, all).chiSquare(0);
+    }
+
+    /**
+     * The same errors with some covariances scaled up, for corners that are seen to be worse than stated.
+     *
+     * @param factors factors on the covariances by marker id; markers without one keep theirs
+     * @return errors of which none counts as stated
+     */
+    public CornerErrors inflated(Map<Integer, Double> factors) {
+        Map<Integer, MarkerErrors> out = new LinkedHashMap<>();
+        markers.forEach((id, m) -> {
+            double[] covariance = m.covariancePx2.clone();
+            for (int i = 0; i < 64; i++) {
+                covariance[i] *= factors.getOrDefault(id, 1.0);
+            }
+            out.put(id, new MarkerErrors(m.cornersPx, covariance, m.flatnessPx2, m.columns, m.squareness, m.setAside));
+        });
+        return new CornerErrors(Collections.unmodifiableMap(out), Double.NaN, added, edges, sizesMm, sizeStdMm,
+                unknowns, inflations);
     }
 
     /**

@@ -252,6 +252,30 @@ public final class PoseMode {
     }
 
     /**
+     * Sum of squared whitened residuals of one marker in the two directions that no rigid movement of it reaches, and
+     * so neither pose nor placement explains.
+     *
+     * @param marker index of the marker
+     * @return chi-square distributed with 2 degrees of freedom under the linearised model where nothing but the pose is
+     *     unknown
+     */
+    public double squareChiSquare(int marker) {
+        double[] byPose = new double[48];
+        for (int i = 0; i < 8; i++) {
+            System.arraycopy(jacobian, (8 * marker + i) * columns, byPose, 6 * i, 6);
+        }
+        double sum = 0;
+        for (double[] direction : Squareness.complement(byPose)) {
+            double along = 0;
+            for (int i = 0; i < 8; i++) {
+                along += direction[i] * residuals[8 * marker + i];
+            }
+            sum += along * along;
+        }
+        return sum;
+    }
+
+    /**
      * Number of markers the fit rests on.
      *
      * @return at least 1

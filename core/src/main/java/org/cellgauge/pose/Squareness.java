@@ -48,7 +48,7 @@ final class Squareness {
     }
 
     /** Two orthonormal vectors orthogonal to the 6 columns of an 8x6 matrix (modified Gram-Schmidt, done twice). */
-    private static double[][] complement(double[] jacobian) {
+    static double[][] complement(double[] jacobian) {
         double[][] basis = new double[8][8];
         int count = 0;
         for (int c = 0; c < 14 && count < 8; c++) {

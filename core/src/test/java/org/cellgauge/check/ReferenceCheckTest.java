@@ -43,7 +43,7 @@ class ReferenceCheckTest {
                 new RigidMarkerNoise(v, cell.pixelStdPx().getAsDouble()), IntrinsicsPrior.KNOWN, null);
         List<PoseMode> modes = finders.apply(view).modes(ThesisScene.WORLD_FROM_CAMERA);
         return ReferenceCheck.of(new CameraTarget(view, CheckSettings.builder().build(), IntrinsicsPrior.KNOWN, null,
-                modes, ThesisScene.WORLD_FROM_CAMERA, finders), Collections.emptyList());
+                modes, ThesisScene.WORLD_FROM_CAMERA, finders), Collections.emptyList(), NoiseFit.untested());
     }
 
     private static boolean names(ReferenceCheck check, int id) {
@@ -389,5 +389,22 @@ class ReferenceCheckTest {
         assertTrue(told.matches("To be noticed in 19 of 20 photos a reference would have to be off by up to [0-9.]+ mm "
                 + "in x, [0-9.]+ mm in y or [0-9]+ mm in z\\. That is more than 5 times what is stated: more "
                 + "references would show less\\."), told);
+    }
+
+    /** A number that no linear model holds for is none to tell: words say that nothing would be noticed. */
+    @Test
+    void whatNobodyWouldNoticeIsToldInWords() {
+        ThesisScene scene = scene(2, 5, 1);
+        ReferenceCheck check = check(scene.cell(), scene.exactDetections());
+        double most = 0;
+        for (ReferenceFit fit : check.fits()) {
+            most = Math.max(most, fit.detectable()[2]);
+        }
+        // the camera is 1.07 m above the plane
+        assertTrue(most > 400, most + " mm along the line of sight");
+        String told = check.noticeable();
+        assertTrue(told.matches("To be noticed in 19 of 20 photos a reference would have to be off by up to [0-9.]+ mm "
+                + "in x or [0-9.]+ mm in y\\. A reference that is off in z would not be noticed\\. More references would "
+                + "show less than 5 times what is stated\\."), told);
     }
 }

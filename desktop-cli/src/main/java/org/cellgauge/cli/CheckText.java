@@ -12,6 +12,7 @@ import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.Diagnostics;
 import org.cellgauge.check.ModeEstimate;
 import org.cellgauge.check.NoiseEstimate;
+import org.cellgauge.check.NoiseFit;
 import org.cellgauge.check.ObjectEstimate;
 import org.cellgauge.check.PointEstimate;
 import org.cellgauge.check.PoseEstimate;
@@ -87,7 +88,9 @@ final class CheckText {
         if (result.detections().light() != null) {
             text.append(wrap("Light: " + light(result), "        "));
         }
-        text.append(noiseLines(result.noise()));
+        for (String line : noiseLines(result).split("\n")) {
+            text.append(wrap(line, "        "));
+        }
         if (!result.warnings().isEmpty()) {
             text.append("\nWarnings\n");
             for (Warning warning : result.warnings()) {
@@ -98,11 +101,18 @@ final class CheckText {
     }
 
     /** What is known of the corners themselves. */
-    static String noiseLines(NoiseEstimate noise) {
+    static String noiseLines(CheckResult result) {
+        NoiseEstimate noise = result.noise();
+        NoiseFit fit = result.noiseFit();
         StringBuilder text = new StringBuilder();
         text.append(String.format(Locale.ROOT, "Corners: %.3f px", noise.usualStdPx()));
         if (noise.stated()) {
             text.append(" as stated");
+            if (fit.tested()) {
+                text.append(String.format(Locale.ROOT, "; markers are square to %.3f px (chi-square %.1f of %d, p "
+                        + "%s)%s", fit.shownStdPx(), fit.chiSquare(), fit.degreesOfFreedom(), p(fit.pValue()),
+                        fit.holds() ? "" : ": NOT AS STATED"));
+            }
         } else if (noise.addedQuantilesStdPx() != null) {
             double[] q = noise.addedQuantilesStdPx();
             text.append(String.format(Locale.ROOT, ", of which not told by the detector %.3f px (95 %%: %.3f to %.3f)",
@@ -111,12 +121,22 @@ final class CheckText {
             text.append(" as this photo tells");
         }
         text.append('\n');
+        ReferenceCheck references = result.referenceCheck();
+        if (references.degreesOfFreedom() > 0) {
+            text.append(String.format(Locale.ROOT, "References together: chi-square %.1f of %d, p %s%s\n",
+                    references.chiSquare(), references.degreesOfFreedom(), p(references.pValue()),
+                    references.fitTogether() ? "" : ": NOT AS STATED"));
+        }
         double[] edges = noise.edgeShiftPx();
         if (edges != null) {
             text.append(String.format(Locale.ROOT, "Edges: %s px into the dark, std %.3f px; by inner edges alone %s px, "
                     + "std %.3f px\n", signed3(edges[3]), edges[4], signed3(edges[1]), edges[2]));
         }
         return text.toString();
+    }
+
+    private static String p(double value) {
+        return value < 0.001 ? "below 0.001" : fixed(value, 3);
     }
 
     private static String signed3(double value) {

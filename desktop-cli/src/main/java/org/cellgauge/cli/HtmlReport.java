@@ -307,7 +307,7 @@ final class HtmlReport {
     private void diagnostics(CheckResult result) {
         sections.append("<h3>Chains</h3>\n<p>").append(escape(CheckText.diagnosticsLine(result))).append("<br>")
                 .append(escape(CheckText.laplaceLine(result))).append("<br>")
-                .append(escape(CheckText.noiseLines(result.noise()).trim()).replace("\n", "<br>")).append("</p>\n");
+                .append(escape(CheckText.noiseLines(result).trim()).replace("\n", "<br>")).append("</p>\n");
         sections.append("<details><summary>Every quantity</summary><div class=\"scroll\">\n");
         header("", "mean", "std", "R-hat", "bulk draws", "tail draws", "MC error of mean", "MC error of std");
         for (Map.Entry<String, ChainDiagnostics> e : result.diagnostics().parameters().entrySet()) {

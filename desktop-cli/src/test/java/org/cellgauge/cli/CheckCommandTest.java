@@ -413,6 +413,12 @@ class CheckCommandTest {
         assertEquals(Set.of("944", "22", "911", "1234"), references.keySet());
         assertEquals(0, result.getAsJsonArray("misplaced_references").size());
         assertFalse(result.has("without_misplaced"));
+        JsonObject fit = result.getAsJsonObject("noise").getAsJsonObject("fit");
+        assertTrue(fit.get("holds").getAsBoolean());
+        JsonObject together = fit.getAsJsonObject("references");
+        assertTrue(together.get("holds").getAsBoolean());
+        assertEquals(18, together.get("degrees_of_freedom").getAsInt());
+        assertTrue(together.get("chi_square").getAsDouble() > 0 && together.get("p").getAsDouble() > 0.001);
         for (JsonElement e : references.asMap().values()) {
             JsonObject reference = e.getAsJsonObject();
             assertTrue(reference.get("used").getAsBoolean());
@@ -484,6 +490,40 @@ class CheckCommandTest {
         List<String> lines = Files.readAllLines(out.resolve("summary.csv"));
         int within = Arrays.asList(lines.get(0).split(",")).indexOf("within_target");
         assertTrue(lines.stream().skip(1).anyMatch(l -> l.split(",")[within].equals("false")), lines.toString());
+    }
+
+    // ---- corners against their stated noise
+
+    /** The cell file states a tenth of the noise that the corners have: nothing meets a target on that. */
+    @Test
+    void aNoiseThatCornersContradictMeetsNoTarget() throws IOException {
+        Files.writeString(cell, SmallCell.YAML.replace("pixel_std_px: 0.05", "pixel_std_px: 0.005"));
+        CommandCall call = check("--detections", corners, "--target", 5, "--out", out);
+        assertEquals(4, call.code(), call.out());
+        JsonObject result = json(out.resolve("corners.result.json"));
+        assertEquals("fail", result.get("verdict").getAsString());
+        assertTrue(result.get("decided").getAsBoolean());
+        assertTrue(result.get("reason").getAsString().contains(" times noisier than the stated 0.005 px: "));
+        assertFalse(result.getAsJsonObject("objects").getAsJsonObject("5").get("within_target").getAsBoolean());
+        assertEquals(0, result.getAsJsonArray("misplaced_references").size());
+        JsonObject fit = result.getAsJsonObject("noise").getAsJsonObject("fit");
+        assertFalse(fit.get("holds").getAsBoolean());
+        // two for each of six markers
+        assertEquals(12, fit.get("degrees_of_freedom").getAsInt());
+        assertEquals(0.005 * Math.sqrt(fit.get("chi_square").getAsDouble() / 12), fit.get("shown_std_px").getAsDouble(),
+                1e-12);
+        // made with 0.05 px; chi-square of 12 tells that to a factor of two
+        assertEquals(0.05, fit.get("shown_std_px").getAsDouble(), 0.025);
+        assertTrue(fit.get("p").getAsDouble() < 1e-6);
+        String text = call.out();
+        assertTrue(text.replaceAll("\\s+", " ").matches(".* px as stated; markers are square to 0\\.[0-9]{3} px "
+                + "\\(chi-square [0-9.]+ of 12, p below 0\\.001\\): NOT AS STATED References together: .*"), text);
+        assertTrue(text.lines().noneMatch(l -> l.matches("  (object 5|object 20|  its gripping point) .*pass")), text);
+        String report = Files.readString(out.resolve("report.html"));
+        assertTrue(report.contains(": NOT AS STATED"), "noise of the report");
+        List<String> lines = Files.readAllLines(out.resolve("summary.csv"));
+        int within = Arrays.asList(lines.get(0).split(",")).indexOf("within_target");
+        assertTrue(lines.stream().skip(1).allMatch(l -> l.split(",")[within].equals("false")), lines.toString());
     }
 
     @Test

@@ -70,6 +70,12 @@ final class WarningStrings {
                 return R.string.warning_marker_set_aside;
             case HEAVY_TAILS:
                 return R.string.warning_heavy_tails;
+            case NOISIER_THAN_STATED:
+                return R.string.warning_noisier_than_stated;
+            case MARKER_NOISIER_THAN_STATED:
+                return R.string.warning_marker_noisier_than_stated;
+            case REFERENCES_DO_NOT_FIT:
+                return R.string.warning_references_do_not_fit;
             case TURNS_TOO_LOOSE:
                 return R.string.warning_turns_too_loose;
             case REFERENCE_LEFT_OUT:

@@ -137,10 +137,10 @@ final class Wording {
                         percent(reason.share().getAsDouble()));
             case OBJECT_NOT_SEEN:
                 return plural(R.plurals.not_seen, reason.missingObjects().size(), ids(reason.missingObjects())) + " "
-                        + deviation(reason) + undecided(reason) + misplacement(reason, " ");
+                        + deviation(reason) + undecided(reason) + misfit(reason, " ") + misplacement(reason, " ");
             default:
                 return (reason.targetMm().isPresent() ? "" : get(R.string.no_target) + " ") + deviation(reason)
-                        + undecided(reason) + misplacement(reason, " ");
+                        + undecided(reason) + misfit(reason, " ") + misplacement(reason, " ");
         }
     }
 
@@ -170,6 +170,24 @@ final class Wording {
         }
         return get(reason.grip() ? R.string.cause_grip : R.string.cause, percent(reason.share().getAsDouble()),
                 axis(reason), source(reason));
+    }
+
+    /** What the photo contradicts, after what stands before it; empty where it contradicts nothing. */
+    String misfit(Reason reason, String before) {
+        Reason.Misfit m = reason == null ? null : reason.misfit();
+        if (m == null) {
+            return "";
+        }
+        switch (m.kind()) {
+            case NOISE:
+                return before + get(R.string.misfit_noise, number(m.times(), 1), number(m.statedStdPx(), 3),
+                        number(m.shownStdPx(), 3));
+            case MARKER:
+                return before + get(R.string.misfit_marker, m.markerId().getAsInt(), number(m.times(), 1),
+                        number(m.statedStdPx(), 3));
+            default:
+                return before + get(R.string.misfit_references, number(m.times(), 1));
+        }
     }
 
     /** What misplaced references add, after what stands before it; empty where none seems misplaced. */

@@ -9,10 +9,20 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Set;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckPhrase;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.CheckWarning;
+import org.cellgauge.geometry.MarkerGeometry;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.vision.DetectionWarning;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Listing;
 import org.cellgauge.warning.Warning;
@@ -126,6 +136,39 @@ public class WarningWordsTest {
                 "", "");
         assertEquals("Die Zahlen stützen sich trotzdem auf die Referenzen 22, 8 und 9: Ohne sie verschiebt sich die "
                 + "Kamera um (1,0; -1234,6; nicht definiert) mm", plain(in("de").warning(bare)));
+    }
+
+    /** A photo whose corners are noisier than stated: core's sentence, in both languages. */
+    @Test
+    public void whatAPhotoContradictsIsSaidWithTheVerdict() {
+        Cell cell = Fixture.LIFTED.cell();
+        List<MarkerObservation> markers = new ArrayList<>();
+        RigidTransform cameraFromWorld = RigidTransform.ofEuler(418, 106, 1070, 3.08, 0.10, 0.02).inverse();
+        for (Reference reference : cell.references()) {
+            double[] corners = MarkerGeometry.cornersMm(cameraFromWorld.compose(reference.worldFromMarker()),
+                    reference.sizeMm());
+            double[] px = new double[8];
+            for (int k = 0; k < 4; k++) {
+                double[] uv = cell.camera().project(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+                // every other corner half a pixel outwards: no square, and no noise of 0.05 px
+                px[2 * k] = uv[0] + (k % 2 == 0 ? 0.5 : 0);
+                px[2 * k + 1] = uv[1];
+            }
+            markers.add(new MarkerObservation(reference.id(), px));
+        }
+        says(cell, markers, "But corners are ", "Die Ecken rauschen aber ");
+    }
+
+    private static void says(Cell cell, List<MarkerObservation> markers, String english, String german) {
+        CheckResult result = CellCheck.run(Fixture.with(cell, 0.05, OptionalDouble.of(50)),
+                new Detections("photo", cell.camera().widthPx(), cell.camera().heightPx(), markers),
+                CheckSettings.builder().targetMcseStdRel(0.05).build());
+        String core = result.finding().english();
+        assertTrue(core, core.contains(english));
+        assertTrue(plain(in("en").reason(result.finding())).contains(core.substring(core.indexOf(english))));
+        String words = plain(in("de").reason(result.finding()));
+        assertTrue(words, words.contains(german));
+        assertTrue(words, words.contains("angegebenen 0,050 px"));
     }
 
     /** What the command line adds to a check is no string of the app. */
