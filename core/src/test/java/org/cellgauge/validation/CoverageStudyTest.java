@@ -168,6 +168,29 @@ class CoverageStudyTest {
         assertEquals(Map.of(), figures.refusals());
     }
 
+    /**
+     * Layouts of all kinds, turned by up to 3 degrees, raised and not. Camera poses that are mirrored and lost, and
+     * turned references that seem farther away, are in here: with either fault the camera's distances do not fit.
+     */
+    @Test
+    void randomLayoutsAreCovered() {
+        int layouts = 120;
+        // the first of those that docs/coverage.md has 1600 of
+        CoverageFigures figures = CoverageStudy.run(RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY),
+                DrawnCorners.asStated(), settings().toBuilder().seed(1).build(), layouts, 2, done -> { });
+        assertEquals(0, figures.refused());
+        assertEquals(4, figures.regions().size());
+        for (CoverageFigures.Region region : figures.regions()) {
+            String name = region.part() + " " + region.name();
+            assertTrue(region.band().contains(region.held()), name + ": " + region.held() + " of " + region.trials());
+            // chi-square: variance 2 d; objects of one layout share their camera
+            assertEquals(region.dimension(), region.squaredDistance().value(),
+                    4 * Math.sqrt(2.0 * region.dimension() / layouts), name);
+        }
+        // at a rate of 1 % more than 6 of 120 come three times in ten thousand
+        assertTrue(figures.falseAlarms() <= 6, figures.falseAlarms() + " accused");
+    }
+
     @Test
     void whatIsRefusedIsCountedByItsReason() {
         DetectionSource none = (simulated, random) -> new Detections("simulated", 1280, 720, List.of());
