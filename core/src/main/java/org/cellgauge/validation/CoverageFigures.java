@@ -44,7 +44,7 @@ public final class CoverageFigures {
         for (CoverageStudy.Outcome outcome : outcomes) {
             if (outcome.refusal != null) {
                 refusalCounts.merge(outcome.refusal, 1, Integer::sum);
-            } else {
+            } else if (outcome.verdict != null) {
                 verdictCounts.merge(outcome.verdict, 1, Integer::sum);
             }
             outcome.warnings.forEach(w -> warningCounts.merge(w, 1, Integer::sum));

@@ -117,14 +117,57 @@ public final class CoverageStudy {
      */
     public static CoverageFigures run(CellSource cells, DetectionSource detections, CheckSettings check,
             int simulations, int threads, IntConsumer progress) {
+        requireNumbers(simulations, threads);
+        CoverageStudy study = new CoverageStudy(cells, detections, check);
+        return CoverageFigures.of(InOrder.run(simulations, threads, study::simulate, progress));
+    }
+
+    /**
+     * The corners alone: cells are simulated and seen, photo by photo the same as in {@link #run}, but not checked. What
+     * remains of the figures are refusals of the detector, its warnings, markers found and their corners.
+     *
+     * @param cells where cells come from
+     * @param detections how they are seen
+     * @param seed seed of the whole study
+     * @param simulations number of cells, 1 to 1000000
+     * @param threads number of cells at a time, at least 1
+     * @param progress told the number of finished simulations, in order, on the calling thread
+     * @return the figures, without verdicts and regions
+     * @throws IllegalArgumentException if a number is out of range
+     */
+    public static CoverageFigures runCornersOnly(CellSource cells, DetectionSource detections, long seed,
+            int simulations, int threads, IntConsumer progress) {
+        requireNumbers(simulations, threads);
+        return CoverageFigures.of(InOrder.run(simulations, threads, index -> {
+            SimulatedCell simulated = cells.cell(seed, index);
+            Outcome outcome = new Outcome();
+            outcome.markers = simulated.cell().references().size() + simulated.cell().objects().size();
+            see(simulated, detections, seed, index, outcome);
+            return outcome;
+        }, progress));
+    }
+
+    private static void requireNumbers(int simulations, int threads) {
         if (simulations < 1 || simulations > 1_000_000) {
             throw new IllegalArgumentException("simulations must be between 1 and 1000000, not " + simulations);
         }
         if (threads < 1) {
             throw new IllegalArgumentException("threads must be at least 1");
         }
-        CoverageStudy study = new CoverageStudy(cells, detections, check);
-        return CoverageFigures.of(InOrder.run(simulations, threads, study::simulate, progress));
+    }
+
+    /** What is seen of a cell, its corners counted; null, the reason kept, where the detector refuses it. */
+    private static Detections see(SimulatedCell simulated, DetectionSource detections, long seed, int index,
+            Outcome outcome) {
+        try {
+            Detections seen = detections.detect(simulated, RandomStreams.of(seed, STREAM_PHOTO, index));
+            corners(simulated, seen, outcome);
+            addWarnings(outcome, seen.warnings());
+            return seen;
+        } catch (InputRefusedException e) {
+            outcome.refusal = reason(e.getMessage());
+            return null;
+        }
     }
 
     private Outcome simulate(int index) {
@@ -134,11 +177,12 @@ public final class CoverageStudy {
         outcome.markers = cell.references().size() + cell.objects().size();
         CheckSettings own = check.toBuilder().threads(1)
                 .seed(RandomStreams.of(check.seed(), Validation.STREAM_CHECK, index).nextLong()).build();
+        Detections seen = see(simulated, detections, check.seed(), index, outcome);
+        if (seen == null) {
+            return outcome;
+        }
         CheckResult result;
         try {
-            Detections seen = detections.detect(simulated, RandomStreams.of(check.seed(), STREAM_PHOTO, index));
-            corners(simulated, seen, outcome);
-            addWarnings(outcome, seen.warnings());
             result = CellCheck.run(cell, seen, own);
         } catch (InputRefusedException e) {
             outcome.refusal = reason(e.getMessage());

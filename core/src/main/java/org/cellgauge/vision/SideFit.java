@@ -54,6 +54,10 @@ final class SideFit {
     double lengthPx;
     double halfLengthPx;
 
+    /** Change of the lamp's light along and across the side as a share of that in its middle, 1/px; given, not fitted. */
+    double lampAlong;
+    double lampAcross;
+
     // pixels: place along and across the side, grey, and what of white's light is there whatever the step
     private double[] along = new double[256];
     private double[] across = new double[256];
@@ -75,6 +79,7 @@ final class SideFit {
     private final double[] row = new double[COLUMNS];
     private final double[] leverage = new double[UNKNOWNS * UNKNOWNS];
     private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] lampRow = new double[UNKNOWNS];
     private final double[] powerRow = new double[UNKNOWNS];
     private boolean started;
 
@@ -85,6 +90,9 @@ final class SideFit {
     /** Score and information of power from this side, for noise of 1 grey level, its own unknowns projected out. */
     double powerScore;
     double powerInformation;
+    /** Change of the line by {@link #lampAlong}: of its offset, px², and of its slope, px. */
+    double offsetByLamp;
+    double slopeByLamp;
     /** Change of the offset by power, px. */
     double offsetByPower;
     /** Share of the pixels of the bright side that are clipped at white, and of the dark side at black. */
@@ -250,14 +258,16 @@ final class SideFit {
             profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
             double inside = window[i];
             double share = base[i] + baseByBlur[i] * blurred + inside * profile.share;
-            scale.at(lightDark + contrast * share);
+            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
+            scale.at(lamp * (lightDark + contrast * share));
             double residual = scale.grey - grey[i];
-            double byShare = scale.byLight * contrast;
+            double byLight = scale.byLight * lamp;
+            double byShare = byLight * contrast;
             double r0 = -byShare * inside * profile.byDistance;
             double r1 = r0 * along[i];
             double r2 = byShare * (inside * profile.byBlur + baseByBlur[i]);
-            double r3 = scale.byLight * darkSlope * (1 - share);
-            double r4 = scale.byLight * brightSlope * share;
+            double r3 = byLight * darkSlope * (1 - share);
+            double r4 = byLight * brightSlope * share;
             sum += residual * residual;
             g0 += r0 * residual;
             g1 += r1 * residual;
@@ -328,6 +338,7 @@ final class SideFit {
         }
         Arrays.fill(normal, 0);
         Arrays.fill(powerRow, 0);
+        Arrays.fill(lampRow, 0);
         Arrays.fill(gradient, 0);
         Arrays.fill(damped, 0);
         Arrays.fill(leverage, 0);
@@ -349,18 +360,22 @@ final class SideFit {
         for (int i = 0; i < samples; i++) {
             profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
             double share = base[i] + baseByBlur[i] * (p[BLUR] - baseBlur) + window[i] * profile.share;
-            scale.at(lightDark + contrast * share);
+            double light = lightDark + contrast * share;
+            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
+            scale.at(lamp * light);
             double residual = scale.grey - grey[i];
-            double byShare = scale.byLight * contrast;
+            double byLight = scale.byLight * lamp;
+            double byShare = byLight * contrast;
             row[OFFSET] = -byShare * window[i] * profile.byDistance;
             row[SLOPE] = row[OFFSET] * along[i];
             row[BLUR] = byShare * (window[i] * profile.byBlur + baseByBlur[i]);
-            row[DARK] = scale.byLight * darkSlope * (1 - share);
-            row[BRIGHT] = scale.byLight * brightSlope * share;
+            row[DARK] = byLight * darkSlope * (1 - share);
+            row[BRIGHT] = byLight * brightSlope * share;
             double w = row[OFFSET] * row[OFFSET];
             weighted += w * residual * residual;
             weights += w;
             for (int a = 0; a < UNKNOWNS; a++) {
+                lampRow[a] += row[a] * scale.byLight * light * along[i];
                 for (int b = 0; b <= a; b++) {
                     double product = row[a] * row[b];
                     normal[a * UNKNOWNS + b] += product;
@@ -416,6 +431,12 @@ final class SideFit {
             return false;
         }
         System.arraycopy(inverse, 0, covariance, 0, inverse.length);
+        offsetByLamp = 0;
+        slopeByLamp = 0;
+        for (int a = 0; a < UNKNOWNS; a++) {
+            offsetByLamp -= inverse[OFFSET * UNKNOWNS + a] * lampRow[a];
+            slopeByLamp -= inverse[SLOPE * UNKNOWNS + a] * lampRow[a];
+        }
         // what the fit leaves of the noise of a pixel is 1 less its leverage
         double taken = 0;
         for (int a = 0; a < UNKNOWNS; a++) {

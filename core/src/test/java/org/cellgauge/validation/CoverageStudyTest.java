@@ -108,16 +108,12 @@ class CoverageStudyTest {
 
     /** Corners alone, without the checks. */
     private static CoverageFigures.Corners corners(KnownErrors detections, int photos) {
-        OneCell source = OneCell.of(prior(scene()));
-        List<CoverageStudy.Outcome> outcomes = new ArrayList<>();
-        for (int i = 0; i < photos; i++) {
-            SimulatedCell simulated = source.cell(5, i);
-            CoverageStudy.Outcome outcome = new CoverageStudy.Outcome();
-            outcome.refusal = "not checked";
-            CoverageStudy.corners(simulated, detections.detect(simulated, RandomStreams.of(5, 1, i)), outcome);
-            outcomes.add(outcome);
-        }
-        return CoverageFigures.of(outcomes).corners();
+        CoverageFigures figures = CoverageStudy.runCornersOnly(OneCell.of(prior(scene())), detections, 5, photos, 1,
+                done -> { });
+        assertEquals(photos, figures.simulations());
+        assertEquals(0, figures.refused());
+        assertEquals(List.of(), figures.regions());
+        return figures.corners();
     }
 
     /** chi-square of 8 over 8: of 5 x 400 markers a mean with a standard error of sqrt(2 / 8 / 2000) = 0.0112. */

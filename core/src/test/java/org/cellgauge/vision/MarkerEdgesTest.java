@@ -29,12 +29,12 @@ class MarkerEdgesTest {
      * The marker in light: points on a grid of 1/12 px, blurred by a Gaussian between them, averaged over pixels. None
      * of it knows what the fit makes of an edge.
      */
-    private static double[] light() {
+    private static double[] light(double[] cornersPx) {
         int n = SIZE_PX * SUB;
         boolean[] cells = new MarkerPattern(FAMILY).white(ID);
         int count = new MarkerPattern(FAMILY).cells();
         double[] toImage = new double[8];
-        assertTrue(Homography.ofUnitSquare(CORNERS, toImage));
+        assertTrue(Homography.ofUnitSquare(cornersPx, toImage));
         double[] h = inverse(toImage);
         double[] fine = new double[n * n];
         for (int y = 0; y < n; y++) {
@@ -118,7 +118,7 @@ class MarkerEdgesTest {
     @ValueSource(strings = {"linear", "srgb"})
     void covarianceOfCornersAndShiftIsTheirScatter(String words) {
         ToneCurve curve = ToneCurve.of(words);
-        double[] light = light();
+        double[] light = light(CORNERS);
         RandomGenerator random = new Well19937c(5);
         BoofMarkerDetector detector = new BoofMarkerDetector(PinholeCamera.ideal(SIZE_PX, SIZE_PX, 300, 300, 36, 36),
                 FAMILY, List.of(ID), 1, curve);
@@ -160,10 +160,55 @@ class MarkerEdgesTest {
         assertEquals(1, ratio, 0.2, words);
     }
 
+    /** Means of corners' errors and the shift, less four of their own standard errors. */
+    private static double[] beyondChance(double[] light, double[] cornersPx, int pictures) {
+        RandomGenerator random = new Well19937c(7);
+        BoofMarkerDetector detector = new BoofMarkerDetector(PinholeCamera.ideal(SIZE_PX, SIZE_PX, 300, 300, 36, 36),
+                FAMILY, List.of(ID), 1, ToneCurve.LINEAR);
+        double[] mean = new double[9];
+        double[] variance = new double[9];
+        for (int i = 0; i < pictures; i++) {
+            MarkerObservation seen = detector.detect(photo(light, ToneCurve.LINEAR, random), "noisy").find(ID);
+            for (int k = 0; k < 8; k++) {
+                mean[k] += (seen.cornersPx()[k] - cornersPx[k]) / pictures;
+                variance[k] += seen.covariancePx2()[9 * k] / pictures;
+            }
+            mean[8] += seen.edgeShift().shiftPx() / pictures;
+            variance[8] += seen.edgeShift().variancePx2() / pictures;
+        }
+        for (int k = 0; k < 9; k++) {
+            mean[k] = Math.max(0, Math.abs(mean[k]) - 4 * Math.sqrt(variance[k] / pictures));
+        }
+        return mean;
+    }
+
+    /** A lamp that is brighter by a seventh at one end of the marker turns no side and feigns no shift. */
+    @Test
+    void lightThatChangesOverTheMarkerMovesNoCorner() {
+        double[] light = light(CORNERS);
+        for (int y = 0; y < SIZE_PX; y++) {
+            for (int x = 0; x < SIZE_PX; x++) {
+                light[y * SIZE_PX + x] *= 1 + 0.004 * (x + 0.5 - 36) - 0.001 * (y + 0.5 - 36);
+            }
+        }
+        for (double e : beyondChance(light, CORNERS, 40)) {
+            assertEquals(0, e, 0.002);
+        }
+    }
+
+    /** Seen so far aslant that its angles are off by 19 degrees, a marker as it should be shows no shift of edges. */
+    @Test
+    void slantedMarkerFeignsNoShift() {
+        double[] slanted = {8.2, 16.1, 46.4, 10.3, 66.1, 50.2, 30.3, 58.4};
+        for (double e : beyondChance(light(slanted), slanted, 60)) {
+            assertEquals(0, e, 0.002);
+        }
+    }
+
     /** No threads, no state: the same picture through one detector and through another gives the same bits. */
     @Test
     void samePictureGivesTheSameWhateverWasSeenBefore() {
-        double[] light = light();
+        double[] light = light(CORNERS);
         GreyImage first = photo(light, ToneCurve.SRGB, new Well19937c(1));
         GreyImage second = photo(light, ToneCurve.LINEAR, new Well19937c(2));
         PinholeCamera camera = PinholeCamera.ideal(SIZE_PX, SIZE_PX, 300, 300, 36, 36);

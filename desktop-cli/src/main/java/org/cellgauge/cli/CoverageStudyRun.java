@@ -145,6 +145,9 @@ final class CoverageStudyRun {
         }
         Path file = options.out();
         List<String> done = file != null && Files.exists(file) ? Files.readAllLines(file) : List.of();
+        if (!done.isEmpty() && !head().startsWith(done.get(0) + "\n")) {
+            throw new ParameterException(command, "--out: " + file + " is no table of these columns; write another");
+        }
         PrintWriter out = command.getOut();
         PrintWriter err = command.getErr();
         if (!json) {
@@ -171,7 +174,7 @@ final class CoverageStudyRun {
             }
             CoverageFigures figures = row(row, given, nominal, priors);
             String line = start + (figures == null ? "refused |"
-                    : String.join(" | ", new StudyText(figures).markdownRow()) + " |");
+                    : String.join(" | ", cellsOfRow(figures)) + " |");
             if (file != null) {
                 Files.write(file, (line + "\n").getBytes(StandardCharsets.UTF_8), StandardOpenOption.APPEND);
             }
@@ -184,7 +187,7 @@ final class CoverageStudyRun {
                 out.println(line);
             }
             out.flush();
-            covered &= figures != null && StudyText.covers(figures);
+            covered &= figures != null && covers(figures);
             told &= figures != null && StudyText.withoutFigure(figures) <= MOST_WITHOUT_FIGURE;
             err.println("[" + at + "/" + rows.size() + "] " + row.name());
             err.flush();
@@ -208,16 +211,32 @@ final class CoverageStudyRun {
         }
     }
 
-    private static String head() {
+    private String head() {
         List<String> titles = new ArrayList<>(PhotoGrid.titles());
-        titles.addAll(StudyText.COLUMNS);
+        titles.addAll(columns());
         return "| " + String.join(" | ", titles) + " |\n" + "|---".repeat(titles.size()) + "|\n";
     }
 
     // ---- common
 
     private CoverageFigures run(CellSource cells, DetectionSource detections, IntConsumer progress) {
-        return CoverageStudy.run(cells, detections, check, simulations, check.threads(), progress);
+        return options.cornersOnly()
+                ? CoverageStudy.runCornersOnly(cells, detections, check.seed(), simulations, check.threads(), progress)
+                : CoverageStudy.run(cells, detections, check, simulations, check.threads(), progress);
+    }
+
+    /** Whether all regions held, where there is any to hold. */
+    private boolean covers(CoverageFigures figures) {
+        return options.cornersOnly() || StudyText.covers(figures);
+    }
+
+    private List<String> columns() {
+        return options.cornersOnly() ? StudyText.CORNER_COLUMNS : StudyText.COLUMNS;
+    }
+
+    private List<String> cellsOfRow(CoverageFigures figures) {
+        StudyText text = new StudyText(figures);
+        return options.cornersOnly() ? text.markdownRowOfCorners() : text.markdownRow();
     }
 
     private Map<String, Object> settings() {
@@ -226,6 +245,7 @@ final class CoverageStudyRun {
         settings.put("seed", check.seed());
         settings.put("model", check.model().optionName());
         settings.put("photos", options.photos());
+        settings.put("corners_only", options.cornersOnly());
         return settings;
     }
 
@@ -252,7 +272,7 @@ final class CoverageStudyRun {
         out.print(json ? text.json(settings, Main.version()) : text.text(what));
         out.flush();
         return StudyText.withoutFigure(figures) > MOST_WITHOUT_FIGURE ? ExitCodes.NO_FIGURE
-                : StudyText.covers(figures) ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
+                : covers(figures) ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
     }
 
     /**

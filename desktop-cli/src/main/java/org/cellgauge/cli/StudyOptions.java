@@ -56,6 +56,11 @@ final class StudyOptions {
                     + "and some for JPEG, uneven light, prints and AprilTags, as a table in Markdown.")
     private boolean grid;
 
+    @Option(names = "--corners-only",
+            description = "With --photos: finds the markers and compares their corners with the truth, but checks "
+                    + "nothing: a hundred times as fast.")
+    private boolean cornersOnly;
+
     @Option(names = "--only", paramLabel = "WORDS",
             description = "With --grid: only rows whose name holds all these words, as in \"srgb 24px\".")
     private String only;
@@ -127,6 +132,10 @@ final class StudyOptions {
         return grid;
     }
 
+    boolean cornersOnly() {
+        return cornersOnly;
+    }
+
     /** Words that the names of the grid's rows must hold, perhaps none. */
     List<String> onlyWords() {
         return only == null || only.isBlank() ? List.of() : List.of(only.trim().toLowerCase(Locale.ROOT).split("\\s+"));
@@ -159,6 +168,7 @@ final class StudyOptions {
     void check(CommandLine command) {
         Map<String, Object> ofPhotos = new LinkedHashMap<>();
         ofPhotos.put("--grid", grid ? true : null);
+        ofPhotos.put("--corners-only", cornersOnly ? true : null);
         ofPhotos.put("--tone-curve", toneCurve);
         ofPhotos.put("--blur-px", blurPx);
         ofPhotos.put("--marker-px", markerPx);

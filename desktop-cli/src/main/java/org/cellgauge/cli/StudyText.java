@@ -22,6 +22,10 @@ final class StudyText {
             "camera z, mm", "no figure", "ambiguous", "accused", "found", "corners e'S⁻¹e/8", "outward, px",
             "outward, std", "rms, px");
 
+    /** Columns of {@link #markdownRowOfCorners}. */
+    static final List<String> CORNER_COLUMNS = List.of("photos", "refused", "found", "corners e'S⁻¹e/8", "outward, px",
+            "outward, std", "rms, px", "as stated e'S⁻¹e/8");
+
     private final CoverageFigures figures;
 
     StudyText(CoverageFigures figures) {
@@ -54,7 +58,9 @@ final class StudyText {
                 .append(reason).append('\n'));
         figures.warnings().forEach((kind, count) -> text.append("  warned ").append(count).append(": ").append(kind)
                 .append('\n'));
-        if (figures.regions().isEmpty()) {
+        if (figures.verdicts().isEmpty() && figures.refused() < figures.simulations()) {
+            text.append("Corners only: nothing was checked.\n");
+        } else if (figures.regions().isEmpty()) {
             text.append("No check stated a figure: there is nothing to count.\n");
         } else {
             regions(text);
@@ -136,6 +142,15 @@ final class StudyText {
                 percent(figures.markersFound(), figures.markers()) + " %", plain(corners.squaredAsTaken().value(), 2),
                 signed(corners.outwardPx().value(), 4), signed(corners.outwardInStds().value(), 2),
                 plain(corners.rmsPx(), 4));
+    }
+
+    /** Cells of a row, in the order of {@link #CORNER_COLUMNS}. */
+    List<String> markdownRowOfCorners() {
+        CoverageFigures.Corners corners = figures.corners();
+        return List.of(String.valueOf(figures.simulations()), String.valueOf(figures.refused()),
+                percent(figures.markersFound(), figures.markers()) + " %", plain(corners.squaredAsTaken().value(), 2),
+                signed(corners.outwardPx().value(), 4), signed(corners.outwardInStds().value(), 2),
+                plain(corners.rmsPx(), 4), plain(corners.squaredStated().value(), 2));
     }
 
     private static String signed(double value, int decimals) {

@@ -147,6 +147,25 @@ class ValidatePhotosTest {
         assertEquals(3, Files.readAllLines(file).size());
     }
 
+    /** The same photos as with checks, so the same corners; columns of checks are left out, and files are not mixed. */
+    @Test
+    void cornersOnlyGivesTheFiguresOfTheCornersWithoutChecks() throws IOException {
+        String[] args = {"--photos", "--tone-curve", "linear", "--simulations", "2", "--json"};
+        CommandCall alone = validate(with(args, "--corners-only"));
+        assertEquals(0, alone.code(), alone.err());
+        JsonObject result = json(alone);
+        assertEquals(json(validate(args)).getAsJsonObject("corners"), result.getAsJsonObject("corners"));
+        assertEquals(12, result.getAsJsonObject("corners").get("markers").getAsInt());
+        assertEquals(0, result.getAsJsonArray("regions").size());
+        String[] grid = {"--photos", "--grid", "--only", "linear blur0.7 24px normal", "--simulations", "2", "--out",
+            folder.resolve("corners.md").toString()};
+        List<String> lines = validate(with(grid, "--corners-only")).out().lines().toList();
+        assertEquals(lines.get(0).chars().filter(c -> c == '|').count(),
+                lines.get(2).chars().filter(c -> c == '|').count(), lines.toString());
+        assertTrue(lines.get(2).startsWith("| linear | 0.7 | 24 | normal |  | 2 | 0 | 100.0 % | "), lines.get(2));
+        assertEquals(2, validate(grid).code());
+    }
+
     /** Three curves, a sharpened one, four blurs, three sizes, three exposures; names are not given twice. */
     @Test
     void gridHasEveryCombinationOnce() {
@@ -174,6 +193,7 @@ class ValidatePhotosTest {
     @CsvSource(delimiter = '|', value = {
         "--blur-px 1                                    | --blur-px is about photos: give --photos, too",
         "--grid                                         | --grid is about photos: give --photos, too",
+        "--corners-only                                 | --corners-only is about photos: give --photos, too",
         "--photos --only srgb                           | --only is about the rows of --grid",
         "--photos --out x.md                            | --out is about the rows of --grid",
         "--photos --exposure bright                     | --exposure: 'bright' is not known; write normal or clipped",
