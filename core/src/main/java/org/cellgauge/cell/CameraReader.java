@@ -12,8 +12,8 @@ import org.cellgauge.light.ToneCurve;
  * {@code pinhole_radial_tangential}; the same keys may stand in a cell file.
  *
  * <p>A key that BoofCV does not write may stand beside them: {@code tone_curve}, how the camera makes grey values of
- * light ({@code auto}, {@code srgb}, {@code linear} or {@code gamma G}). {@code skew}, the radial coefficients (up to 3)
- * and {@code t1}, {@code t2} are 0 where they are left out.
+ * light ({@code auto}, {@code srgb}, {@code linear} or {@code gamma G}). {@code skew}, the radial coefficients (up to
+ * 3) and {@code t1}, {@code t2} are 0 where they are left out.
  */
 public final class CameraReader {
     /** Largest camera file that is read, bytes. */

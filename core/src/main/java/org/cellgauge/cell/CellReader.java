@@ -22,8 +22,8 @@ import org.cellgauge.light.ToneCurve;
  *
  * <p>Lengths are mm, angles degrees as in the file. Left out, {@code rotation_deg} is [0, 0, 0], {@code pixel_std_px}
  * is {@code auto}, {@code tone_curve} what the camera file says and else {@code auto}, {@code objects} and
- * {@code target} are none; deviations of prints are those of {@link PrintPrecision#USUAL}. {@code placement} may be left
- * out where every reference states its own; a reference's {@code placement} and a reference's or object's
+ * {@code target} are none; deviations of prints are those of {@link PrintPrecision#USUAL}. {@code placement} may be
+ * left out where every reference states its own; a reference's {@code placement} and a reference's or object's
  * {@code size_mm} replace only what they state. Every refusal names file, line, key and remedy.
  */
 public final class CellReader {

@@ -206,7 +206,8 @@ public final class CameraModeFinder {
      * out they leave residuals {@code projection(d_m) - J d_m - observed} with the covariance {@code J S J^T + C}; the
      * pose is fitted to these, and {@code d_m = -S J^T (J S J^T + C)^-1 residual} is what the residuals say of the
      * errors; what markers share is part of the residuals. Where both agree they are the mode of the joint
-     * posterior, and the mass around it is that of Laplace's method with the errors as unknowns (matrix determinant lemma).
+     * posterior, and the mass around it is that of Laplace's method with the errors as unknowns (matrix determinant
+     * lemma).
      *
      * @param known modes found; the search is given up where it comes to one of these or lies hopelessly above them
      * @return null if there is none, or the search is given up

@@ -311,8 +311,8 @@ public final class CornerErrors {
             }
             if (probability > SET_ASIDE) {
                 MarkerErrors errors = markers.get(ids.get(m));
-                // half of chi-square is the factor that would make it usual; 2 degrees of freedom tell it so poorly that
-                // twice that is what regions need
+                // half of chi-square is the factor that would make it usual; 2 degrees of freedom tell it so poorly
+                // that twice that is what regions need
                 double chiSquare = errors.squareness.chiSquare(variance);
                 double factor = Math.max(LEAST_INFLATION, chiSquare);
                 double[] inflated = errors.withAdded(variance).covariancePx2;
@@ -364,8 +364,8 @@ public final class CornerErrors {
      * @param sizeMm its size
      * @param lens intrinsics
      * @return if the errors are as known at most distributed like chi-square of 2 degrees of freedom (8 coordinates
-     *     less 6 of the pose; less where a small marker seen frontally can tilt to either side, which is no linear model);
-     *     NaN where the corners are of no pose
+     *     less 6 of the pose; less where a small marker seen frontally can tilt to either side, which is no linear
+     *     model); NaN where the corners are of no pose
      */
     public double squareChiSquare(int id, double sizeMm, PinholeCamera lens) {
         MarkerErrors m = markers.get(id);

@@ -3,7 +3,8 @@ package org.cellgauge.pose;
 import java.util.List;
 
 /**
- * What four corners say of their own noise: 8 coordinates less the 6 of a pose leave 2 that no pose explains; immutable.
+ * What four corners say of their own noise: 8 coordinates less the 6 of a pose leave 2 that no pose explains;
+ * immutable.
  *
  * <p>The likelihood of the noise integrated over the pose by Laplace's method about each mode (restricted likelihood:
  * Harville, "Maximum likelihood approaches to variance component estimation", JASA 1977). With N an orthonormal basis

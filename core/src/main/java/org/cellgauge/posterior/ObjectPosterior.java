@@ -13,8 +13,8 @@ import org.cellgauge.pose.CornerErrors;
  * uniform rotation, in the centred chart (dp in mm, w in rad) about a base pose. Allocates nothing; not thread-safe.
  *
  * <p>The base may be moved between evaluations: where intrinsics are sampled, each draw has its own. So may what the
- * marker shares with others, {@link #setShared}: the base then moves along as the fitted pose would, to first order, and
- * coordinates are stretched as its deviations would be, so that the density in them stays nearly the same.
+ * marker shares with others, {@link #setShared}: the base then moves along as the fitted pose would, to first order,
+ * and coordinates are stretched as its deviations would be, so that the density in them stays nearly the same.
  */
 public final class ObjectPosterior implements LogDensity {
     private final double[] points;

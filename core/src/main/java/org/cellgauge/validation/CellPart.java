@@ -65,8 +65,8 @@ final class CellPart {
     /** How the truth lies among the draws of one check. */
     static final class Standing {
         /**
-         * By region: share of the draws with a smaller Mahalanobis distance from the mean than the truth; where there are
-         * several modes, share of the draws of higher density.
+         * By region: share of the draws with a smaller Mahalanobis distance from the mean than the truth; where there
+         * are several modes, share of the draws of higher density.
          */
         double[] drawShare;
         /** By region: the truth's squared Mahalanobis distance. */

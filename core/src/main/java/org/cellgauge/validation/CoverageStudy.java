@@ -41,9 +41,9 @@ import org.cellgauge.warning.Warning;
  * Applications to Tracking and Navigation", 2001, section 5.4.2) are those from the mean of all draws by their
  * covariance. Over draws of the posterior their expectation is the number of coordinates, with however many modes.
  *
- * <p><b>Corners.</b> Detected minus true corners e of every marker against the covariance S that its observation states:
- * e' S^-1 e / 8 is 1 on average. The outward part of e is what all sides move along their normals, by least squares:
- * {@code -d'e / d'd}, d as of {@link EdgeShift#ofCorners}.
+ * <p><b>Corners.</b> Detected minus true corners e of every marker against the covariance S that its observation
+ * states: e' S^-1 e / 8 is 1 on average. The outward part of e is what all sides move along their normals, by least
+ * squares: {@code -d'e / d'd}, d as of {@link EdgeShift#ofCorners}.
  */
 public final class CoverageStudy {
     /** Probability of the regions that are judged. */
@@ -123,8 +123,8 @@ public final class CoverageStudy {
     }
 
     /**
-     * The corners alone: cells are simulated and seen, photo by photo the same as in {@link #run}, but not checked. What
-     * remains of the figures are refusals of the detector, its warnings, markers found and their corners.
+     * The corners alone: cells are simulated and seen, photo by photo the same as in {@link #run}, but not checked.
+     * What remains of the figures are refusals of the detector, its warnings, markers found and their corners.
      *
      * @param cells where cells come from
      * @param detections how they are seen
@@ -331,8 +331,8 @@ public final class CoverageStudy {
     }
 
     /**
-     * How one marker's corners stand to the truth: as the detector states them, and as a check takes them, corrected for
-     * the shift that inner edges show, with what is left open of it in the covariance.
+     * How one marker's corners stand to the truth: as the detector states them, and as a check takes them, corrected
+     * for the shift that inner edges show, with what is left open of it in the covariance.
      */
     static CornerStanding cornerStanding(MarkerObservation observation, double[] truthPx, CornerErrors taken) {
         double[] error = observation.cornersPx();

@@ -5,12 +5,12 @@ import org.cellgauge.geometry.Cholesky;
 /**
  * The region of highest density of draws that gather about one or several modes.
  *
- * <p>The density is that of a mixture of Gaussians, one for each mode, with the share, the mean and the covariance of the
- * draws near it. The region of probability p holds all places with a density above that which the share p of the draws
- * exceeds (R. J. Hyndman, "Computing and graphing highest density regions", The American Statistician 50(2), 1996):
- * with one mode the ellipsoid about the mean, with several the union of one about each. If the truth is a draw of the
- * posterior like the others, its density has a uniform rank among theirs, whatever function the density is: the region
- * then holds the truth with probability p, to 1/n for n effective draws.
+ * <p>The density is that of a mixture of Gaussians, one for each mode, with the share, the mean and the covariance of
+ * the draws near it. The region of probability p holds all places with a density above that which the share p of the
+ * draws exceeds (R. J. Hyndman, "Computing and graphing highest density regions", The American Statistician 50(2),
+ * 1996): with one mode the ellipsoid about the mean, with several the union of one about each. If the truth is a draw
+ * of the posterior like the others, its density has a uniform rank among theirs, whatever function the density is: the
+ * region then holds the truth with probability p, to 1/n for n effective draws.
  */
 final class MixtureRegion {
     /** A mode with fewer draws than this for each coordinate has the covariance of the largest one. */

@@ -21,15 +21,15 @@ import org.cellgauge.sampling.RandomStreams;
 /**
  * A new layout for every simulation; immutable.
  *
- * <p>Camera: 1280 x 720 px, focal length 400 to 2000 px (uniform in its logarithm), principal point off the middle by 10
- * px (std), in every other layout a lens that moves the corners of the image by -12 to +6 % of their distance from the
- * middle. It looks at the plane z = 0 of the world from a slant of up to 40 degrees, turned about its axis any way, from
- * where a marker of the layout's usual size is 28 to 80 px wide. Markers: {@value #FEWEST} to {@value #MOST} references
- * and one or two objects, sizes 30 to 120 mm (uniform in the logarithm; in every other layout all are of one size),
- * centres anywhere in view where they do not hide each other, every other one raised over the plane by up to a quarter
- * of the camera's distance, every other one tilted by 20 degrees (std), all turned any way, each side at least {@value
- * #LEAST_SIDE_PX} px long and none seen from more than 60 degrees off its normal. Placement: 0.3 to 10 mm (std) per
- * axis and 0.1 to 3 degrees (std), uniform in the logarithm, the same for all references of a layout. Corner noise:
+ * <p>Camera: 1280 x 720 px, focal length 400 to 2000 px (uniform in its logarithm), principal point off the middle by
+ * 10 px (std), in every other layout a lens that moves the corners of the image by -12 to +6 % of their distance from
+ * the middle. It looks at the plane z = 0 of the world from a slant of up to 40 degrees, turned about its axis any way,
+ * from where a marker of the layout's usual size is 28 to 80 px wide. Markers: {@value #FEWEST} to {@value #MOST}
+ * references and one or two objects, sizes 30 to 120 mm (uniform in the logarithm; in every other layout all are of one
+ * size), centres anywhere in view where they do not hide each other, every other one raised over the plane by up to a
+ * quarter of the camera's distance, every other one tilted by 20 degrees (std), all turned any way, each side at least
+ * {@value #LEAST_SIDE_PX} px long and none seen from more than 60 degrees off its normal. Placement: 0.3 to 10 mm (std)
+ * per axis and 0.1 to 3 degrees (std), uniform in the logarithm, the same for all references of a layout. Corner noise:
  * where none is stated for all, 0.05 to 0.5 px, uniform in the logarithm.
  *
  * <p>References stand off their nominal places by a draw from that placement; objects and camera are where they are.

@@ -118,7 +118,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * @param family family of the markers
      * @param ids ids to report; all others are ignored
      * @param residualLimitPerSide as above
-     * @param toneCurve how the camera makes grey of light; null: estimated from each image, starting from what the image
+     * @param toneCurve how the camera makes grey of light; null: estimated from each image, starting from what the
+     * image
      *     says of itself
      */
     public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,

@@ -148,7 +148,8 @@ final class LightFit {
                 shiftWeight += w;
             }
             offsetByPower = weight > 0 ? moved / weight : 0;
-            // curves that are no powers, blur that is no Gaussian: however many pixels there are, the power is no better
+            // curves that are no powers, blur that is no Gaussian: however many pixels there are, the power is no
+            // better
             double deflated = 1 / (1 + shapeInformation * MODEL_POWER_STD * MODEL_POWER_STD);
             double shiftInformation = shiftWeight > 0 ? 1 / (SHIFT_STD_PX * SHIFT_STD_PX + 1 / shiftWeight) : 0;
             double score = (powerMean - curve.power()) / (powerStd * powerStd) + deflated * shapeScore

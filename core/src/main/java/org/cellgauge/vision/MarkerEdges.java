@@ -11,9 +11,9 @@ import org.cellgauge.geometry.Projection;
  *
  * <p>Sides of a marker are straight only where the lens does not bend them. So every pixel in a band along a side is
  * taken to undistorted pixels first (its grey value stays what the sensor measured: nothing is interpolated), and there
- * a straight blurred step is fitted ({@link SideFit}). The light that blur brings into that band from the pattern inside
- * (known, once the marker is read), from the ends of the side and from beyond the edge of the paper (looked for in the
- * image) is part of the model: left out, it moves a side of a marker of 24 px by 0.02 px at a blur of 1.2 px.
+ * a straight blurred step is fitted ({@link SideFit}). The light that blur brings into that band from the pattern
+ * inside (known, once the marker is read), from the ends of the side and from beyond the edge of the paper (looked for
+ * in the image) is part of the model: left out, it moves a side of a marker of 24 px by 0.02 px at a blur of 1.2 px.
  *
  * <p>Not thread-safe; work space is kept from marker to marker.
  */
@@ -281,9 +281,9 @@ final class MarkerEdges {
     }
 
     /**
-     * How the lamp's light changes over the marker, by least squares from the white beside the four sides. Lenses darken
-     * the corners of images, and lamps stand aside: where one end of a side is brighter by a hundredth than the other,
-     * a fit that does not know puts corners off by 0.006 px at a blur of 0.7 px.
+     * How the lamp's light changes over the marker, by least squares from the white beside the four sides. Lenses
+     * darken the corners of images, and lamps stand aside: where one end of a side is brighter by a hundredth than the
+     * other, a fit that does not know puts corners off by 0.006 px at a blur of 0.7 px.
      */
     private void setLamp(GreyScale scale) {
         clearLamp();
@@ -598,8 +598,9 @@ final class MarkerEdges {
     }
 
     /**
-     * Looks for the edge of the paper: a dark step beside the marker's own, blurred alike. The light's profile outwards,
-     * a mean over seven places along the side, is fitted by white, ground and the place of the edge (Gauss-Newton).
+     * Looks for the edge of the paper: a dark step beside the marker's own, blurred alike. The light's profile
+     * outwards, a mean over seven places along the side, is fitted by white, ground and the place of the edge
+     * (Gauss-Newton).
      */
     private void findPaper(GreyImage image, GreyScale scale, SideFit side, double std) {
         double most = Double.NEGATIVE_INFINITY;
@@ -749,7 +750,8 @@ final class MarkerEdges {
      *
      * <p>Seen aslant, the next sides do not stand at right angles on this one: they end it where the dark lies that the
      * pixel sees. That is deeper than its centre where it looks across the edge: the mean of the half of a normal
-     * distribution (Johnson, Kotz, Balakrishnan, "Continuous Univariate Distributions", volume 1, 1994, section 13.10.1).
+     * distribution (Johnson, Kotz, Balakrishnan, "Continuous Univariate Distributions", volume 1, 1994, section
+     * 13.10.1).
      */
     private double window(double t, double z, double std, double inverseStd) {
         double seen = EdgeProfile.tabulated(z * inverseStd);

@@ -31,8 +31,8 @@ final class SideFit {
     /** A bright side that is clipped may be as bright as this, in grey levels of the tone curve's continuation. */
     private static final double LARGEST_LEVEL = 400;
     /**
-     * Power is judged by pixels with less light than this from elsewhere, as a share of white: what is taken as given of
-     * that light hangs on power itself.
+     * Power is judged by pixels with less light than this from elsewhere, as a share of white: what is taken as given
+     * of that light hangs on power itself.
      */
     private static final double CLEAN_SHARE = 0.003;
     /** Where an overshoot is looked for, and beyond what it is measured from: deviations of the blur. */

@@ -59,8 +59,8 @@ class NoiseFitTest {
         }
         reporter.publishEntry("squares of 7 markers", failed + " of " + cells + " fail, mean " + sum / cells);
         assertTrue(failed <= BinomialBand.of(cells, NoiseFit.LEVEL, 0.998).upper(), failed + " of " + cells);
-        // chi-square of 14 has the mean 14; that a marker can tilt to either side adds nothing, and takes less than one of
-        // the two degrees of freedom of each
+        // chi-square of 14 has the mean 14; that a marker can tilt to either side adds nothing, and takes less than one
+        // of the two degrees of freedom of each
         assertTrue(sum / cells < 14 + 4 * Math.sqrt(28.0 / cells), "mean " + sum / cells);
         assertTrue(sum / cells > 7, "mean " + sum / cells);
     }

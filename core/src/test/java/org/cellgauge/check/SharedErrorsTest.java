@@ -82,8 +82,8 @@ class SharedErrorsTest {
 
     /**
      * Seen from the front a shift d of the edges of markers of size S moves a marker at the distance z away by
-     * {@code 2 d z² / (f S)}. So the camera's height is off by that; an object on the plate is not, whose distance is off
-     * by as much; one at another distance is off by the difference.
+     * {@code 2 d z² / (f S)}. So the camera's height is off by that; an object on the plate is not, whose distance is
+     * off by as much; one at another distance is off by the difference.
      */
     @ParameterizedTest
     @CsvSource({"0.05", "0.2"})
@@ -261,8 +261,8 @@ class SharedErrorsTest {
     }
 
     /**
-     * Corners five times as bad as the detector says, and as good: the added noise follows, and costs little where there
-     * is none.
+     * Corners five times as bad as the detector says, and as good: the added noise follows, and costs little where
+     * there is none.
      */
     @ParameterizedTest
     @CsvSource({"1", "5"})

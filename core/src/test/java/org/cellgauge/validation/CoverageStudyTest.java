@@ -171,9 +171,9 @@ class CoverageStudyTest {
     }
 
     /**
-     * Four references of random places in one of two scenes, with an object among them: a set that is small in the image
-     * and nearly flat, one reference of it raised by 2 mm, which may be seen mirrored; and one that fills the image, whose references may be turned by 3 degrees (std) each, which makes
-     * them seem farther away.
+     * Four references of random places in one of two scenes, with an object among them: a set that is small in the
+     * image and nearly flat, one reference of it raised by 2 mm, which may be seen mirrored; and one that fills the
+     * image, whose references may be turned by 3 degrees (std) each, which makes them seem farther away.
      */
     private static final class HardLayouts implements CellSource {
         private final boolean small;
