@@ -86,7 +86,8 @@ public final class ReferenceCheck {
         for (int m = 0; m < camera.view.size(); m++) {
             Reference reference = camera.view.references().get(m);
             fits.add(new ReferenceFit(reference,
-                    distance(position, reference.worldFromMarker().translationMm()), scores.chiSquare(m), leftOut.contains(reference.id()), tests));
+                    distance(position, reference.worldFromMarker().translationMm()), scores.chiSquare(m),
+                    leftOut.contains(reference.id()), tests));
         }
         boolean together = rest != null && rest.view.size() >= 2 && !tests.isEmpty();
         return new ReferenceCheck(fits, found,

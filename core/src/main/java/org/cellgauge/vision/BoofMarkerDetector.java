@@ -119,8 +119,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * @param ids ids to report; all others are ignored
      * @param residualLimitPerSide as above
      * @param toneCurve how the camera makes grey of light; null: estimated from each image, starting from what the
-     * image
-     *     says of itself
+     *     image says of itself
      */
     public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,
             double residualLimitPerSide, ToneCurve toneCurve) {

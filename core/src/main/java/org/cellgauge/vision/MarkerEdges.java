@@ -1073,7 +1073,9 @@ final class MarkerEdges {
         return new MarkerObservation(id, corners, covariance, shift);
     }
 
-    /** Covariance of offset and slope of the four lines: noise of their own pixels, and of the white that tells the lamp. */
+    /**
+     * Covariance of offset and slope of the four lines: noise of their own pixels, and of the white that tells the lamp.
+     */
     private double[] lines(double[] noiseGrey) {
         double[] lines = new double[8 * 8];
         double[] byBright = new double[8];

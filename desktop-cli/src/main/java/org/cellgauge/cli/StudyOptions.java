@@ -58,7 +58,7 @@ final class StudyOptions {
 
     @Option(names = "--corners-only",
             description = "With --photos: finds the markers and compares their corners with the truth, but checks "
-                    + "nothing: a hundred times as fast.")
+                    + "nothing: some three times as fast.")
     private boolean cornersOnly;
 
     @Option(names = "--only", paramLabel = "WORDS",
