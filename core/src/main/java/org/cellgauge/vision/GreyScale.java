@@ -25,6 +25,8 @@ final class GreyScale {
     double grey;
     /** Its derivative by the light. */
     double byLight;
+    /** Share of the noise that leaves the grey level within the scale. */
+    double inside;
 
     private ToneCurve curve;
     private double darkLight;
@@ -68,6 +70,11 @@ final class GreyScale {
     /** Standard deviation of the noise that may push grey values over the ends of the scale, grey levels. */
     void setNoise(double stdGrey) {
         noise = Math.max(0.3, stdGrey);
+    }
+
+    /** What {@link #setNoise} has set. */
+    double noise() {
+        return noise;
     }
 
     /**
@@ -157,6 +164,18 @@ final class GreyScale {
      * @param light light, 1 at white
      */
     void at(double light) {
+        at(light, 0, WHITE);
+    }
+
+    /**
+     * The same for a pixel whose scale ends elsewhere.
+     *
+     * @param light light, 1 at white
+     * @param floor grey level at which it ends below
+     * @param cap grey level at which it ends above
+     */
+    void at(double light, double floor, double cap) {
+        inside = 1;
         if (linear) {
             grey = WHITE * light;
             byLight = WHITE;
@@ -168,15 +187,15 @@ final class GreyScale {
             grey = table[i] + f * (table[i + 1] - table[i]);
             byLight = slopeByLight[i] + f * (slopeByLight[i + 1] - slopeByLight[i]);
         }
-        if (grey < REACH * noise) {
-            double z = grey / noise;
-            double inside = EdgeProfile.tabulated(z);
-            grey = grey * inside + noise * EdgeProfile.density(z);
+        if (grey < floor + REACH * noise) {
+            double z = (grey - floor) / noise;
+            inside = EdgeProfile.tabulated(z);
+            grey = floor + ((grey - floor) * inside + noise * EdgeProfile.density(z));
             byLight *= inside;
-        } else if (grey > WHITE - REACH * noise) {
-            double z = (WHITE - grey) / noise;
-            double inside = EdgeProfile.tabulated(z);
-            grey = WHITE - ((WHITE - grey) * inside + noise * EdgeProfile.density(z));
+        } else if (grey > cap - REACH * noise) {
+            double z = (cap - grey) / noise;
+            inside = EdgeProfile.tabulated(z);
+            grey = cap - ((cap - grey) * inside + noise * EdgeProfile.density(z));
             byLight *= inside;
         }
     }

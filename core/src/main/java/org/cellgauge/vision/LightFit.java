@@ -2,6 +2,7 @@ package org.cellgauge.vision;
 
 import java.util.Arrays;
 import java.util.List;
+import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Warning;
 
@@ -64,6 +65,28 @@ final class LightFit {
     /** Noise of rounding to whole grey levels. */
     private static final double ROUNDING = Math.sqrt(1.0 / 12);
 
+    /** Radius of an unsharp mask where nothing tells it, px, and how far others are from it, as a share. */
+    private static final double USUAL_RADIUS_PX = 1;
+    private static final double RADIUS_STD = 0.5;
+    private static final double LEAST_RADIUS_PX = 0.4;
+    private static final double LARGEST_RADIUS_PX = 4;
+    private static final double USUAL_AMOUNT_STD = 1;
+    private static final double LARGEST_AMOUNT = 4;
+    /** Below this amount, or so few deviations from 0, no mask is believed in: lenses blur by no Gaussian. */
+    private static final double LEAST_AMOUNT = 0.12;
+    private static final double LEAST_DEVIATIONS = 4;
+    /** How well edges can tell amount and radius at best. */
+    private static final double MODEL_AMOUNT_STD = 0.02;
+    private static final double MODEL_RADIUS_STD = 0.03;
+    private static final int SHAPES = SideFit.SHAPES;
+    /** Information of what is stated. */
+    private static final double FIXED = 1e12;
+    private static final double LARGEST_AMOUNT_STEP = 0.6;
+    private static final double LARGEST_RADIUS_STEP = 0.35;
+    private static final int MASK_ROUNDS = 8;
+    private static final double SETTLED_AMOUNT = 0.01;
+    private static final double SETTLED_RADIUS = 0.02;
+
     private final GreyScale scale;
     private ToneCurve curve;
     private double powerMean;
@@ -78,6 +101,10 @@ final class LightFit {
     private double degreesOfFreedom;
     private double edgeShiftStdPx;
     private double blurPx;
+    private double maskAmount;
+    private double maskRadiusPx;
+    private double maskOvershoot;
+    private final SharpenedStep step = new SharpenedStep();
 
     LightFit(GreyScale scale) {
         this.scale = scale;
@@ -94,6 +121,9 @@ final class LightFit {
         said = ofFile != null;
         fileSaid = said;
         clippedShare = 0;
+        maskAmount = 0;
+        maskRadiusPx = USUAL_RADIUS_PX;
+        maskOvershoot = 0;
         scale.setNoise(FIRST_NOISE_GREY);
         if (stated != null) {
             scale.set(stated);
@@ -180,13 +210,14 @@ final class LightFit {
                 }
             }
         }
+        double ofPower = estimated ? offsetByPower / Math.sqrt(information) : 0;
+        ofPower = findMask(image, some, patterns, ofPower);
         for (int m = 0; m < markers.size(); m++) {
             refit(image, markers.get(m), patterns.get(m));
         }
         setNoise(markers);
         fitOutliersAnew(image, markers);
         setNoise(markers);
-        double ofPower = estimated ? offsetByPower / Math.sqrt(information) : 0;
         edgeShiftStdPx = Math.hypot(ofPower, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
         double[] blurs = new double[markers.size()];
         for (int m = 0; m < blurs.length; m++) {
@@ -194,6 +225,189 @@ final class LightFit {
         }
         Arrays.sort(blurs);
         blurPx = blurs.length == 0 ? 0 : blurs[blurs.length / 2];
+    }
+
+    /**
+     * Looks for an unsharp mask: its amount and radius and the power of the curve, together, by Gauss-Newton steps from
+     * no mask on, the sides' own unknowns projected out. A photo that shows none is left as it was.
+     *
+     * @param image the photo
+     * @param some markers, fitted at the curve found so far
+     * @param patterns what each of them was read as
+     * @param shiftStdPx how well edges are known without a mask, px
+     * @return the same with what was found, px
+     */
+    private double findMask(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns, double shiftStdPx) {
+        ToneCurve without = scale.curve();
+        double power = without.power();
+        double noise = scale.noise();
+        double[] shape = new double[SHAPES];
+        double[] covariance = null;
+        double[] score = new double[SHAPES];
+        double[] offsetBy = new double[SHAPES];
+        for (int round = 0; round < MASK_ROUNDS; round++) {
+            for (MarkerEdges marker : some) {
+                if (round > 0) {
+                    marker.measureShift(image, scale);
+                    marker.conclude(scale, false);
+                } else if (!estimated) {
+                    marker.conclude(scale, false);
+                }
+                marker.sharpness(scale, step, maskAmount, maskRadiusPx);
+            }
+            setNoise(some);
+            scale.setNoise(noiseGrey);
+            covariance = shapeCovariance(some, estimated || round > 0, power, score, offsetBy);
+            if (covariance == null) {
+                break;
+            }
+            for (int a = 0; a < SHAPES; a++) {
+                shape[a] = 0;
+                for (int b = 0; b < SHAPES; b++) {
+                    shape[a] += covariance[a * SHAPES + b] * score[b];
+                }
+            }
+            if (System.getenv("UNSHARP_DEBUG") != null) {
+                System.err.printf("mask round %d power %.3f amount %.3f radius %.3f noise %.3f step %.3f %.3f %.3f std "
+                        + "%.3f %.3f %.3f offsetBy %.3f %.3f %.3f%n", round, power, maskAmount, maskRadiusPx, noiseGrey,
+                        shape[0], shape[1], shape[2], Math.sqrt(covariance[0]), Math.sqrt(covariance[4]),
+                        Math.sqrt(covariance[8]), offsetBy[0], offsetBy[1], offsetBy[2]);
+            }
+            double amount = maskAmount + shape[1];
+            if (round == 0 && (amount < LEAST_AMOUNT || amount < LEAST_DEVIATIONS * Math.sqrt(covariance[4]))) {
+                scale.setNoise(noise);
+                return shiftStdPx;
+            }
+            double nextPower = clamp(power + clamp(shape[0], LARGEST_STEP), LEAST_POWER, LARGEST_POWER);
+            double nextAmount = clamp(maskAmount + clamp(shape[1], LARGEST_AMOUNT_STEP), 0, LARGEST_AMOUNT);
+            double nextRadius = clamp(maskRadiusPx * Math.exp(clamp(shape[2], LARGEST_RADIUS_STEP)), LEAST_RADIUS_PX,
+                    LARGEST_RADIUS_PX);
+            boolean settled = Math.abs((nextPower - power) * offsetBy[0]) < SETTLED_PX
+                    && Math.abs(nextAmount - maskAmount) < SETTLED_AMOUNT
+                    && Math.abs(Math.log(nextRadius / maskRadiusPx)) < SETTLED_RADIUS;
+            if (settled) {
+                break;
+            }
+            if (estimated) {
+                power = nextPower;
+                scale.set(without.withPower(power));
+            }
+            maskAmount = nextAmount;
+            maskRadiusPx = nextRadius;
+            for (int m = 0; m < some.size(); m++) {
+                some.get(m).unsharpen(image, maskAmount, maskRadiusPx);
+                some.get(m).refit(image, scale, patterns.get(m));
+            }
+        }
+        if (covariance == null || maskAmount < LEAST_AMOUNT
+                || maskAmount < LEAST_DEVIATIONS * Math.sqrt(covariance[4])) {
+            maskAmount = 0;
+            scale.set(without);
+            scale.setNoise(noise);
+            return shiftStdPx;
+        }
+        curve = scale.curve();
+        double[] overshoot = new double[4 * some.size()];
+        for (int k = 0; k < overshoot.length; k++) {
+            overshoot[k] = some.get(k / 4).side(k % 4).maskOvershoot;
+        }
+        maskOvershoot = median(overshoot);
+        double variance = 0;
+        for (int a = 0; a < SHAPES; a++) {
+            for (int b = 0; b < SHAPES; b++) {
+                variance += offsetBy[a] * covariance[a * SHAPES + b] * offsetBy[b];
+            }
+        }
+        return Math.sqrt(Math.max(0, variance));
+    }
+
+    /**
+     * Sums up what sides, inner edges and what is known beforehand say of power, amount and radius.
+     *
+     * @param withShift whether the inner edges were measured
+     * @param score receives the gradient of the log posterior
+     * @param offsetBy receives the mean change of a side's offset, px
+     * @return covariance of the three, or null where nothing tells them
+     */
+    private double[] shapeCovariance(List<MarkerEdges> some, boolean withShift, double power, double[] score, double[] offsetBy) {
+        double variance = noiseGrey * noiseGrey;
+        double[] information = new double[SHAPES * SHAPES];
+        double[] ofSides = new double[SHAPES];
+        Arrays.fill(offsetBy, 0);
+        double shift = 0;
+        double shiftWeight = 0;
+        double weights = 0;
+        for (MarkerEdges marker : some) {
+            for (int i = 0; i < 4; i++) {
+                SideFit side = marker.side(i);
+                double weight = 1 / side.covariance(SideFit.OFFSET, SideFit.OFFSET);
+                weights += weight;
+                for (int a = 0; a < SHAPES; a++) {
+                    ofSides[a] += side.shapeScore[a] / variance;
+                    offsetBy[a] += weight * side.offsetByShape[a];
+                }
+                for (int k = 0; k < information.length; k++) {
+                    information[k] += side.shapeInformation[k] / variance;
+                }
+            }
+            double w = withShift ? marker.shiftWeight(variance) : 0;
+            shift += w * marker.shiftPx();
+            shiftWeight += w;
+        }
+        if (!(weights > 0)) {
+            return null;
+        }
+        shift = shiftWeight > 0 ? shift / shiftWeight : 0;
+        double shiftInformation = shiftWeight > 0 ? 1 / (SHIFT_STD_PX * SHIFT_STD_PX + 1 / shiftWeight) : 0;
+        for (int a = 0; a < SHAPES; a++) {
+            offsetBy[a] /= weights;
+            information[a * (SHAPES + 1)] += 1e-9;
+        }
+        // however many pixels there are, the three are no better known than the model is right
+        double[] deflated = Cholesky.inverse(information, SHAPES);
+        if (deflated == null) {
+            return null;
+        }
+        double[] best = new double[SHAPES];
+        for (int a = 0; a < SHAPES; a++) {
+            for (int b = 0; b < SHAPES; b++) {
+                best[a] += deflated[a * SHAPES + b] * ofSides[b];
+            }
+        }
+        deflated[0] += MODEL_POWER_STD * MODEL_POWER_STD;
+        deflated[4] += MODEL_AMOUNT_STD * MODEL_AMOUNT_STD;
+        deflated[8] += MODEL_RADIUS_STD * MODEL_RADIUS_STD;
+        double[] posterior = Cholesky.inverse(deflated, SHAPES);
+        if (posterior == null) {
+            return null;
+        }
+        for (int a = 0; a < SHAPES; a++) {
+            score[a] = offsetBy[a] * shift * shiftInformation;
+            for (int b = 0; b < SHAPES; b++) {
+                score[a] += posterior[a * SHAPES + b] * best[b];
+            }
+        }
+        for (int a = 0; a < SHAPES; a++) {
+            for (int b = 0; b < SHAPES; b++) {
+                posterior[a * SHAPES + b] += offsetBy[a] * offsetBy[b] * shiftInformation;
+            }
+        }
+        double ofPower = estimated ? 1 / (powerStd * powerStd) : FIXED;
+        posterior[0] += ofPower;
+        score[0] += estimated ? ofPower * (powerMean - power) : 0;
+        posterior[4] += 1 / (USUAL_AMOUNT_STD * USUAL_AMOUNT_STD);
+        score[1] -= maskAmount / (USUAL_AMOUNT_STD * USUAL_AMOUNT_STD);
+        posterior[8] += 1 / (RADIUS_STD * RADIUS_STD);
+        score[2] -= Math.log(maskRadiusPx / USUAL_RADIUS_PX) / (RADIUS_STD * RADIUS_STD);
+        return Cholesky.inverse(posterior, SHAPES);
+    }
+
+    private static double clamp(double value, double most) {
+        return clamp(value, -most, most);
+    }
+
+    private static double clamp(double value, double least, double most) {
+        return Math.max(least, Math.min(most, value));
     }
 
     /** Starts at the power, of a few, under which the sides leave the smallest residuals. */
@@ -228,6 +442,7 @@ final class LightFit {
      * @param pattern what it was read as
      */
     void refit(GreyImage image, MarkerEdges marker, boolean[] pattern) {
+        marker.unsharpen(image, maskAmount, maskRadiusPx);
         marker.refit(image, scale, pattern);
         marker.measureShift(image, scale);
         marker.conclude(scale, false);
@@ -340,8 +555,9 @@ final class LightFit {
         if (median(crushed) > CRUSHED_SHARE) {
             warnings.add(Warning.of(DetectionWarning.BLACKS_CRUSHED, percent(median(crushed))));
         }
-        if (median(overshoot) > OVERSHOOT && clippedShare < CLIPPED_SHARE) {
-            warnings.add(Warning.of(DetectionWarning.SHARPENED, percent(median(overshoot))));
+        if (Math.max(maskOvershoot, median(overshoot)) > OVERSHOOT && clippedShare < CLIPPED_SHARE) {
+            warnings.add(Warning.of(DetectionWarning.SHARPENED, percent(Math.max(maskOvershoot,
+                    median(overshoot)))));
         }
         if (median(contrast) < DARK_CONTRAST) {
             warnings.add(Warning.of(DetectionWarning.TOO_DARK, (int) Math.round(median(white))));

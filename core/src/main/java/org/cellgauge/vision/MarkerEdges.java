@@ -64,6 +64,11 @@ final class MarkerEdges {
     /** A drop of the light by less than this share of the difference of white and black is no edge of the paper. */
     private static final double PAPER_CONTRAST = 0.06;
 
+    private static final double WHITE = 255;
+    /** About a marker, where the edge of the paper is looked for, and what a sharpened pixel sees beyond. */
+    private static final int SURROUNDINGS_PX = 15;
+    private static final int SURROUNDINGS_RADII = 5;
+
     private final double[] intrinsics;
     private final boolean distorted;
     private final int cells;
@@ -78,6 +83,9 @@ final class MarkerEdges {
     private final double[] homography = new double[8];
     private final double[] point = new double[2];
     private boolean[] white;
+    /** Grey values with an unsharp mask undone, in force where {@link #unsharpened}. */
+    private final Unsharpened levels = new Unsharpened();
+    private boolean unsharpened;
 
     // the pattern as seen from one side: depth of the lines between rows at the middle of the side and its change
     // along it, and for each row the ends of its white stretches along the side, their change with depth (a marker seen
@@ -160,6 +168,7 @@ final class MarkerEdges {
         System.arraycopy(ideal, 0, before, 0, 2 * CORNERS);
         white = pattern;
         shiftPx = 0;
+        unsharpened = false;
         clearLamp();
         return passes(image, scale, MAX_PASSES, FIRST_BAND_STILL_GOOD_PX);
     }
@@ -214,6 +223,54 @@ final class MarkerEdges {
         }
         System.arraycopy(refined, 0, ideal, 0, 2 * CORNERS);
         return true;
+    }
+
+    /**
+     * Undoes an unsharp mask in the grey values that all later fits go by; an amount of 0 takes the photo as it is.
+     *
+     * @param image the same image
+     * @param amount of the mask, at least 0
+     * @param radiusPx deviation of its Gaussian, px
+     */
+    void unsharpen(GreyImage image, double amount, double radiusPx) {
+        unsharpened = amount > 0;
+        if (!unsharpened) {
+            return;
+        }
+        double lowU = Double.POSITIVE_INFINITY;
+        double highU = Double.NEGATIVE_INFINITY;
+        double lowV = Double.POSITIVE_INFINITY;
+        double highV = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < 4 * CORNERS; k++) {
+            int i = k / 4;
+            int j = (i + 1) % CORNERS;
+            double f = 0.25 * (k % 4);
+            toImage(ideal[2 * i] + f * (ideal[2 * j] - ideal[2 * i]),
+                    ideal[2 * i + 1] + f * (ideal[2 * j + 1] - ideal[2 * i + 1]), point, 0);
+            lowU = Math.min(lowU, point[0]);
+            highU = Math.max(highU, point[0]);
+            lowV = Math.min(lowV, point[1]);
+            highV = Math.max(highV, point[1]);
+        }
+        double margin = SURROUNDINGS_PX + SURROUNDINGS_RADII * radiusPx;
+        levels.undo(image, Math.max(0, (int) (lowU - margin)), Math.max(0, (int) (lowV - margin)),
+                Math.min(image.widthPx() - 1, (int) (highU + margin)),
+                Math.min(image.heightPx() - 1, (int) (highV + margin)), amount, radiusPx, darkGrey(), brightGrey());
+    }
+
+    /**
+     * Asks the sides what they say of the tone curve and of an unsharp mask: see {@link SideFit#sharpness}.
+     *
+     * @param scale tone curve and noise
+     * @param step work space
+     * @param amount of the mask that was undone, at least 0
+     * @param radiusPx deviation of its Gaussian, px
+     */
+    void sharpness(GreyScale scale, SharpenedStep step, double amount, double radiusPx) {
+        for (SideFit side : sides) {
+            profile.turn(side.normalX, side.normalY);
+            side.sharpness(scale, profile, step, amount, radiusPx);
+        }
     }
 
     /** Turns what is known of the marker so that corner k becomes the first. */
@@ -615,7 +672,7 @@ final class MarkerEdges {
                 double t = 0.35 * n * side.lengthPx / PAPER_LINES;
                 toImage(side.middleX + side.tangentX * t + side.normalX * d,
                         side.middleY + side.tangentY * t + side.normalY * d, point, 0);
-                sum += scale.tabulatedLight(image.interpolate(point[0], point[1]));
+                sum += scale.tabulatedLight(interpolate(image, point[0], point[1]));
             }
             light[k] = sum / (2 * PAPER_LINES + 1);
             if (light[k] > most && d < 2 + 2.5 * std) {
@@ -707,7 +764,11 @@ final class MarkerEdges {
 
     private double darkestInside(GreyImage image, GreyScale scale, SideFit side) {
         toImage(side.middleX - side.normalX * depth[0] / 2, side.middleY - side.normalY * depth[0] / 2, point, 0);
-        return scale.tabulatedLight(image.interpolate(point[0], point[1]));
+        return scale.tabulatedLight(interpolate(image, point[0], point[1]));
+    }
+
+    private double interpolate(GreyImage image, double u, double v) {
+        return unsharpened ? levels.interpolate(u, v) : image.interpolate(u, v);
     }
 
     /** Gathers the pixels whose centres lie in the band about a side, in its coordinates. */
@@ -740,7 +801,11 @@ final class MarkerEdges {
                 if (d > paperPx - REACH * std) {
                     more -= paperShare * EdgeProfile.tabulated((d - paperPx) * inverseStd);
                 }
-                side.add(t, d, image.get(x, y), window, more, innerByBlur);
+                if (unsharpened) {
+                    side.add(t, d, levels.get(x, y), levels.floor(x, y), levels.cap(x, y), window, more, innerByBlur);
+                } else {
+                    side.add(t, d, image.get(x, y), 0, WHITE, window, more, innerByBlur);
+                }
             }
         }
     }
@@ -944,8 +1009,14 @@ final class MarkerEdges {
                         ofBlur += profile.byBlur;
                     }
                     double lamp = 1 + side.lampAlong * t - side.lampAcross * z;
-                    scale.at(lamp * (lightDark + contrast * share));
-                    double residual = scale.grey - image.get(x, y);
+                    double residual;
+                    if (unsharpened) {
+                        scale.at(lamp * (lightDark + contrast * share), levels.floor(x, y), levels.cap(x, y));
+                        residual = scale.grey - levels.get(x, y);
+                    } else {
+                        scale.at(lamp * (lightDark + contrast * share));
+                        residual = scale.grey - image.get(x, y);
+                    }
                     double byLight = scale.byLight * lamp;
                     double byShare = byLight * contrast;
                     row[0] = byShare * byShift;

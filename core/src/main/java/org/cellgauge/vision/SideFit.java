@@ -20,6 +20,10 @@ final class SideFit {
     static final int BLUR = 2;
     static final int DARK = 3;
     static final int BRIGHT = 4;
+    /** Power of the curve, amount and logarithm of the radius of an unsharp mask. */
+    static final int SHAPES = 3;
+    /** How far from the edge a mask's effect is tabulated, deviations of blur and mask. */
+    private static final double STEP_REACH = 5;
     /** Columns of the derivative that is kept at the end: the unknowns and power. */
     private static final int POWER = 5;
     private static final int COLUMNS = 6;
@@ -62,6 +66,8 @@ final class SideFit {
     private double[] along = new double[256];
     private double[] across = new double[256];
     private double[] grey = new double[256];
+    private double[] floor = new double[256];
+    private double[] cap = new double[256];
     private double[] window = new double[256];
     private double[] base = new double[256];
     private double[] baseByBlur = new double[256];
@@ -81,6 +87,8 @@ final class SideFit {
     private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
     private final double[] lampRow = new double[UNKNOWNS];
     private final double[] powerRow = new double[UNKNOWNS];
+    private final double[] shapeRow = new double[SHAPES];
+    private final double[] shapeRows = new double[SHAPES * UNKNOWNS];
     private boolean started;
 
     /** Position-weighted sum of squared residuals of the pixels and what it would be for noise of 1 grey level. */
@@ -90,6 +98,12 @@ final class SideFit {
     /** Score and information of power from this side, for noise of 1 grey level, its own unknowns projected out. */
     double powerScore;
     double powerInformation;
+    /** The same of power, amount and logarithm of the radius of an unsharp mask, and the change of the offset by them. */
+    final double[] shapeScore = new double[SHAPES];
+    final double[] shapeInformation = new double[SHAPES * SHAPES];
+    final double[] offsetByShape = new double[SHAPES];
+    /** How far the mask lifts grey above white, as a share of the difference of white and black. */
+    double maskOvershoot;
     /** Change of the line by {@link #lampAlong}: of its offset, px², and of its slope, px. */
     double offsetByLamp;
     double slopeByLamp;
@@ -135,15 +149,20 @@ final class SideFit {
      * @param t place along the side from its middle, px
      * @param d place across, outwards, px
      * @param level its grey level
+     * @param least where its scale ends below, grey level
+     * @param most where its scale ends above, grey level
      * @param inside share of the step's dark side that lies within the ends of the side
      * @param more light from elsewhere as a share of the difference of white and black
      * @param moreByBlur its derivative by the blur, 1/px
      */
-    void add(double t, double d, double level, double inside, double more, double moreByBlur) {
+    void add(double t, double d, double level, double least, double most, double inside, double more,
+            double moreByBlur) {
         if (samples == along.length) {
             along = Arrays.copyOf(along, 2 * samples);
             across = Arrays.copyOf(across, 2 * samples);
             grey = Arrays.copyOf(grey, 2 * samples);
+            floor = Arrays.copyOf(floor, 2 * samples);
+            cap = Arrays.copyOf(cap, 2 * samples);
             window = Arrays.copyOf(window, 2 * samples);
             base = Arrays.copyOf(base, 2 * samples);
             baseByBlur = Arrays.copyOf(baseByBlur, 2 * samples);
@@ -151,6 +170,8 @@ final class SideFit {
         along[samples] = t;
         across[samples] = d;
         grey[samples] = level;
+        floor[samples] = least;
+        cap[samples] = most;
         window[samples] = inside;
         baseByBlur[samples] = moreByBlur;
         base[samples++] = 1 - inside + more;
@@ -259,7 +280,7 @@ final class SideFit {
             double inside = window[i];
             double share = base[i] + baseByBlur[i] * blurred + inside * profile.share;
             double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
-            scale.at(lamp * (lightDark + contrast * share));
+            scale.at(lamp * (lightDark + contrast * share), floor[i], cap[i]);
             double residual = scale.grey - grey[i];
             double byLight = scale.byLight * lamp;
             double byShare = byLight * contrast;
@@ -362,7 +383,7 @@ final class SideFit {
             double share = base[i] + baseByBlur[i] * (p[BLUR] - baseBlur) + window[i] * profile.share;
             double light = lightDark + contrast * share;
             double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
-            scale.at(lamp * light);
+            scale.at(lamp * light, floor[i], cap[i]);
             double residual = scale.grey - grey[i];
             double byLight = scale.byLight * lamp;
             double byShare = byLight * contrast;
@@ -484,6 +505,108 @@ final class SideFit {
         }
         powerInformation = Math.max(0, powerSquares - taken);
         powerScore = score + ofOthers;
+    }
+
+    /**
+     * Evaluates, at the solution, score and information of the curve's power, of the amount of an unsharp mask that was
+     * undone and of the logarithm of its radius: {@link #shapeScore}, {@link #shapeInformation}, {@link #offsetByShape}.
+     *
+     * @param scale tone curve and noise
+     * @param profile turned to the side's normal
+     * @param table work space
+     * @param amount of the mask, at least 0
+     * @param radiusPx deviation of its Gaussian, px
+     */
+    void sharpness(GreyScale scale, EdgeProfile profile, SharpenedStep table, double amount, double radiusPx) {
+        double[] p = unknowns;
+        double lightDark = scale.light(p[DARK]);
+        double contrast = scale.light(p[BRIGHT]) - lightDark;
+        double darkSlope = scale.lightByGrey(p[DARK]);
+        double brightSlope = scale.lightByGrey(p[BRIGHT]);
+        scale.setEnds(p[DARK], p[BRIGHT]);
+        int nodes = table.prepare(STEP_REACH * (Math.sqrt(p[BLUR] * p[BLUR] + 1.0 / 12) + radiusPx));
+        for (int i = 0; i < nodes; i++) {
+            profile.at(table.distance(i), p[BLUR]);
+            scale.at(lightDark + contrast * profile.share, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+            table.put(i, scale.grey);
+        }
+        table.solve(amount, radiusPx);
+        maskOvershoot = table.overshoot;
+        Arrays.fill(damped, 0);
+        Arrays.fill(gradient, 0);
+        Arrays.fill(shapeRows, 0);
+        Arrays.fill(shapeInformation, 0);
+        Arrays.fill(shapeScore, 0);
+        Arrays.fill(offsetByShape, 0);
+        for (int i = 0; i < samples; i++) {
+            if (Math.abs(base[i]) >= CLEAN_SHARE) {
+                continue;
+            }
+            double distance = across[i] - p[OFFSET] - p[SLOPE] * along[i];
+            profile.at(distance, p[BLUR]);
+            double share = base[i] + baseByBlur[i] * (p[BLUR] - baseBlur) + window[i] * profile.share;
+            double light = lightDark + contrast * share;
+            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
+            scale.at(lamp * light, floor[i], cap[i]);
+            double residual = scale.grey - grey[i];
+            double byLight = scale.byLight * lamp;
+            double byShare = byLight * contrast;
+            row[OFFSET] = -byShare * window[i] * profile.byDistance;
+            row[SLOPE] = row[OFFSET] * along[i];
+            row[BLUR] = byShare * (window[i] * profile.byBlur + baseByBlur[i]);
+            row[DARK] = byLight * darkSlope * (1 - share);
+            row[BRIGHT] = byLight * brightSlope * share;
+            shapeRow[0] = scale.inside * scale.byPower(share);
+            shapeRow[1] = scale.inside * table.byAmount(distance);
+            shapeRow[2] = scale.inside * table.byLogRadius(distance);
+            for (int a = 0; a < UNKNOWNS; a++) {
+                gradient[a] += row[a] * residual;
+                for (int b = 0; b <= a; b++) {
+                    damped[a * UNKNOWNS + b] += row[a] * row[b];
+                }
+                for (int b = 0; b < SHAPES; b++) {
+                    shapeRows[b * UNKNOWNS + a] += shapeRow[b] * row[a];
+                }
+            }
+            for (int a = 0; a < SHAPES; a++) {
+                shapeScore[a] -= shapeRow[a] * residual;
+                for (int b = 0; b < SHAPES; b++) {
+                    shapeInformation[a * SHAPES + b] += shapeRow[a] * shapeRow[b];
+                }
+            }
+        }
+        for (int a = 0; a < UNKNOWNS; a++) {
+            damped[a * (UNKNOWNS + 1)] += 1e-9;
+            for (int b = 0; b < a; b++) {
+                damped[b * UNKNOWNS + a] = damped[a * UNKNOWNS + b];
+            }
+        }
+        double[] inverse = Cholesky.inverse(damped, UNKNOWNS);
+        if (inverse == null) {
+            Arrays.fill(shapeInformation, 0);
+            Arrays.fill(shapeScore, 0);
+            return;
+        }
+        projectShape(inverse);
+    }
+
+    /** Projects the side's own unknowns out of score and information of the shape. */
+    private void projectShape(double[] inverse) {
+        for (int s = 0; s < SHAPES; s++) {
+            for (int a = 0; a < UNKNOWNS; a++) {
+                double moved = 0;
+                for (int b = 0; b < UNKNOWNS; b++) {
+                    moved += inverse[a * UNKNOWNS + b] * shapeRows[s * UNKNOWNS + b];
+                }
+                if (a == OFFSET) {
+                    offsetByShape[s] = -moved;
+                }
+                shapeScore[s] += moved * gradient[a];
+                for (int other = 0; other < SHAPES; other++) {
+                    shapeInformation[other * SHAPES + s] -= shapeRows[other * UNKNOWNS + a] * moved;
+                }
+            }
+        }
     }
 
     /** Covariance of two unknowns for noise of 1 grey level. */

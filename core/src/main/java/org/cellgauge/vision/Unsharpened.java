@@ -1,0 +1,189 @@
+package org.cellgauge.vision;
+
+import java.util.Arrays;
+
+/**
+ * Grey values about one marker as they were before an unsharp mask made {@code s = u + a (u - G u)} of them, G a
+ * Gaussian sampled at whole pixels.
+ *
+ * <p>The mask never divides a frequency but multiplies each by 1 to 1 + a, so it can be undone: {@code u = (s + a G u) /
+ * (1 + a)} by fixed-point rounds (Jacobi), which shrink what is left by a / (1 + a) and more each. What comes out has
+ * the noise that was there before the mask, independent from pixel to pixel if it was so then, and all that is fitted to
+ * it holds as for a photo that nobody sharpened. Where sharpening went over the ends of the scale, a value says no more
+ * than that: given its neighbours, s reaches white where u reaches a limit of that pixel's own ({@link #cap}), and
+ * black likewise ({@link #floor}). Not thread-safe; arrays are kept.
+ */
+final class Unsharpened {
+    private static final double WHITE = 255;
+    /** Where the Gaussian is cut off, deviations. */
+    private static final double REACH = 4;
+    private static final int MAX_ROUNDS = 24;
+    /** A round that changes no grey value by more than this is the last. */
+    private static final double SETTLED_GREY = 0.01;
+
+    private int firstX;
+    private int firstY;
+    private int width;
+    private int height;
+    private GreyImage image;
+    private double[] before = new double[0];
+    private double[] blurred = new double[0];
+    private double[] rows = new double[0];
+    private double[] level = new double[0];
+    private double[] cap = new double[0];
+    private double[] floor = new double[0];
+
+    /**
+     * Undoes the mask in a part of an image.
+     *
+     * @param of the image; kept
+     * @param x0 first column, in the image
+     * @param y0 first row, in the image
+     * @param x1 last column, in the image
+     * @param y1 last row, in the image
+     * @param amount of the mask, positive
+     * @param radiusPx deviation of its Gaussian, positive, px
+     * @param dark what is likely where sharpening has reached black, grey levels
+     * @param bright what is likely where sharpening has reached white, grey levels
+     */
+    void undo(GreyImage of, int x0, int y0, int x1, int y1, double amount, double radiusPx, double dark,
+            double bright) {
+        image = of;
+        firstX = x0;
+        firstY = y0;
+        width = x1 - x0 + 1;
+        height = y1 - y0 + 1;
+        int size = width * height;
+        if (before.length < size) {
+            before = new double[size];
+            blurred = new double[size];
+            rows = new double[size];
+            level = new double[size];
+            cap = new double[size];
+            floor = new double[size];
+        }
+        double[] weights = weights(radiusPx);
+        double own = weights[0] * weights[0];
+        double ofOwn = 1 + amount - amount * own;
+        for (int i = 0; i < size; i++) {
+            before[i] = sharpened(i);
+        }
+        double changed = Double.POSITIVE_INFINITY;
+        for (int round = 0; round < MAX_ROUNDS && changed > SETTLED_GREY; round++) {
+            blur(weights);
+            changed = 0;
+            for (int i = 0; i < size; i++) {
+                int s = sharpened(i);
+                double next;
+                if (s == 0 || s == (int) WHITE) {
+                    double limit = (s + amount * (blurred[i] - own * before[i])) / ofOwn;
+                    next = s == 0 ? Math.min(limit, dark) : Math.max(limit, bright);
+                } else {
+                    next = (s + amount * blurred[i]) / (1 + amount);
+                }
+                changed = Math.max(changed, Math.abs(next - before[i]));
+                before[i] = next;
+            }
+        }
+        blur(weights);
+        for (int i = 0; i < size; i++) {
+            double others = amount * (blurred[i] - own * before[i]);
+            cap[i] = (WHITE + others) / ofOwn;
+            floor[i] = others / ofOwn;
+            level[i] = (sharpened(i) + others) / ofOwn;
+        }
+    }
+
+    /** Weights of a pixel itself and of those 1, 2, ... px away in a sampled Gaussian. */
+    static double[] weights(double radiusPx) {
+        double[] weights = new double[(int) Math.ceil(REACH * radiusPx) + 1];
+        double total = 0;
+        for (int k = 0; k < weights.length; k++) {
+            weights[k] = Math.exp(-0.5 * k * k / (radiusPx * radiusPx));
+            total += k == 0 ? weights[k] : 2 * weights[k];
+        }
+        for (int k = 0; k < weights.length; k++) {
+            weights[k] /= total;
+        }
+        return weights;
+    }
+
+    private int sharpened(int i) {
+        return image.get(firstX + i % width, firstY + i / width);
+    }
+
+    /** Blurs {@link #before} along rows and columns; beyond its border it goes on as there. */
+    private void blur(double[] weights) {
+        int size = width * height;
+        for (int start = 0; start < size; start += width) {
+            for (int x = 0; x < width; x++) {
+                double sum = weights[0] * before[start + x];
+                for (int k = 1; k < weights.length; k++) {
+                    sum += weights[k] * (before[start + Math.max(0, x - k)]
+                            + before[start + Math.min(width - 1, x + k)]);
+                }
+                rows[start + x] = sum;
+            }
+        }
+        Arrays.fill(blurred, 0, size, 0);
+        for (int k = 1 - weights.length; k < weights.length; k++) {
+            double weight = weights[Math.abs(k)];
+            for (int y = 0; y < height; y++) {
+                int to = y * width;
+                int from = Math.max(0, Math.min(height - 1, y + k)) * width;
+                for (int x = 0; x < width; x++) {
+                    blurred[to + x] += weight * rows[from + x];
+                }
+            }
+        }
+    }
+
+    private int index(int x, int y) {
+        return x < firstX || y < firstY || x >= firstX + width || y >= firstY + height ? -1
+                : (y - firstY) * width + x - firstX;
+    }
+
+    /**
+     * A grey value before the mask.
+     *
+     * @param x column in the image
+     * @param y row in the image
+     * @return grey level; {@link #cap} where sharpening has reached white, {@link #floor} where it has reached black,
+     *     the sharpened one outside the part
+     */
+    double get(int x, int y) {
+        int i = index(x, y);
+        return i < 0 ? image.get(x, y) : level[i];
+    }
+
+    /** From which value on a pixel is white after the mask, its neighbours being what they are, grey levels. */
+    double cap(int x, int y) {
+        int i = index(x, y);
+        return i < 0 ? WHITE : cap[i];
+    }
+
+    /** Up to which value a pixel is black after the mask, its neighbours being what they are, grey levels. */
+    double floor(int x, int y) {
+        int i = index(x, y);
+        return i < 0 ? 0 : floor[i];
+    }
+
+    /**
+     * As {@link GreyImage#interpolate}.
+     *
+     * @param u pixel x, centres at +0.5
+     * @param v pixel y, centres at +0.5
+     * @return 0 to 255
+     */
+    double interpolate(double u, double v) {
+        double x = Math.min(Math.max(u - 0.5, 0), image.widthPx() - 1.0);
+        double y = Math.min(Math.max(v - 0.5, 0), image.heightPx() - 1.0);
+        int x0 = (int) x;
+        int y0 = (int) y;
+        int x1 = Math.min(x0 + 1, image.widthPx() - 1);
+        int y1 = Math.min(y0 + 1, image.heightPx() - 1);
+        double top = get(x0, y0) + (x - x0) * (get(x1, y0) - get(x0, y0));
+        double bottom = get(x0, y1) + (x - x0) * (get(x1, y1) - get(x0, y1));
+        return Math.max(0, Math.min(WHITE, top + (y - y0) * (bottom - top)));
+    }
+}
