@@ -72,9 +72,17 @@ final class LightFit {
     private static final double LARGEST_RADIUS_PX = 4;
     private static final double USUAL_AMOUNT_STD = 1;
     private static final double LARGEST_AMOUNT = 4;
-    /** Below this amount, or so few deviations from 0, no mask is believed in: lenses blur by no Gaussian. */
+    /**
+     * Below this amount no mask is believed in: lenses blur by no Gaussian. Below so many deviations from 0 it takes
+     * noise that bears the mask out, and below the second number none is looked for.
+     */
     private static final double LEAST_AMOUNT = 0.12;
-    private static final double LEAST_DEVIATIONS = 4;
+    private static final double CERTAIN_DEVIATIONS = 4;
+    private static final double LEAST_DEVIATIONS = 1;
+    /** Logarithm of a ratio of likelihoods by which noise bears a mask out. */
+    private static final double BORNE_OUT = 8;
+    /** Share of a band's pixels that the noise is measured by: those on the edge's slope. */
+    private static final double PIXELS_ON_SLOPE = 0.3;
     /** How well edges can tell amount and radius at best. */
     private static final double MODEL_AMOUNT_STD = 0.02;
     private static final double MODEL_RADIUS_STD = 0.03;
@@ -243,6 +251,8 @@ final class LightFit {
         double noise = scale.noise();
         double[] shape = new double[SHAPES];
         double[] covariance = null;
+        double sharpNoise = 0;
+        double deviations = 0;
         double[] score = new double[SHAPES];
         double[] offsetBy = new double[SHAPES];
         for (int round = 0; round < MASK_ROUNDS; round++) {
@@ -268,15 +278,22 @@ final class LightFit {
                 }
             }
             if (System.getenv("UNSHARP_DEBUG") != null) {
-                System.err.printf("mask round %d power %.3f amount %.3f radius %.3f noise %.3f step %.3f %.3f %.3f std "
-                        + "%.3f %.3f %.3f offsetBy %.3f %.3f %.3f%n", round, power, maskAmount, maskRadiusPx, noiseGrey,
+                System.err.printf("mask round %d power %.3f amount %.3f radius %.3f noise %.3f byNoise %.1f step %.3f %.3f %.3f std "
+                        + "%.3f %.3f %.3f offsetBy %.3f %.3f %.3f%n", round, power, maskAmount, maskRadiusPx, noiseGrey, round==0?0:byNoise(sharpNoise),
                         shape[0], shape[1], shape[2], Math.sqrt(covariance[0]), Math.sqrt(covariance[4]),
                         Math.sqrt(covariance[8]), offsetBy[0], offsetBy[1], offsetBy[2]);
             }
-            double amount = maskAmount + shape[1];
-            if (round == 0 && (amount < LEAST_AMOUNT || amount < LEAST_DEVIATIONS * Math.sqrt(covariance[4]))) {
-                scale.setNoise(noise);
-                return shiftStdPx;
+            if (round == 0) {
+                sharpNoise = noiseGrey;
+                deviations = shape[1] / Math.sqrt(covariance[4]);
+                if (shape[1] < LEAST_AMOUNT || deviations < LEAST_DEVIATIONS) {
+                    scale.setNoise(noise);
+                    return shiftStdPx;
+                }
+            } else if (deviations < CERTAIN_DEVIATIONS && byNoise(sharpNoise) < (round == 1 ? 0 : BORNE_OUT)) {
+                // what edges alone hint at, noise must bear out
+                maskAmount = 0;
+                break;
             }
             double nextPower = clamp(power + clamp(shape[0], LARGEST_STEP), LEAST_POWER, LARGEST_POWER);
             double nextAmount = clamp(maskAmount + clamp(shape[1], LARGEST_AMOUNT_STEP), 0, LARGEST_AMOUNT);
@@ -299,8 +316,7 @@ final class LightFit {
                 some.get(m).refit(image, scale, patterns.get(m));
             }
         }
-        if (covariance == null || maskAmount < LEAST_AMOUNT
-                || maskAmount < LEAST_DEVIATIONS * Math.sqrt(covariance[4])) {
+        if (covariance == null || maskAmount < LEAST_AMOUNT) {
             maskAmount = 0;
             scale.set(without);
             scale.setNoise(noise);
@@ -400,6 +416,16 @@ final class LightFit {
         posterior[8] += 1 / (RADIUS_STD * RADIUS_STD);
         score[2] -= Math.log(maskRadiusPx / USUAL_RADIUS_PX) / (RADIUS_STD * RADIUS_STD);
         return Cholesky.inverse(posterior, SHAPES);
+    }
+
+    /**
+     * What the noise says of the mask: logarithm of the ratio of the likelihoods of grey values with the mask and
+     * without one. A mask makes white noise blue, and undoing it makes it white again and smaller than its Jacobian
+     * asks for; where noise was white, undoing a mask leaves it larger than that (Jensen).
+     */
+    private double byNoise(double sharpNoise) {
+        return PIXELS_ON_SLOPE * degreesOfFreedom * (Math.log(sharpNoise / noiseGrey)
+                - Unsharpened.meanLogGain(maskAmount, maskRadiusPx));
     }
 
     private static double clamp(double value, double most) {

@@ -20,6 +20,7 @@ final class Unsharpened {
     private static final int MAX_ROUNDS = 24;
     /** A round that changes no grey value by more than this is the last. */
     private static final double SETTLED_GREY = 0.01;
+    private static final int FREQUENCIES = 24;
 
     private int firstX;
     private int firstY;
@@ -106,6 +107,32 @@ final class Unsharpened {
             weights[k] /= total;
         }
         return weights;
+    }
+
+    /**
+     * Mean of the logarithm of the mask's gain over all frequencies: the logarithm of its Jacobian, per pixel.
+     *
+     * @param amount of the mask, at least 0
+     * @param radiusPx deviation of its Gaussian, positive, px
+     * @return 0 for no mask, below log(1 + amount)
+     */
+    static double meanLogGain(double amount, double radiusPx) {
+        double[] weights = weights(radiusPx);
+        double[] ofGaussian = new double[FREQUENCIES];
+        for (int f = 0; f < FREQUENCIES; f++) {
+            double sum = weights[0];
+            for (int k = 1; k < weights.length; k++) {
+                sum += 2 * weights[k] * Math.cos(Math.PI * (f + 0.5) / FREQUENCIES * k);
+            }
+            ofGaussian[f] = sum;
+        }
+        double mean = 0;
+        for (double along : ofGaussian) {
+            for (double across : ofGaussian) {
+                mean += Math.log1p(amount * (1 - along * across)) / (FREQUENCIES * FREQUENCIES);
+            }
+        }
+        return mean;
     }
 
     private int sharpened(int i) {
