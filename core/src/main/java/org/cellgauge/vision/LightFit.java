@@ -79,6 +79,15 @@ final class LightFit {
     private static final double LEAST_AMOUNT = 0.12;
     private static final double CERTAIN_DEVIATIONS = 4;
     private static final double LEAST_DEVIATIONS = 1;
+    /**
+     * Noise that is correlated between pixels beside each other by less than minus this, and so many deviations, is
+     * blue: then it tells the amount too, though no better than cameras' noise is white before.
+     */
+    private static final double BLUE_CORRELATION = 0.03;
+    private static final double BLUE_DEVIATIONS = 2;
+    private static final double NOISE_AMOUNT_STD = 0.15;
+    /** How much alike the leverages of neighbours are. */
+    private static final double NEIGHBOURS_SHARE = 0.7;
     /** Logarithm of a ratio of likelihoods by which noise bears a mask out. */
     private static final double BORNE_OUT = 8;
     /** Share of a band's pixels that the noise is measured by: those on the edge's slope. */
@@ -112,6 +121,9 @@ final class LightFit {
     private double maskAmount;
     private double maskRadiusPx;
     private double maskOvershoot;
+    /** Whether the noise is blue, as a mask alone makes it, and how many pairs of pixels say so. */
+    private boolean noiseTells;
+    private double pairs;
     private final SharpenedStep step = new SharpenedStep();
 
     LightFit(GreyScale scale) {
@@ -267,7 +279,11 @@ final class LightFit {
             }
             setNoise(some);
             scale.setNoise(noiseGrey);
-            covariance = shapeCovariance(some, estimated || round > 0, power, score, offsetBy);
+            double correlation = correlation(some);
+            if (round == 0) {
+                noiseTells = correlation < -Math.max(BLUE_CORRELATION, BLUE_DEVIATIONS / Math.sqrt(pairs));
+            }
+            covariance = shapeCovariance(some, correlation, estimated || round > 0, power, score, offsetBy);
             if (covariance == null) {
                 break;
             }
@@ -278,8 +294,8 @@ final class LightFit {
                 }
             }
             if (System.getenv("UNSHARP_DEBUG") != null) {
-                System.err.printf("mask round %d power %.3f amount %.3f radius %.3f noise %.3f byNoise %.1f step %.3f %.3f %.3f std "
-                        + "%.3f %.3f %.3f offsetBy %.3f %.3f %.3f%n", round, power, maskAmount, maskRadiusPx, noiseGrey, round==0?0:byNoise(sharpNoise),
+                System.err.printf("mask corr %.4f round %d power %.3f amount %.3f radius %.3f noise %.3f byNoise %.1f step %.3f %.3f %.3f std "
+                        + "%.3f %.3f %.3f offsetBy %.3f %.3f %.3f%n", correlation, round, power, maskAmount, maskRadiusPx, noiseGrey, round==0?0:byNoise(sharpNoise),
                         shape[0], shape[1], shape[2], Math.sqrt(covariance[0]), Math.sqrt(covariance[4]),
                         Math.sqrt(covariance[8]), offsetBy[0], offsetBy[1], offsetBy[2]);
             }
@@ -340,12 +356,13 @@ final class LightFit {
     /**
      * Sums up what sides, inner edges and what is known beforehand say of power, amount and radius.
      *
+     * @param correlation of the noise between pixels beside each other
      * @param withShift whether the inner edges were measured
      * @param score receives the gradient of the log posterior
      * @param offsetBy receives the mean change of a side's offset, px
      * @return covariance of the three, or null where nothing tells them
      */
-    private double[] shapeCovariance(List<MarkerEdges> some, boolean withShift, double power, double[] score, double[] offsetBy) {
+    private double[] shapeCovariance(List<MarkerEdges> some, double correlation, boolean withShift, double power, double[] score, double[] offsetBy) {
         double variance = noiseGrey * noiseGrey;
         double[] information = new double[SHAPES * SHAPES];
         double[] ofSides = new double[SHAPES];
@@ -414,8 +431,35 @@ final class LightFit {
         posterior[4] += 1 / (USUAL_AMOUNT_STD * USUAL_AMOUNT_STD);
         score[1] -= maskAmount / (USUAL_AMOUNT_STD * USUAL_AMOUNT_STD);
         posterior[8] += 1 / (RADIUS_STD * RADIUS_STD);
+        if (noiseTells) {
+            double byAmount = Unsharpened.correlationByAmount(maskAmount, maskRadiusPx);
+            double ofNoise = 1 / (NOISE_AMOUNT_STD * NOISE_AMOUNT_STD + 1 / (pairs * byAmount * byAmount));
+            posterior[4] += ofNoise;
+            score[1] += correlation / byAmount * ofNoise;
+        }
         score[2] -= Math.log(maskRadiusPx / USUAL_RADIUS_PX) / (RADIUS_STD * RADIUS_STD);
         return Cholesky.inverse(posterior, SHAPES);
+    }
+
+    /**
+     * Correlation of residuals between pixels beside each other, less what fitting leaves where noise is white: a fit
+     * of five unknowns takes their share of the noise out of pixels and neighbours alike.
+     */
+    private double correlation(List<MarkerEdges> some) {
+        double products = 0;
+        double squares = 0;
+        double fitted = 0;
+        pairs = 0;
+        for (MarkerEdges marker : some) {
+            for (int i = 0; i < 4; i++) {
+                SideFit side = marker.side(i);
+                products += side.pairProducts;
+                squares += side.pairSquares;
+                pairs += side.pairs;
+                fitted += side.pairSquares * SideFit.UNKNOWNS / Math.max(SideFit.UNKNOWNS, side.samples());
+            }
+        }
+        return squares > 0 ? (products + NEIGHBOURS_SHARE * fitted) / squares : 0;
     }
 
     /**

@@ -22,6 +22,8 @@ final class SideFit {
     static final int BRIGHT = 4;
     /** Power of the curve, amount and logarithm of the radius of an unsharp mask. */
     static final int SHAPES = 3;
+    /** Pixels beside each other are so near to 1 px apart, px: a lens bends their distance. */
+    private static final double NEXT_PX = 0.1;
     /** How far from the edge a mask's effect is tabulated, deviations of blur and mask. */
     private static final double STEP_REACH = 5;
     /** Columns of the derivative that is kept at the end: the unknowns and power. */
@@ -104,6 +106,10 @@ final class SideFit {
     final double[] offsetByShape = new double[SHAPES];
     /** How far the mask lifts grey above white, as a share of the difference of white and black. */
     double maskOvershoot;
+    /** Residuals of pixels beside each other: how many pairs, and the sums of their products and of their squares. */
+    int pairs;
+    double pairProducts;
+    double pairSquares;
     /** Change of the line by {@link #lampAlong}: of its offset, px², and of its slope, px. */
     double offsetByLamp;
     double slopeByLamp;
@@ -538,10 +544,11 @@ final class SideFit {
         Arrays.fill(shapeInformation, 0);
         Arrays.fill(shapeScore, 0);
         Arrays.fill(offsetByShape, 0);
+        pairs = 0;
+        pairProducts = 0;
+        pairSquares = 0;
+        double last = 0;
         for (int i = 0; i < samples; i++) {
-            if (Math.abs(base[i]) >= CLEAN_SHARE) {
-                continue;
-            }
             double distance = across[i] - p[OFFSET] - p[SLOPE] * along[i];
             profile.at(distance, p[BLUR]);
             double share = base[i] + baseByBlur[i] * (p[BLUR] - baseBlur) + window[i] * profile.share;
@@ -549,6 +556,15 @@ final class SideFit {
             double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
             scale.at(lamp * light, floor[i], cap[i]);
             double residual = scale.grey - grey[i];
+            if (i > 0 && Math.abs(Math.hypot(along[i] - along[i - 1], across[i] - across[i - 1]) - 1) < NEXT_PX) {
+                pairs++;
+                pairProducts += last * residual;
+                pairSquares += (last * last + residual * residual) / 2;
+            }
+            last = residual;
+            if (Math.abs(base[i]) >= CLEAN_SHARE) {
+                continue;
+            }
             double byLight = scale.byLight * lamp;
             double byShare = byLight * contrast;
             row[OFFSET] = -byShare * window[i] * profile.byDistance;

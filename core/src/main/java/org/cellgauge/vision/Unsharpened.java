@@ -117,15 +117,7 @@ final class Unsharpened {
      * @return 0 for no mask, below log(1 + amount)
      */
     static double meanLogGain(double amount, double radiusPx) {
-        double[] weights = weights(radiusPx);
-        double[] ofGaussian = new double[FREQUENCIES];
-        for (int f = 0; f < FREQUENCIES; f++) {
-            double sum = weights[0];
-            for (int k = 1; k < weights.length; k++) {
-                sum += 2 * weights[k] * Math.cos(Math.PI * (f + 0.5) / FREQUENCIES * k);
-            }
-            ofGaussian[f] = sum;
-        }
+        double[] ofGaussian = gain(radiusPx);
         double mean = 0;
         for (double along : ofGaussian) {
             for (double across : ofGaussian) {
@@ -133,6 +125,40 @@ final class Unsharpened {
             }
         }
         return mean;
+    }
+
+    /**
+     * How fast the correlation of white noise between pixels beside each other, after a mask and after undoing one of
+     * the same radius, changes with the amount of the mask where both amounts are the same.
+     *
+     * @param amount of the masks, at least 0
+     * @param radiusPx deviation of their Gaussian, positive, px
+     * @return negative: what is left of a mask makes the correlation negative
+     */
+    static double correlationByAmount(double amount, double radiusPx) {
+        double[] ofGaussian = gain(radiusPx);
+        double mean = 0;
+        for (int f = 0; f < FREQUENCIES; f++) {
+            double cosine = Math.cos(Math.PI * (f + 0.5) / FREQUENCIES);
+            for (double across : ofGaussian) {
+                double rest = 1 - ofGaussian[f] * across;
+                mean += 2 * cosine * rest / (1 + amount * rest) / (FREQUENCIES * FREQUENCIES);
+            }
+        }
+        return mean;
+    }
+
+    /** What a sampled Gaussian leaves of frequencies from 0 to the half of one per pixel. */
+    private static double[] gain(double radiusPx) {
+        double[] weights = weights(radiusPx);
+        double[] gain = new double[FREQUENCIES];
+        for (int f = 0; f < FREQUENCIES; f++) {
+            gain[f] = weights[0];
+            for (int k = 1; k < weights.length; k++) {
+                gain[f] += 2 * weights[k] * Math.cos(Math.PI * (f + 0.5) / FREQUENCIES * k);
+            }
+        }
+        return gain;
     }
 
     private int sharpened(int i) {
