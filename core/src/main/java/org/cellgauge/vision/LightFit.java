@@ -293,12 +293,6 @@ final class LightFit {
                     shape[a] += covariance[a * SHAPES + b] * score[b];
                 }
             }
-            if (System.getenv("UNSHARP_DEBUG") != null) {
-                System.err.printf("mask corr %.4f round %d power %.3f amount %.3f radius %.3f noise %.3f byNoise %.1f step %.3f %.3f %.3f std "
-                        + "%.3f %.3f %.3f offsetBy %.3f %.3f %.3f%n", correlation, round, power, maskAmount, maskRadiusPx, noiseGrey, round==0?0:byNoise(sharpNoise),
-                        shape[0], shape[1], shape[2], Math.sqrt(covariance[0]), Math.sqrt(covariance[4]),
-                        Math.sqrt(covariance[8]), offsetBy[0], offsetBy[1], offsetBy[2]);
-            }
             if (round == 0) {
                 sharpNoise = noiseGrey;
                 deviations = shape[1] / Math.sqrt(covariance[4]);
@@ -344,13 +338,17 @@ final class LightFit {
             overshoot[k] = some.get(k / 4).side(k % 4).maskOvershoot;
         }
         maskOvershoot = median(overshoot);
-        double variance = 0;
-        for (int a = 0; a < SHAPES; a++) {
-            for (int b = 0; b < SHAPES; b++) {
-                variance += offsetBy[a] * covariance[a * SHAPES + b] * offsetBy[b];
+        return Math.sqrt(Math.max(0, quadratic(covariance, offsetBy)));
+    }
+
+    private static double quadratic(double[] matrix, double[] by) {
+        double sum = 0;
+        for (int a = 0; a < by.length; a++) {
+            for (int b = 0; b < by.length; b++) {
+                sum += by[a] * matrix[a * by.length + b] * by[b];
             }
         }
-        return Math.sqrt(Math.max(0, variance));
+        return sum;
     }
 
     /**
@@ -362,7 +360,8 @@ final class LightFit {
      * @param offsetBy receives the mean change of a side's offset, px
      * @return covariance of the three, or null where nothing tells them
      */
-    private double[] shapeCovariance(List<MarkerEdges> some, double correlation, boolean withShift, double power, double[] score, double[] offsetBy) {
+    private double[] shapeCovariance(List<MarkerEdges> some, double correlation, boolean withShift, double power,
+            double[] score, double[] offsetBy) {
         double variance = noiseGrey * noiseGrey;
         double[] information = new double[SHAPES * SHAPES];
         double[] ofSides = new double[SHAPES];

@@ -23,7 +23,7 @@ final class SharpenedStep {
     private double[] ofAmount = new double[0];
     private double[] ofRadius = new double[0];
 
-    /** How far grey rises above white beside the edge after the mask, as a share of the difference of white and black. */
+    /** How far grey rises above white after the mask, as a share of the difference of white and black. */
     double overshoot;
 
     /** Makes the tables for lengths up to so many px from the edge; {@link #put} then takes the grey values. */

@@ -100,7 +100,7 @@ final class SideFit {
     /** Score and information of power from this side, for noise of 1 grey level, its own unknowns projected out. */
     double powerScore;
     double powerInformation;
-    /** The same of power, amount and logarithm of the radius of an unsharp mask, and the change of the offset by them. */
+    /** The same of power, amount and logarithm of the radius of an unsharp mask; and the offset's change by them. */
     final double[] shapeScore = new double[SHAPES];
     final double[] shapeInformation = new double[SHAPES * SHAPES];
     final double[] offsetByShape = new double[SHAPES];
@@ -515,7 +515,8 @@ final class SideFit {
 
     /**
      * Evaluates, at the solution, score and information of the curve's power, of the amount of an unsharp mask that was
-     * undone and of the logarithm of its radius: {@link #shapeScore}, {@link #shapeInformation}, {@link #offsetByShape}.
+     * undone and of the logarithm of its radius ({@link #shapeScore}, {@link #shapeInformation}, {@link #offsetByShape}),
+     * and what residuals of pixels beside each other have in common.
      *
      * @param scale tone curve and noise
      * @param profile turned to the side's normal

@@ -6,10 +6,10 @@ import java.util.Arrays;
  * Grey values about one marker as they were before an unsharp mask made {@code s = u + a (u - G u)} of them, G a
  * Gaussian sampled at whole pixels.
  *
- * <p>The mask never divides a frequency but multiplies each by 1 to 1 + a, so it can be undone: {@code u = (s + a G u) /
- * (1 + a)} by fixed-point rounds (Jacobi), which shrink what is left by a / (1 + a) and more each. What comes out has
- * the noise that was there before the mask, independent from pixel to pixel if it was so then, and all that is fitted to
- * it holds as for a photo that nobody sharpened. Where sharpening went over the ends of the scale, a value says no more
+ * <p>The mask multiplies every frequency by 1 to 1 + a, so it can be undone: {@code u = (s + a G u) / (1 + a)} by
+ * fixed-point rounds (Jacobi), each of which shrinks what is left by a / (1 + a) or more. What comes out has the noise
+ * that was there before the mask, independent from pixel to pixel if it was so then, and all that is fitted to it holds
+ * as for a photo that nobody sharpened. Where sharpening went over the ends of the scale, a value says no more
  * than that: given its neighbours, s reaches white where u reaches a limit of that pixel's own ({@link #cap}), and
  * black likewise ({@link #floor}). Not thread-safe; arrays are kept.
  */
