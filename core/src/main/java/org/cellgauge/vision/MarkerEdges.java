@@ -255,7 +255,8 @@ final class MarkerEdges {
         double margin = SURROUNDINGS_PX + SURROUNDINGS_RADII * radiusPx;
         levels.undo(image, Math.max(0, (int) (lowU - margin)), Math.max(0, (int) (lowV - margin)),
                 Math.min(image.widthPx() - 1, (int) (highU + margin)),
-                Math.min(image.heightPx() - 1, (int) (highV + margin)), amount, radiusPx, darkGrey(), brightGrey());
+                Math.min(image.heightPx() - 1, (int) (highV + margin)), amount, radiusPx, darkGrey(), brightGrey(),
+                Math.sqrt(blurPx() * blurPx() + PIXEL_VARIANCE));
     }
 
     /**

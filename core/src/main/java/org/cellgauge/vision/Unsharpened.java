@@ -21,6 +21,9 @@ final class Unsharpened {
     /** A round that changes no grey value by more than this is the last. */
     private static final double SETTLED_GREY = 0.01;
     private static final int FREQUENCIES = 24;
+    private static final int LIKELY = 64;
+    private static final int LARGEST_Z = 8;
+    private static final int Z_STEPS = 32;
 
     private int firstX;
     private int firstY;
@@ -33,6 +36,7 @@ final class Unsharpened {
     private double[] level = new double[0];
     private double[] cap = new double[0];
     private double[] floor = new double[0];
+    private final double[] likely = new double[LIKELY + 1];
 
     /**
      * Undoes the mask in a part of an image.
@@ -44,11 +48,12 @@ final class Unsharpened {
      * @param y1 last row, in the image
      * @param amount of the mask, positive
      * @param radiusPx deviation of its Gaussian, positive, px
-     * @param dark what is likely where sharpening has reached black, grey levels
-     * @param bright what is likely where sharpening has reached white, grey levels
+     * @param dark grey level of the marker's black
+     * @param bright grey level of its white
+     * @param blurPx deviation of the blur of its edges, pixels' own width included, px
      */
     void undo(GreyImage of, int x0, int y0, int x1, int y1, double amount, double radiusPx, double dark,
-            double bright) {
+            double bright, double blurPx) {
         image = of;
         firstX = x0;
         firstY = y0;
@@ -69,6 +74,7 @@ final class Unsharpened {
         for (int i = 0; i < size; i++) {
             before[i] = sharpened(i);
         }
+        setLikely(blurPx, radiusPx);
         double changed = Double.POSITIVE_INFINITY;
         for (int round = 0; round < MAX_ROUNDS && changed > SETTLED_GREY; round++) {
             blur(weights);
@@ -78,7 +84,8 @@ final class Unsharpened {
                 double next;
                 if (s == 0 || s == (int) WHITE) {
                     double limit = (s + amount * (blurred[i] - own * before[i])) / ofOwn;
-                    next = s == 0 ? Math.min(limit, dark) : Math.max(limit, bright);
+                    double likely = likely(blurred[i], dark, bright);
+                    next = s == 0 ? Math.min(limit, likely) : Math.max(limit, likely);
                 } else {
                     next = (s + amount * blurred[i]) / (1 + amount);
                 }
@@ -93,6 +100,32 @@ final class Unsharpened {
             floor[i] = others / ofOwn;
             level[i] = (sharpened(i) + others) / ofOwn;
         }
+    }
+
+    /**
+     * Prepares what a pixel is likely to be, by what its surroundings are: as at a straight edge, of which the pixel
+     * sees the share Phi(d / blur) and its surroundings Phi(d / hypot(blur, radius)).
+     */
+    private void setLikely(double blurPx, double radiusPx) {
+        double wider = Math.hypot(blurPx, radiusPx) / blurPx;
+        int next = 0;
+        for (int k = 0; k <= LIKELY; k++) {
+            double share = (double) k / LIKELY;
+            while (next < LARGEST_Z * Z_STEPS && EdgeProfile.tabulated(deviations(next)) < share) {
+                next++;
+            }
+            likely[k] = EdgeProfile.tabulated(deviations(next) * wider);
+        }
+    }
+
+    private static double deviations(int step) {
+        return (double) step / Z_STEPS - LARGEST_Z / 2.0;
+    }
+
+    private double likely(double around, double dark, double bright) {
+        double at = LIKELY * Math.max(0, Math.min(1, (around - dark) / Math.max(1, bright - dark)));
+        int i = Math.min(LIKELY - 1, (int) at);
+        return dark + (bright - dark) * (likely[i] + (at - i) * (likely[i + 1] - likely[i]));
     }
 
     /** Weights of a pixel itself and of those 1, 2, ... px away in a sampled Gaussian. */

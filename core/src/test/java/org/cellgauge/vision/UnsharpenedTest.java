@@ -62,7 +62,7 @@ class UnsharpenedTest {
     void greyComesBackAsItWasBeforeTheMask(double amount, double radius) {
         double[] grey = edge(60, 190, 2, 5);
         Unsharpened levels = new Unsharpened();
-        levels.undo(image(sharpened(grey, amount, radius)), 0, 0, SIZE - 1, SIZE - 1, amount, radius, 60, 190);
+        levels.undo(image(sharpened(grey, amount, radius)), 0, 0, SIZE - 1, SIZE - 1, amount, radius, 60, 190, 0.6);
         double squares = 0;
         for (int i = 0; i < grey.length; i++) {
             double off = levels.get(i % SIZE, i / SIZE) - grey[i];
@@ -78,7 +78,7 @@ class UnsharpenedTest {
         double[] grey = edge(60, 245, 0, 5);
         double[] after = sharpened(grey, 1, 1);
         Unsharpened levels = new Unsharpened();
-        levels.undo(image(after), 0, 0, SIZE - 1, SIZE - 1, 1, 1, 60, 245);
+        levels.undo(image(after), 0, 0, SIZE - 1, SIZE - 1, 1, 1, 60, 245, 0.6);
         int cut = 0;
         for (int i = 0; i < grey.length; i++) {
             double level = levels.get(i % SIZE, i / SIZE);
@@ -112,7 +112,7 @@ class UnsharpenedTest {
 
     private static double[] undone(double[] grey, double amount) {
         Unsharpened levels = new Unsharpened();
-        levels.undo(image(grey), 0, 0, SIZE - 1, SIZE - 1, amount, 1, 0, 255);
+        levels.undo(image(grey), 0, 0, SIZE - 1, SIZE - 1, amount, 1, 0, 255, 0.6);
         double[] out = new double[grey.length];
         for (int i = 0; i < out.length; i++) {
             out[i] = levels.get(i % SIZE, i / SIZE) - 128;
