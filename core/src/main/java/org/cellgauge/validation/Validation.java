@@ -61,7 +61,7 @@ public final class Validation {
     private Validation(TruthPrior prior, ValidationSettings settings) {
         this.prior = prior;
         this.settings = settings;
-        parts = CellPart.of(prior.cell());
+        parts = CellPart.of(prior.cell(), prior.intrinsicsPrior().count() > 0);
     }
 
     /** What became of one simulated cell. */

@@ -55,9 +55,6 @@ final class CoverageStudyRun {
         if (simulations < 1 || simulations > 1_000_000) {
             throw new ParameterException(command, "simulations must be between 1 and 1000000, not " + simulations);
         }
-        if (check.estimate() != CheckSettings.Estimate.NONE) {
-            throw new ParameterException(command, "a validation takes the camera as the cell file has it");
-        }
         // each simulation is one thread's; BoofCV would spread its part over all cores
         BoofThreads.useOne();
     }
@@ -96,6 +93,10 @@ final class CoverageStudyRun {
     // ---- random layouts
 
     int randomLayouts(boolean json, Double pixelStdPx, IntConsumer progress) {
+        if (check.estimate() != CheckSettings.Estimate.NONE) {
+            throw new ParameterException(command, "--random-layouts draws cameras that the check knows; leave out "
+                    + "--estimate, or give a --cell");
+        }
         CellSource cells;
         DetectionSource detections;
         String what;
