@@ -287,8 +287,8 @@ class CoverageStudyTest {
 
     /** Short chains: only what needs none is looked at. */
     private static CoverageFigures alarms(CellSource cells, DetectionSource detections, int photos) {
-        return CoverageStudy.run(cells, detections, settings().toBuilder().iterations(100).warmup(50).build(), photos, 1,
-                done -> { });
+        return CoverageStudy.run(cells, detections, settings().toBuilder().iterations(100).warmup(50).build(), photos,
+                1, done -> { });
     }
 
     /** Three times the stated noise: 8 degrees of freedom exceed the limit of 24.4 / 9 in 95 of 100 photos. */
@@ -306,7 +306,7 @@ class CoverageStudyTest {
         assertTrue(right.referenceMisfits() <= 1, right.referenceMisfits() + " named the references");
     }
 
-    /** Two references placed 2.5 times worse than stated: now one is accused, now none stands out and they do not fit. */
+    /** Two references placed 2.5 times worse than stated: now one is accused, now none and they do not fit. */
     @Test
     void referencesThatDoNotFitTogetherRaiseTheirOwnAlarm() {
         TruthPrior prior = prior(ThesisScene.inPlane(2).placement(1, 0.005).pixelStd(PIXEL_STD_PX).noObjects());

@@ -19,8 +19,8 @@ import org.cellgauge.validation.CoverageFigures;
 final class StudyText {
     /** Columns of {@link #markdownRow}. */
     static final List<String> COLUMNS = List.of("photos", "camera 95 %", "objects 95 %", "camera NEES", "objects NEES",
-            "camera z, mm", "no figure", "ambiguous", "accused", "noise misfit", "references misfit", "found", "corners e'S⁻¹e/8", "outward, px",
-            "outward, std", "rms, px");
+            "camera z, mm", "no figure", "ambiguous", "accused", "noise misfit", "references misfit", "found",
+            "corners e'S⁻¹e/8", "outward, px", "outward, std", "rms, px");
 
     /** Columns of {@link #markdownRowOfCorners}. */
     static final List<String> CORNER_COLUMNS = List.of("photos", "refused", "found", "corners e'S⁻¹e/8", "outward, px",
@@ -51,9 +51,9 @@ final class StudyText {
         text.append(CheckText.wrap(String.format(Locale.ROOT, "%d simulated cells, %s. %d refused, %d not converged, "
                 + "%d ambiguous; %d accuse a reference although all stand as stated, corners of %d do not fit the "
                 + "stated noise, references of %d together do not fit; %.1f %% have one or another of these false "
-                + "alarms. Of %d markers %d were found; in %d photos one was missing.", figures.simulations(), what, figures.refused(),
-                figures.count(Verdict.NOT_CONVERGED), figures.count(Verdict.AMBIGUOUS), figures.falseAlarms(),
-                figures.noiseMisfits(), figures.referenceMisfits(),
+                + "alarms. Of %d markers %d were found; in %d photos one was missing.", figures.simulations(), what,
+                figures.refused(), figures.count(Verdict.NOT_CONVERGED), figures.count(Verdict.AMBIGUOUS),
+                figures.falseAlarms(), figures.noiseMisfits(), figures.referenceMisfits(),
                 100.0 * figures.alarmed() / figures.simulations(), figures.markers(), figures.markersFound(),
                 figures.photosWithMarkersMissing()), ""));
         figures.refusals().forEach((reason, count) -> text.append("  refused ").append(count).append(": ")
