@@ -84,7 +84,9 @@ final class ValidationText {
     /** Only where placement is tested at all. */
     private String falseAlarms(CheckSettings check) {
         return check.model() == LikelihoodModel.RIGID_MARKER
-                ? "; in " + result.falseAlarms() + " a reference was called misplaced although none was" : "";
+                ? "; in " + result.falseAlarms() + " a reference was called misplaced although none was, in "
+                + result.noiseMisfits() + " corners do not fit the stated noise, in " + result.referenceMisfits()
+                + " the references together do not fit" : "";
     }
 
     private static String model(CheckSettings check) {
@@ -239,6 +241,8 @@ final class ValidationText {
         root.addProperty("refused", result.refused());
         root.addProperty("ambiguous", result.ambiguous());
         root.addProperty("false_alarms", result.falseAlarms());
+        root.addProperty("noise_misfits", result.noiseMisfits());
+        root.addProperty("reference_misfits", result.referenceMisfits());
         root.add("effective_share_min", number(result.weightShareMin()));
         root.add("rank_p_value", number(result.rankPValue()));
         JsonArray regions = new JsonArray();
