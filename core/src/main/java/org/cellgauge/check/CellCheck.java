@@ -305,9 +305,7 @@ public final class CellCheck {
         warnOfReferencesNotSeen();
         errors = cornerErrors();
         ReferenceView view = ReferenceView.of(cell.references(), errors);
-        IntrinsicsPrior intrinsics = settings.estimate() == CheckSettings.Estimate.FOCAL
-                ? IntrinsicsPrior.focal(cell.camera(), settings.focalPriorStdPx())
-                : IntrinsicsPrior.KNOWN;
+        IntrinsicsPrior intrinsics = settings.intrinsicsPrior(cell.camera());
         camera = withNoise(cameraTarget(view, intrinsics));
         noise = settings.model().noise(camera.view, errors, noiseLevel, settings.kappa());
         CameraState atMode = camera.modes.get(0).state();

@@ -342,8 +342,20 @@ public final class CheckResult {
      * @return the logarithm; negative infinity where the posterior has no density
      */
     public double cameraLogDensity(RigidTransform worldFromCamera) {
+        return cameraLogDensity(worldFromCamera, camera.modes.get(0).state().intrinsics);
+    }
+
+    /**
+     * The same at any intrinsics. Those that are not unknown are the camera's whatever is given for them.
+     *
+     * @param worldFromCamera the pose
+     * @param intrinsics in the order of {@link org.cellgauge.geometry.PinholeCamera}
+     * @return the logarithm; negative infinity where the posterior has no density
+     */
+    public double cameraLogDensity(RigidTransform worldFromCamera, double[] intrinsics) {
         CameraPosterior posterior = samplerUsed == SamplerKind.THESIS_MIXTURE ? camera.euler() : camera.centred();
         CameraState state = camera.modes.get(0).state();
+        System.arraycopy(intrinsics, 0, state.intrinsics, 0, state.intrinsics.length);
         RigidTransform cameraFromSet = camera.view.cameraFromSet(worldFromCamera);
         System.arraycopy(cameraFromSet.rotation(), 0, state.rotation, 0, 9);
         System.arraycopy(cameraFromSet.translationMm(), 0, state.offset, 0, 3);

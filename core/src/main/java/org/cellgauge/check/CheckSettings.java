@@ -1,7 +1,9 @@
 package org.cellgauge.check;
 
 import java.util.OptionalInt;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.pose.InitialPose;
+import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.posterior.RotationPrior;
 
 /** Everything that determines the figures of a check besides its inputs; immutable. */
@@ -85,7 +87,7 @@ public final class CheckSettings {
         return new Builder().model(LikelihoodModel.CORNER_CUBE).kappa(0.5).sampler(SamplerKind.THESIS_MIXTURE).chains(1)
                 .iterations(10_000).warmup(5_000).initial(InitialPose.AVERAGE).objectNoise(ObjectNoise.NONE)
                 .rotationPrior(RotationPrior.FLAT_IN_EULER_ANGLES).start(Start.INITIAL_ESTIMATE)
-                .posePriorAllowed(false);
+                .posePriorAllowed(false).aspectPriorStd(Double.POSITIVE_INFINITY);
     }
 
     /**
@@ -194,12 +196,35 @@ public final class CheckSettings {
     }
 
     /**
-     * Standard deviation of the prior of each focal length about the camera file's.
+     * Standard deviation of the prior of the focal length about the camera file's.
      *
      * @return px
      */
     public double focalPriorStdPx() {
         return v.focalPriorStdPx;
+    }
+
+    /**
+     * Standard deviation of the prior of the aspect ratio fy / fx about the camera file's, as a share of it.
+     *
+     * @return share; +infinity where fx and fy are independent beforehand, each with {@link #focalPriorStdPx()}
+     */
+    public double aspectPriorStd() {
+        return v.aspectPriorStd;
+    }
+
+    /**
+     * What is known beforehand of a camera's intrinsics.
+     *
+     * @param camera as the camera file has it
+     * @return the prior
+     */
+    public IntrinsicsPrior intrinsicsPrior(PinholeCamera camera) {
+        if (v.estimate != Estimate.FOCAL) {
+            return IntrinsicsPrior.KNOWN;
+        }
+        return Double.isInfinite(v.aspectPriorStd) ? IntrinsicsPrior.focal(camera, v.focalPriorStdPx)
+                : IntrinsicsPrior.focalAndAspect(camera, v.focalPriorStdPx, v.aspectPriorStd);
     }
 
     /**
@@ -277,6 +302,7 @@ public final class CheckSettings {
         private long seed = 1;
         private Estimate estimate = Estimate.NONE;
         private double focalPriorStdPx = 200;
+        private double aspectPriorStd = 0.005;
         private InitialPose initial = InitialPose.PNP;
         private ObjectNoise objectNoise = ObjectNoise.DETECTION;
         private RotationPrior rotationPrior = RotationPrior.UNIFORM;
@@ -299,6 +325,7 @@ public final class CheckSettings {
             seed = b.seed;
             estimate = b.estimate;
             focalPriorStdPx = b.focalPriorStdPx;
+            aspectPriorStd = b.aspectPriorStd;
             initial = b.initial;
             objectNoise = b.objectNoise;
             rotationPrior = b.rotationPrior;
@@ -418,13 +445,24 @@ public final class CheckSettings {
         }
 
         /**
-         * Sets the prior deviation of the focal lengths.
+         * Sets the prior deviation of the focal length.
          *
          * @param value px, positive
          * @return this
          */
         public Builder focalPriorStdPx(double value) {
             focalPriorStdPx = value;
+            return this;
+        }
+
+        /**
+         * Sets the prior deviation of the aspect ratio fy / fx.
+         *
+         * @param value share of the camera file's ratio, positive; +infinity for two independent focal lengths
+         * @return this
+         */
+        public Builder aspectPriorStd(double value) {
+            aspectPriorStd = value;
             return this;
         }
 
@@ -515,6 +553,7 @@ public final class CheckSettings {
             require(kappa > 0 && Double.isFinite(kappa), "kappa must be positive");
             require(chains >= 1 && chains <= 1000, "chains must be between 1 and 1000");
             require(focalPriorStdPx > 0 && Double.isFinite(focalPriorStdPx), "focal prior must be positive");
+            require(aspectPriorStd > 0, "aspect prior must be positive: it is a share, 0.005 for half a per cent");
             require(targetMcseStdRel > 0 && targetMcseStdRel < 1,
                     "precision must lie between 0 and 1: it is a share, 0.02 for 2 %");
             require(threads >= 1, "threads must be at least 1");

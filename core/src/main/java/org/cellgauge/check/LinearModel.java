@@ -283,8 +283,9 @@ final class LinearModel {
             if (shared > 6) {
                 double[] prior = new double[columns * columns];
                 for (int f = 6; f < shared; f++) {
-                    double std = camera.intrinsicsPrior.std(f - 6);
-                    prior[f * columns + f] = 1 / (std * std);
+                    for (int g = 6; g < shared; g++) {
+                        prior[f * columns + g] = camera.intrinsicsPrior.information(f - 6, g - 6);
+                    }
                 }
                 variances.put(VarianceBudget.INTRINSICS, priorPart(a, prior));
             }

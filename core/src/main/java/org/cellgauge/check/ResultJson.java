@@ -242,6 +242,8 @@ public final class ResultJson {
         json.name("seed").value(s.seed());
         json.name("estimate").value(s.estimate().optionName());
         number("focal_prior_std_px", s.estimate() == CheckSettings.Estimate.FOCAL ? s.focalPriorStdPx() : Double.NaN);
+        // none where two focal lengths are independent
+        number("aspect_prior_std", s.estimate() == CheckSettings.Estimate.FOCAL ? s.aspectPriorStd() : Double.NaN);
         json.name("initial").value(s.initial().optionName());
         json.name("start").value(word(s.start()));
         json.name("object_noise").value(s.objectNoise().optionName());

@@ -3,27 +3,42 @@ package org.cellgauge.pose;
 import org.cellgauge.geometry.PinholeCamera;
 
 /**
- * Which intrinsics are unknown and what is known of them beforehand: independent Gaussians; immutable.
+ * Which intrinsics are unknown and what is known of them beforehand: a Gaussian; immutable.
+ *
+ * <p>It is kept as a chain of regressions: the deviation of unknown i from its mean, given those before it, is normal
+ * about {@code sum_k b_ik d_k} with a deviation of its own. The rows of {@code (d_i - sum_k b_ik d_k) / s_i} are
+ * independent and standard normal beforehand: {@code L^-1 d}, L the Cholesky factor of the covariance.
  *
  * <p>The prior is always proper: references in one plane alone do not determine a focal length, and a flat prior would
  * leave a posterior that cannot be normalised.
  */
 public final class IntrinsicsPrior {
     /** All intrinsics are known. */
-    public static final IntrinsicsPrior KNOWN = new IntrinsicsPrior(new int[0], new double[0], new double[0]);
+    public static final IntrinsicsPrior KNOWN = new IntrinsicsPrior(new int[0], new double[0], new double[0],
+            new double[0], new double[0]);
 
     private final int[] indices;
     private final double[] means;
     private final double[] stds;
+    private final double[] slopes;
+    private final double[] ownStds;
 
-    private IntrinsicsPrior(int[] indices, double[] means, double[] stds) {
+    /**
+     * A prior.
+     *
+     * @param slopes by how much unknown i follows those before it, count x count row by row, lower triangle
+     * @param ownStds deviation of each given those before it
+     */
+    private IntrinsicsPrior(int[] indices, double[] means, double[] stds, double[] slopes, double[] ownStds) {
         this.indices = indices;
         this.means = means;
         this.stds = stds;
+        this.slopes = slopes;
+        this.ownStds = ownStds;
     }
 
     /**
-     * Unknown focal lengths fx and fy, each N(camera's value, std²).
+     * Unknown focal lengths fx and fy that know nothing of each other, each N(camera's value, std²): as in the thesis.
      *
      * @param camera gives the means
      * @param stdPx standard deviation, px, positive
@@ -32,6 +47,31 @@ public final class IntrinsicsPrior {
      */
     public static IntrinsicsPrior focal(PinholeCamera camera, double stdPx) {
         return of(camera, new int[] {PinholeCamera.FX, PinholeCamera.FY}, new double[] {stdPx, stdPx});
+    }
+
+    /**
+     * One unknown focal length, N(camera's fx, std²), and an unknown aspect ratio: {@code fy / fx} is the camera's, give
+     * or take a share of it. To first order in that share: {@code fy - fy0 = (fy0 / fx0) (fx - fx0) + fy0 t}.
+     *
+     * <p>Pixels are square, or as the calibration has them, far better than the focal length is known. Two independent
+     * focal lengths leave room for shapes of pixels that no camera has, and their posterior lies off the truth.
+     *
+     * @param camera gives the means and the ratio
+     * @param stdPx standard deviation of fx, px, positive
+     * @param aspectStd standard deviation of {@code fy / fx} as a share of the camera's, positive
+     * @return the prior of fx and fy
+     * @throws IllegalArgumentException if a deviation is not positive and finite
+     */
+    public static IntrinsicsPrior focalAndAspect(PinholeCamera camera, double stdPx, double aspectStd) {
+        double fx = camera.get(PinholeCamera.FX);
+        double fy = camera.get(PinholeCamera.FY);
+        double ofAspect = fy * aspectStd;
+        double byFocal = fy / fx;
+        IntrinsicsPrior apart = of(camera, new int[] {PinholeCamera.FX, PinholeCamera.FY},
+                new double[] {stdPx, ofAspect});
+        return new IntrinsicsPrior(apart.indices, apart.means,
+                new double[] {stdPx, Math.hypot(byFocal * stdPx, ofAspect)}, new double[] {0, 0, byFocal, 0},
+                apart.ownStds);
     }
 
     /**
@@ -51,7 +91,8 @@ public final class IntrinsicsPrior {
                 throw new IllegalArgumentException("prior deviation must be positive, not " + stds[i]);
             }
         }
-        return new IntrinsicsPrior(indices.clone(), means, stds.clone());
+        return new IntrinsicsPrior(indices.clone(), means, stds.clone(), new double[indices.length * indices.length],
+                stds.clone());
     }
 
     /**
@@ -94,6 +135,64 @@ public final class IntrinsicsPrior {
     }
 
     /**
+     * Change of the i-th independent row by an unknown: an entry of {@code L^-1}.
+     *
+     * @param i row, 0 to count - 1
+     * @param k unknown, 0 to count - 1
+     * @return in the inverse of the unknown's unit
+     */
+    public double whitening(int i, int k) {
+        return i == k ? 1 / ownStds[i] : -slopes[i * indices.length + k] / ownStds[i];
+    }
+
+    /**
+     * An entry of the inverse of the covariance.
+     *
+     * @param i unknown, 0 to count - 1
+     * @param k unknown, 0 to count - 1
+     * @return in the inverse of the product of their units
+     */
+    public double information(int i, int k) {
+        double sum = 0;
+        for (int row = Math.max(i, k); row < indices.length; row++) {
+            sum += whitening(row, i) * whitening(row, k);
+        }
+        return sum;
+    }
+
+    /**
+     * The i-th independent row at a state, standard normal beforehand. Allocates nothing.
+     *
+     * @param i 0 to count - 1
+     * @param intrinsics in the order of {@link PinholeCamera}
+     * @return deviations
+     */
+    public double whitened(int i, double[] intrinsics) {
+        double d = intrinsics[indices[i]] - means[i];
+        for (int k = 0; k < i; k++) {
+            d -= slopes[i * indices.length + k] * (intrinsics[indices[k]] - means[k]);
+        }
+        return d / ownStds[i];
+    }
+
+    /**
+     * The intrinsics that have given independent rows: the inverse of {@link #whitened}. Standard normal ones give a draw
+     * of the prior, which may have a focal length that is not positive.
+     *
+     * @param rows count values
+     * @param intrinsics in the order of {@link PinholeCamera}; receives the unknown ones
+     */
+    public void setWhitened(double[] rows, double[] intrinsics) {
+        for (int i = 0; i < indices.length; i++) {
+            double d = ownStds[i] * rows[i];
+            for (int k = 0; k < i; k++) {
+                d += slopes[i * indices.length + k] * (intrinsics[indices[k]] - means[k]);
+            }
+            intrinsics[indices[i]] = means[i] + d;
+        }
+    }
+
+    /**
      * Logarithm of the prior density at a state, up to a constant.
      *
      * @param intrinsics in the order of {@link PinholeCamera}
@@ -102,7 +201,7 @@ public final class IntrinsicsPrior {
     public double logDensity(double[] intrinsics) {
         double sum = 0;
         for (int i = 0; i < indices.length; i++) {
-            double d = (intrinsics[indices[i]] - means[i]) / stds[i];
+            double d = whitened(i, intrinsics);
             sum -= 0.5 * d * d;
         }
         return intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0 ? sum : Double.NEGATIVE_INFINITY;

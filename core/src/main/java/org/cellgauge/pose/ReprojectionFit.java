@@ -298,12 +298,14 @@ public final class ReprojectionFit {
         }
         for (int i = 0; i < intrinsicsPrior.count(); i++) {
             int row = 8 * markers + i;
-            double r = (state.intrinsics[intrinsicsPrior.index(i)] - intrinsicsPrior.mean(i)) / intrinsicsPrior.std(i);
+            double r = intrinsicsPrior.whitened(i, state.intrinsics);
             residuals[row] = r;
             cost += 0.5 * r * r;
             if (withDerivatives) {
                 java.util.Arrays.fill(jacobian, row * columns, (row + 1) * columns, 0);
-                jacobian[row * columns + 6 + i] = 1 / intrinsicsPrior.std(i);
+                for (int k = 0; k <= i; k++) {
+                    jacobian[row * columns + 6 + k] = intrinsicsPrior.whitening(i, k);
+                }
             }
         }
         for (int j = 0; j < unknowns; j++) {

@@ -12,9 +12,12 @@ import org.cellgauge.pose.CornerErrors;
  * Posterior of an object marker's pose in the camera frame given its own corners: Gaussian corner noise, flat position,
  * uniform rotation, in the centred chart (dp in mm, w in rad) about a base pose. Allocates nothing; not thread-safe.
  *
- * <p>The base may be moved between evaluations: where intrinsics are sampled, each draw has its own. So may what the
- * marker shares with others, {@link #setShared}: the base then moves along as the fitted pose would, to first order,
- * and coordinates are stretched as its deviations would be, so that the density in them stays nearly the same.
+ * <p>The base may be moved between evaluations, {@link #setBase}: where intrinsics are sampled, each draw has its own.
+ * What the image shows of a marker is its place by its depth; with another focal length the depth is another and so,
+ * by the same factor, is its deviation, while places across the line of sight and turns keep theirs. The depth
+ * coordinate is therefore counted in shares of the base's depth. What the marker has in common with others may change
+ * as well, {@link #setShared}: the base then moves along as the fitted pose would, to first order, and coordinates are
+ * stretched as its deviations would be. Either way the density in them stays nearly the same.
  */
 public final class ObjectPosterior implements LogDensity {
     private final double[] points;
@@ -28,6 +31,8 @@ public final class ObjectPosterior implements LogDensity {
     private final Shared shared;
     private double[] packed;
     private double stretch = 1;
+    private final double firstDepthMm;
+    private double depthStretch = 1;
 
     /** What the marker has in common with others. */
     private static final class Shared {
@@ -71,6 +76,7 @@ public final class ObjectPosterior implements LogDensity {
         inverseVariance = 1 / (pixelStdPx * pixelStdPx);
         shared = null;
         this.base.copyFrom(base);
+        firstDepthMm = base.offset[2];
     }
 
     /**
@@ -90,6 +96,7 @@ public final class ObjectPosterior implements LogDensity {
         observed = new double[8];
         inverseVariance = Double.NaN;
         shared = new Shared(errors, id, byUnknown, base, stretching);
+        firstDepthMm = base.offset[2];
         setShared(base);
     }
 
@@ -125,12 +132,13 @@ public final class ObjectPosterior implements LogDensity {
     }
 
     /**
-     * Moves the base; coordinates then mean other poses.
+     * Moves the base, as another focal length does; coordinates then mean other poses.
      *
      * @param newBase pose and intrinsics of the coordinates 0; copied
      */
     public void setBase(CameraState newBase) {
         base.copyFrom(newBase);
+        depthStretch = newBase.offset[2] / firstDepthMm;
     }
 
     /**
@@ -159,11 +167,9 @@ public final class ObjectPosterior implements LogDensity {
     @Override
     public double at(double[] x) {
         double[] step = x;
-        if (stretch != 1) {
+        if (stretch != 1 || depthStretch != 1) {
             step = stretched;
-            for (int i = 0; i < 6; i++) {
-                stretched[i] = stretch * x[i];
-            }
+            stretch(x);
         }
         double squared = step[3] * step[3] + step[4] * step[4] + step[5] * step[5];
         if (!(squared <= Math.PI * Math.PI)) {
@@ -210,9 +216,14 @@ public final class ObjectPosterior implements LogDensity {
      * @param out receives the pose in the camera frame and the base's intrinsics
      */
     public void decode(double[] x, CameraState out) {
+        stretch(x);
+        out.setMoved(base, stretched, 0);
+    }
+
+    private void stretch(double[] x) {
         for (int i = 0; i < 6; i++) {
             stretched[i] = stretch * x[i];
         }
-        out.setMoved(base, stretched, 0);
+        stretched[2] *= depthStretch;
     }
 }

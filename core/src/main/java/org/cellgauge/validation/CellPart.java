@@ -8,6 +8,8 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.CheckSettings;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CameraState;
@@ -24,6 +26,7 @@ final class CellPart {
             Arrays.asList("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad"));
     private static final List<String> GRIP = Collections.unmodifiableList(
             Arrays.asList("grip_x_mm", "grip_y_mm", "grip_z_mm"));
+    private static final List<String> FOCAL = Collections.unmodifiableList(Arrays.asList("fx_px", "fy_px"));
     /** Draws looked at; chains that ran longer are thinned evenly to about as many. */
     private static final int MOST_DRAWS = 8000;
 
@@ -34,7 +37,7 @@ final class CellPart {
     final List<String> coordinates = new ArrayList<>(TANGENT);
     final List<String> derived = new ArrayList<>();
 
-    private CellPart(ObjectMarker object) {
+    private CellPart(ObjectMarker object, boolean focal) {
         this.object = object;
         name = object == null ? "camera" : "object " + object.id();
         if (object != null) {
@@ -43,6 +46,11 @@ final class CellPart {
         region(name + " pose", 6);
         derived.add(object == null ? "log_density" : "distance_mm");
         derived.add("norm");
+        if (object == null && focal) {
+            region(name + " focal lengths", 2);
+            coordinates.addAll(FOCAL);
+            derived.add("focal_norm");
+        }
         if (object != null && object.hasGrip()) {
             region(name + " grip", 3);
             coordinates.addAll(GRIP);
@@ -55,10 +63,10 @@ final class CellPart {
         regionDimensions.add(dimension);
     }
 
-    static List<CellPart> of(Cell cell) {
+    static List<CellPart> of(Cell cell, boolean focal) {
         List<CellPart> parts = new ArrayList<>();
-        parts.add(new CellPart(null));
-        cell.objects().forEach(o -> parts.add(new CellPart(o)));
+        parts.add(new CellPart(null, focal));
+        cell.objects().forEach(o -> parts.add(new CellPart(o, focal)));
         return parts;
     }
 
@@ -119,7 +127,8 @@ final class CellPart {
     private double[][] columns(CheckResult result, String prefix) {
         double[][] columns = new double[coordinates.size()][];
         for (int c = 0; c < columns.length; c++) {
-            columns[c] = column(result, prefix + "_" + coordinates.get(c));
+            String coordinate = coordinates.get(c);
+            columns[c] = column(result, FOCAL.contains(coordinate) ? coordinate : prefix + "_" + coordinate);
         }
         return columns;
     }
@@ -130,6 +139,7 @@ final class CellPart {
         final double[][] columns;
         final RigidTransform[] cameraFromWorld;
         final double[] logWeights;
+        final PinholeCamera[] lenses;
 
         CameraDraws(CheckResult result, TruthPrior prior) {
             rotations = rotations(result, "camera");
@@ -138,16 +148,31 @@ final class CellPart {
             int n = columns[0].length;
             logWeights = new double[n];
             cameraFromWorld = new RigidTransform[n];
+            lenses = lenses(result, n);
             CameraState state = new CameraState();
             for (int i = 0; i < n; i++) {
                 RigidTransform pose = pose(rotations, columns, i);
                 cameraFromWorld[i] = pose.inverse();
                 if (!prior.isPoint()) {
                     System.arraycopy(cameraFromWorld[i].rotation(), 0, state.rotation, 0, 9);
-                    logWeights[i] = prior.logCamera(pose) - result.settings().rotationPrior().logDensity(state);
+                    logWeights[i] = prior.logCamera(lenses[i], pose) - result.settings().rotationPrior().logDensity(state);
                 }
             }
         }
+    }
+
+    private static PinholeCamera[] lenses(CheckResult result, int n) {
+        PinholeCamera stated = result.cell().camera();
+        PinholeCamera[] lenses = new PinholeCamera[n];
+        Arrays.fill(lenses, stated);
+        if (result.settings().estimate() == CheckSettings.Estimate.FOCAL) {
+            double[] fx = column(result, FOCAL.get(0));
+            double[] fy = column(result, FOCAL.get(1));
+            for (int i = 0; i < n; i++) {
+                lenses[i] = stated.withFocal(fx[i], fy[i]);
+            }
+        }
+        return lenses;
     }
 
     /**
@@ -167,7 +192,8 @@ final class CellPart {
         double[] rotations = object == null ? camera.rotations : rotations(result, prefix);
         int n = columns[0].length;
         RigidTransform truePose = object == null ? truth.worldFromCamera() : truth.worldFromObjects().get(object.id());
-        double[] trueValues = trueCoordinates(truePose, referenceRotation(columns, rotations));
+        double[] trueValues = trueCoordinates(truePose, truth.camera(result.cell()),
+                referenceRotation(columns, rotations));
 
         Standing standing = new Standing();
         double[] mean = new double[columns.length];
@@ -192,7 +218,8 @@ final class CellPart {
         double[][] distances = new double[regions][n];
         for (int k = 0; k < regions; k++) {
             int d = regionDimensions.get(k);
-            int first = regionNames.get(k).endsWith("grip") ? 6 : 0;
+            // what a pose has beside it comes after its six coordinates
+            int first = k > regionNames.indexOf(name + " pose") ? 6 : 0;
             double[][] covariance = covariance(columns, mean, first, d);
             CoverageRegion region = CoverageRegion.of(Arrays.copyOfRange(mean, first, first + d), covariance, 0.95);
             standing.squaredDistance[k] = region.mahalanobisSquared(Arrays.copyOfRange(trueValues, first, first + d));
@@ -217,13 +244,13 @@ final class CellPart {
         double trueSecond;
         if (object == null) {
             second = column(result, "lp__");
-            trueSecond = result.cameraLogDensity(truePose);
+            trueSecond = result.cameraLogDensity(truePose, truth.camera(result.cell()).intrinsics());
         } else {
             for (int i = 0; i < n; i++) {
                 RigidTransform pose = camera.cameraFromWorld[i].compose(pose(rotations, columns, i));
                 second[i] = length(pose.translationMm());
                 if (!prior.isPoint()) {
-                    logWeights[i] += prior.logObject(object, pose);
+                    logWeights[i] += prior.logObject(camera.lenses[i], object, pose);
                 }
             }
             trueSecond = length(truth.worldFromCamera().inverse().compose(truePose).translationMm());
@@ -257,13 +284,16 @@ final class CellPart {
         return reference;
     }
 
-    private double[] trueCoordinates(RigidTransform pose, double[] referenceRotation) {
+    private double[] trueCoordinates(RigidTransform pose, PinholeCamera lens, double[] referenceRotation) {
         double[] values = new double[coordinates.size()];
         System.arraycopy(pose.translationMm(), 0, values, 0, 3);
         double[] turned = new double[9];
         Rotations.multiplyTransposed(pose.rotation(), referenceRotation, turned);
         Rotations.log(turned, values, 3);
-        if (values.length > 6) {
+        if (object == null && values.length > 6) {
+            values[6] = lens.get(PinholeCamera.FX);
+            values[7] = lens.get(PinholeCamera.FY);
+        } else if (values.length > 6) {
             System.arraycopy(pose.apply(object.gripMm()), 0, values, 6, 3);
         }
         return values;

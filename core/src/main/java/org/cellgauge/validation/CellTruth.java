@@ -8,9 +8,10 @@ import java.util.Map;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 
-/** Where the camera and the objects of a cell really stand; immutable. */
+/** Where the camera and the objects of a cell really stand, and what lens the camera really has; immutable. */
 public final class CellTruth {
     /** How far from the centroid of the references to the line between two of them a default object stands. */
     private static final double INWARDS = 0.6;
@@ -20,16 +21,41 @@ public final class CellTruth {
 
     private final RigidTransform worldFromCamera;
     private final Map<Integer, RigidTransform> worldFromObjects;
+    /** Null where the camera is the one of the cell file. */
+    private final PinholeCamera camera;
 
     /**
-     * A truth.
+     * A truth in which the camera is as the cell file has it.
      *
      * @param worldFromCamera pose of the camera in the world
      * @param worldFromObjects poses of the objects in the world, by id; copied
      */
     public CellTruth(RigidTransform worldFromCamera, Map<Integer, RigidTransform> worldFromObjects) {
+        this(worldFromCamera, worldFromObjects, null);
+    }
+
+    /**
+     * A truth with a camera of its own.
+     *
+     * @param worldFromCamera pose of the camera in the world
+     * @param worldFromObjects poses of the objects in the world, by id; copied
+     * @param camera intrinsics and image size that the photo is taken with; null for those of the cell file
+     */
+    public CellTruth(RigidTransform worldFromCamera, Map<Integer, RigidTransform> worldFromObjects,
+            PinholeCamera camera) {
         this.worldFromCamera = worldFromCamera;
         this.worldFromObjects = Collections.unmodifiableMap(new LinkedHashMap<>(worldFromObjects));
+        this.camera = camera;
+    }
+
+    /**
+     * What the photo is taken with.
+     *
+     * @param cell what the check is told
+     * @return the true camera; that of the cell where the truth has none of its own
+     */
+    public PinholeCamera camera(Cell cell) {
+        return camera == null ? cell.camera() : camera;
     }
 
     /**

@@ -22,6 +22,9 @@ public final class CoverageFigures {
     private final Map<String, Integer> refusals;
     private final Map<String, Integer> warnings;
     private final int falseAlarms;
+    private final int noiseMisfits;
+    private final int referenceMisfits;
+    private final int alarmed;
     private final int markers;
     private final int markersFound;
     private final int photosWithMarkersMissing;
@@ -37,7 +40,10 @@ public final class CoverageFigures {
         Map<String, Region> byName = new LinkedHashMap<>();
         Map<String, List<Double>> errorsZ = new LinkedHashMap<>();
         List<CoverageStudy.CornerStanding> allCorners = new ArrayList<>();
-        int alarms = 0;
+        int accusing = 0;
+        int ofNoise = 0;
+        int ofReferences = 0;
+        int any = 0;
         int all = 0;
         int found = 0;
         int incomplete = 0;
@@ -48,7 +54,10 @@ public final class CoverageFigures {
                 verdictCounts.merge(outcome.verdict, 1, Integer::sum);
             }
             outcome.warnings.forEach(w -> warningCounts.merge(w, 1, Integer::sum));
-            alarms += outcome.accuses ? 1 : 0;
+            accusing += outcome.accuses ? 1 : 0;
+            ofNoise += outcome.noiseMisfit ? 1 : 0;
+            ofReferences += outcome.referencesMisfit ? 1 : 0;
+            any += outcome.accuses || outcome.noiseMisfit || outcome.referencesMisfit ? 1 : 0;
             all += outcome.markers;
             found += outcome.markersFound;
             incomplete += outcome.markersFound < outcome.markers ? 1 : 0;
@@ -66,7 +75,10 @@ public final class CoverageFigures {
         verdicts = Collections.unmodifiableMap(verdictCounts);
         refusals = Collections.unmodifiableMap(refusalCounts);
         warnings = Collections.unmodifiableMap(warningCounts);
-        falseAlarms = alarms;
+        falseAlarms = accusing;
+        noiseMisfits = ofNoise;
+        referenceMisfits = ofReferences;
+        alarmed = any;
         markers = all;
         markersFound = found;
         photosWithMarkersMissing = incomplete;
@@ -396,6 +408,35 @@ public final class CoverageFigures {
      */
     public int falseAlarms() {
         return falseAlarms;
+    }
+
+    /**
+     * Photos whose corners do not fit the stated noise, be it because of one marker or of all
+     * ({@link org.cellgauge.check.NoiseFit}).
+     *
+     * @return count; honest: at most 2 in 1000 where a noise is stated, none where it is not
+     */
+    public int noiseMisfits() {
+        return noiseMisfits;
+    }
+
+    /**
+     * Photos whose references together do not fit as stated, but for those that are accused.
+     *
+     * @return count; honest: at most 1 in 1000
+     */
+    public int referenceMisfits() {
+        return referenceMisfits;
+    }
+
+    /**
+     * Photos with an alarm of any kind: a reference accused or left out, corners that do not fit the stated noise,
+     * references that together do not fit.
+     *
+     * @return count; honest: at most 1 in 100
+     */
+    public int alarmed() {
+        return alarmed;
     }
 
     /**

@@ -96,6 +96,8 @@ public final class CoverageStudy {
         String refusal;
         Verdict verdict;
         boolean accuses;
+        boolean noiseMisfit;
+        boolean referencesMisfit;
         int markers;
         int markersFound;
         final List<String> warnings = new ArrayList<>();
@@ -193,6 +195,8 @@ public final class CoverageStudy {
         outcome.verdict = result.verdict();
         outcome.accuses = !result.referenceCheck().misplaced().isEmpty()
                 || result.warnings().stream().anyMatch(w -> w.kind() == CheckWarning.REFERENCE_LEFT_OUT);
+        outcome.noiseMisfit = !result.noiseFit().holds();
+        outcome.referencesMisfit = !result.referenceCheck().fitTogether();
         if (result.verdict() != Verdict.NOT_CONVERGED) {
             outcome.standings.add(standing(result, null, simulated));
             for (ObjectMarker object : cell.objects()) {

@@ -66,13 +66,13 @@ public final class SimulatedCell {
         RigidTransform cameraFromWorld = truth.worldFromCamera().inverse();
         for (Reference r : cell.references()) {
             if (r.id() == id) {
-                return TruthPrior.project(cell.camera(), cameraFromWorld.compose(worldFromReferences.get(id)),
+                return TruthPrior.project(truth.camera(cell), cameraFromWorld.compose(worldFromReferences.get(id)),
                         r.sizeMm());
             }
         }
         for (ObjectMarker o : cell.objects()) {
             if (o.id() == id) {
-                return TruthPrior.project(cell.camera(), cameraFromWorld.compose(truth.worldFromObjects().get(id)),
+                return TruthPrior.project(truth.camera(cell), cameraFromWorld.compose(truth.worldFromObjects().get(id)),
                         o.sizeMm());
             }
         }

@@ -7,6 +7,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
@@ -36,22 +37,22 @@ public final class SimulatedPhoto {
         List<MarkerObservation> markers = new ArrayList<>();
         for (Reference r : cell.references()) {
             RigidTransform pose = placement == null ? r.worldFromMarker() : misplaced(r, placement);
-            if (!add(markers, cell, r.id(), r.sizeMm(), cameraFromWorld.compose(pose), pixelStdPx, noise)) {
+            if (!add(markers, truth.camera(cell), r.id(), r.sizeMm(), cameraFromWorld.compose(pose), pixelStdPx, noise)) {
                 return null;
             }
         }
         for (ObjectMarker o : cell.objects()) {
             RigidTransform pose = cameraFromWorld.compose(truth.worldFromObjects().get(o.id()));
-            if (!add(markers, cell, o.id(), o.sizeMm(), pose, pixelStdPx, noise)) {
+            if (!add(markers, truth.camera(cell), o.id(), o.sizeMm(), pose, pixelStdPx, noise)) {
                 return null;
             }
         }
         return new Detections("simulated", cell.camera().widthPx(), cell.camera().heightPx(), markers);
     }
 
-    private static boolean add(List<MarkerObservation> markers, Cell cell, int id, double sizeMm,
+    private static boolean add(List<MarkerObservation> markers, PinholeCamera lens, int id, double sizeMm,
             RigidTransform cameraFromMarker, double pixelStdPx, RandomGenerator noise) {
-        double[] px = TruthPrior.project(cell.camera(), cameraFromMarker, sizeMm);
+        double[] px = TruthPrior.project(lens, cameraFromMarker, sizeMm);
         if (px == null) {
             return false;
         }

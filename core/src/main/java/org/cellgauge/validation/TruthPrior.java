@@ -12,6 +12,7 @@ import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
+import org.cellgauge.pose.IntrinsicsPrior;
 
 /**
  * Where true poses come from: a proper prior about nominal poses, independent for the camera and for each object before
@@ -23,6 +24,9 @@ import org.cellgauge.geometry.Rotations;
  * with the camera. Both are truncated to poses from which the markers concerned (references where the cell file has
  * them; the object) are seen from the front with all corners in the image. Deviations of 0 make it a single point: the
  * nominal poses.
+ *
+ * <p>Where a check is to find intrinsics too, true ones are drawn from its prior of them, before the pose; where
+ * references are out of sight with both, both are drawn anew.
  */
 public final class TruthPrior {
     private static final int ATTEMPTS = 10_000;
@@ -31,6 +35,7 @@ public final class TruthPrior {
     private final double stdMm;
     private final double stdRad;
     private final double[] centroid = new double[3];
+    private final IntrinsicsPrior intrinsicsPrior;
     private final RigidTransform cameraFromWorld;
     private final double[] centroidInCamera;
     private final Map<Integer, RigidTransform> cameraFromObjects = new LinkedHashMap<>();
@@ -49,6 +54,22 @@ public final class TruthPrior {
      * @throws InputRefusedException if a marker is not in the image at the nominal poses
      */
     public TruthPrior(Cell cell, CellTruth nominal, double stdMm, double stdRad) {
+        this(cell, nominal, stdMm, stdRad, IntrinsicsPrior.KNOWN);
+    }
+
+    /**
+     * A prior with unknown intrinsics.
+     *
+     * @param cell the cell
+     * @param nominal mean poses; of every object of the cell
+     * @param stdMm as above
+     * @param stdRad as above
+     * @param intrinsicsPrior where true intrinsics are drawn from: what the check takes for known of them
+     * @throws IllegalArgumentException if a deviation is out of range or only one of them is 0, or an object has no
+     *     pose
+     * @throws InputRefusedException if a marker is not in the image at the nominal poses
+     */
+    public TruthPrior(Cell cell, CellTruth nominal, double stdMm, double stdRad, IntrinsicsPrior intrinsicsPrior) {
         if (!(stdMm >= 0 && stdRad >= 0 && stdRad < 1 && Double.isFinite(stdMm)) || (stdMm == 0) != (stdRad == 0)) {
             throw new IllegalArgumentException("the spread takes two positive values (rotations below 57 degrees), "
                     + "or 0 twice");
@@ -56,6 +77,7 @@ public final class TruthPrior {
         this.cell = cell;
         this.stdMm = stdMm;
         this.stdRad = stdRad;
+        this.intrinsicsPrior = intrinsicsPrior;
         for (Reference r : cell.references()) {
             for (int i = 0; i < 3; i++) {
                 centroid[i] += r.worldFromMarker().translationMm()[i] / cell.references().size();
@@ -84,7 +106,7 @@ public final class TruthPrior {
     }
 
     private void requireSeen(String name, RigidTransform cameraFromMarker, double sizeMm) {
-        if (!seen(cameraFromMarker, sizeMm)) {
+        if (!seen(cell.camera(), cameraFromMarker, sizeMm)) {
             throw new InputRefusedException(name + " is not seen from the camera pose: some corner is outside the "
                     + "image or it shows its back; give another --camera-pose or --object pose");
         }
@@ -108,15 +130,17 @@ public final class TruthPrior {
      */
     public CellTruth draw(RandomGenerator random) {
         RigidTransform camera = cameraFromWorld;
+        PinholeCamera lens = lens(random);
         if (!isPoint()) {
             camera = null;
             for (int i = 0; camera == null; i++) {
+                lens = i == 0 ? lens : lens(random);
                 RigidTransform moved = moved(RigidTransform.of(cameraFromWorld.rotation(), centroidInCamera), random);
                 double[] g = RigidTransform.of(moved.rotation(), new double[3]).apply(centroid);
                 double[] p = moved.translationMm();
                 RigidTransform suggested = RigidTransform.of(moved.rotation(),
                         new double[] {p[0] - g[0], p[1] - g[1], p[2] - g[2]});
-                camera = referencesSeen(suggested) ? suggested : null;
+                camera = referencesSeen(lens, suggested) ? suggested : null;
                 requireHope(i, "the references");
             }
         }
@@ -127,14 +151,29 @@ public final class TruthPrior {
             if (!isPoint()) {
                 RigidTransform nominal = pose;
                 pose = moved(nominal, random);
-                for (int i = 0; !seen(pose, o.sizeMm()); i++) {
+                for (int i = 0; !seen(lens, pose, o.sizeMm()); i++) {
                     requireHope(i, "object " + o.id());
                     pose = moved(nominal, random);
                 }
             }
             objects.put(o.id(), worldFromCamera.compose(pose));
         }
-        return new CellTruth(worldFromCamera, objects);
+        return new CellTruth(worldFromCamera, objects, lens);
+    }
+
+    private PinholeCamera lens(RandomGenerator random) {
+        if (intrinsicsPrior.count() == 0) {
+            return cell.camera();
+        }
+        double[] intrinsics = cell.camera().intrinsics();
+        double[] rows = new double[intrinsicsPrior.count()];
+        do {
+            for (int i = 0; i < rows.length; i++) {
+                rows[i] = random.nextGaussian();
+            }
+            intrinsicsPrior.setWhitened(rows, intrinsics);
+        } while (!(intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0));
+        return PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(), intrinsics);
     }
 
     private static void requireHope(int attempt, String what) {
@@ -163,15 +202,16 @@ public final class TruthPrior {
      * Logarithm of this prior's density of the camera pose by the measure that is flat in position and uniform over
      * rotations, up to a constant: what a flat posterior has to be weighted with to become that under this prior.
      *
+     * @param lens intrinsics; their own prior is the check's, and not in here
      * @param worldFromCamera a pose
      * @return the logarithm; 0 for a prior without width
      */
-    double logCamera(RigidTransform worldFromCamera) {
+    double logCamera(PinholeCamera lens, RigidTransform worldFromCamera) {
         if (isPoint()) {
             return 0;
         }
         RigidTransform pose = worldFromCamera.inverse();
-        return referencesSeen(pose)
+        return referencesSeen(lens, pose)
                 ? log(pose.rotation(), pose.apply(centroid), cameraFromWorld.rotation(), centroidInCamera)
                 : Double.NEGATIVE_INFINITY;
     }
@@ -179,16 +219,17 @@ public final class TruthPrior {
     /**
      * The same for an object's pose before the camera.
      *
+     * @param lens intrinsics
      * @param object the object
      * @param cameraFromObject its pose in the camera frame
      * @return the logarithm
      */
-    double logObject(ObjectMarker object, RigidTransform cameraFromObject) {
+    double logObject(PinholeCamera lens, ObjectMarker object, RigidTransform cameraFromObject) {
         if (isPoint()) {
             return 0;
         }
         RigidTransform nominal = cameraFromObjects.get(object.id());
-        return seen(cameraFromObject, object.sizeMm())
+        return seen(lens, cameraFromObject, object.sizeMm())
                 ? log(cameraFromObject.rotation(), cameraFromObject.translationMm(), nominal.rotation(),
                         nominal.translationMm())
                 : Double.NEGATIVE_INFINITY;
@@ -209,29 +250,29 @@ public final class TruthPrior {
         return -0.5 * sum - Rotations.logHaarDensity(w[0], w[1], w[2]);
     }
 
-    private boolean referencesSeen(RigidTransform pose) {
+    private boolean referencesSeen(PinholeCamera lens, RigidTransform pose) {
         for (Reference r : cell.references()) {
-            if (!seen(pose.compose(r.worldFromMarker()), r.sizeMm())) {
+            if (!seen(lens, pose.compose(r.worldFromMarker()), r.sizeMm())) {
                 return false;
             }
         }
         return true;
     }
 
-    private boolean seen(RigidTransform cameraFromMarker, double sizeMm) {
+    private static boolean seen(PinholeCamera lens, RigidTransform cameraFromMarker, double sizeMm) {
         double[] r = cameraFromMarker.rotation();
         double[] t = cameraFromMarker.translationMm();
         // the marker's normal must point towards the camera, which is at the origin
         if (!(r[2] * t[0] + r[5] * t[1] + r[8] * t[2] < 0)) {
             return false;
         }
-        double[] px = project(cell.camera(), cameraFromMarker, sizeMm);
+        double[] px = project(lens, cameraFromMarker, sizeMm);
         if (px == null) {
             return false;
         }
         for (int i = 0; i < 8; i += 2) {
-            if (!(px[i] >= 0 && px[i] <= cell.camera().widthPx() && px[i + 1] >= 0
-                    && px[i + 1] <= cell.camera().heightPx())) {
+            if (!(px[i] >= 0 && px[i] <= lens.widthPx() && px[i + 1] >= 0
+                    && px[i + 1] <= lens.heightPx())) {
                 return false;
             }
         }
@@ -273,6 +314,15 @@ public final class TruthPrior {
      */
     public Cell cell() {
         return cell;
+    }
+
+    /**
+     * Where true intrinsics are drawn from.
+     *
+     * @return the prior; of none where the camera is the cell's
+     */
+    public IntrinsicsPrior intrinsicsPrior() {
+        return intrinsicsPrior;
     }
 
     /**

@@ -61,7 +61,7 @@ public final class Validation {
     private Validation(TruthPrior prior, ValidationSettings settings) {
         this.prior = prior;
         this.settings = settings;
-        parts = CellPart.of(prior.cell());
+        parts = CellPart.of(prior.cell(), prior.intrinsicsPrior().count() > 0);
     }
 
     /** What became of one simulated cell. */
@@ -70,6 +70,8 @@ public final class Validation {
         boolean notConverged;
         boolean ambiguous;
         boolean falseAlarm;
+        boolean noiseMisfit;
+        boolean referencesMisfit;
         List<CellPart.Standing> standings = new ArrayList<>();
     }
 
@@ -111,6 +113,8 @@ public final class Validation {
             return outcome;
         }
         outcome.falseAlarm = !result.referenceCheck().misplaced().isEmpty();
+        outcome.noiseMisfit = !result.noiseFit().holds();
+        outcome.referencesMisfit = !result.referenceCheck().fitTogether();
         outcome.notConverged = result.verdict() == Verdict.NOT_CONVERGED;
         if (outcome.notConverged) {
             return outcome;
@@ -130,11 +134,15 @@ public final class Validation {
         int refused = 0;
         int ambiguous = 0;
         int falseAlarms = 0;
+        int noiseMisfits = 0;
+        int referenceMisfits = 0;
         for (Outcome o : outcomes) {
             notConverged += o.notConverged ? 1 : 0;
             refused += o.refused ? 1 : 0;
             ambiguous += o.ambiguous ? 1 : 0;
             falseAlarms += o.falseAlarm ? 1 : 0;
+            noiseMisfits += o.noiseMisfit ? 1 : 0;
+            referenceMisfits += o.referencesMisfit ? 1 : 0;
             if (!o.notConverged && !o.refused) {
                 stated.add(o);
             }
@@ -181,8 +189,8 @@ public final class Validation {
                         coordinate ? Math.sqrt(squares / n) : Double.NaN));
             }
         }
-        return new ValidationResult(outcomes.size(), notConverged, refused, ambiguous, falseAlarms, weightShare,
-                regions, quantities);
+        return new ValidationResult(outcomes.size(), notConverged, refused, ambiguous, falseAlarms, noiseMisfits,
+                referenceMisfits, weightShare, regions, quantities);
     }
 
     /** As many bins as leave enough ranks in each. */

@@ -10,17 +10,22 @@ public final class ValidationResult {
     private final int refused;
     private final int ambiguous;
     private final int falseAlarms;
+    private final int noiseMisfits;
+    private final int referenceMisfits;
     private final double weightShareMin;
     private final List<RegionCoverage> regions;
     private final List<RankedQuantity> quantities;
 
     ValidationResult(int simulations, int notConverged, int refused, int ambiguous, int falseAlarms,
-            double weightShareMin, List<RegionCoverage> regions, List<RankedQuantity> quantities) {
+            int noiseMisfits, int referenceMisfits, double weightShareMin, List<RegionCoverage> regions,
+            List<RankedQuantity> quantities) {
         this.simulations = simulations;
         this.notConverged = notConverged;
         this.refused = refused;
         this.ambiguous = ambiguous;
         this.falseAlarms = falseAlarms;
+        this.noiseMisfits = noiseMisfits;
+        this.referenceMisfits = referenceMisfits;
         this.weightShareMin = weightShareMin;
         this.regions = Collections.unmodifiableList(regions);
         this.quantities = Collections.unmodifiableList(quantities);
@@ -70,6 +75,24 @@ public final class ValidationResult {
      */
     public int falseAlarms() {
         return falseAlarms;
+    }
+
+    /**
+     * Cells whose corners do not fit the stated noise, which is no false alarm where other noise was simulated.
+     *
+     * @return count, refused cells left out; honest: at most 2 in 1000
+     */
+    public int noiseMisfits() {
+        return noiseMisfits;
+    }
+
+    /**
+     * Cells whose references together do not fit as stated, but for those called misplaced.
+     *
+     * @return count, refused cells left out; honest: at most 1 in 1000
+     */
+    public int referenceMisfits() {
+        return referenceMisfits;
     }
 
     /**

@@ -13,8 +13,7 @@ public final class ValidationSettings {
      * Settings.
      *
      * @param simulations number of simulated cells, at least 1
-     * @param check how each is checked; its seed is that of the whole validation, its number of threads does not count.
-     *     Focal lengths must be known
+     * @param check how each is checked; its seed is that of the whole validation, its number of threads does not count
      * @param pixelStdPx standard deviation of the noise put on corners, px, positive
      * @param threads number of cells checked at a time, at least 1; no figure depends on it
      * @throws IllegalArgumentException if a value is out of range
@@ -28,9 +27,6 @@ public final class ValidationSettings {
         }
         if (threads < 1) {
             throw new IllegalArgumentException("threads must be at least 1");
-        }
-        if (check.estimate() != CheckSettings.Estimate.NONE) {
-            throw new IllegalArgumentException("a validation takes the camera as the cell file has it");
         }
         this.simulations = simulations;
         this.check = check;

@@ -63,6 +63,10 @@ final class MarkerEdges {
     private static final double PAPER_STEP_PX = 0.5;
     /** A drop of the light by less than this share of the difference of white and black is no edge of the paper. */
     private static final double PAPER_CONTRAST = 0.06;
+    /** What lines and shift hang on, of every side. */
+    private static final int[] SIDE_UNKNOWNS = {SideFit.OFFSET, SideFit.SLOPE, SideFit.BLUR, SideFit.BRIGHT};
+    private static final int BY_BLUR = 2;
+    private static final int BY_BRIGHT = 3;
 
     private static final double WHITE = 255;
     /** About a marker, where the edge of the paper is looked for, and what a sharpened pixel sees beyond. */
@@ -1093,7 +1097,11 @@ final class MarkerEdges {
             int i = (j + CORNERS - 1) % CORNERS;
             cornerByLines(j, i, j, byLines);
         }
-        double[] lines = lines(noiseGrey);
+        double[] joint = linesAndShift(noiseGrey);
+        double[] lines = new double[64];
+        for (int r = 0; r < 8; r++) {
+            System.arraycopy(joint, 9 * r, lines, 8 * r, 8);
+        }
         double[] half = times(byLines, lines);
         double[] covariance = new double[64];
         for (int r = 0; r < 8; r++) {
@@ -1110,71 +1118,70 @@ final class MarkerEdges {
         corners(corners);
         EdgeShift shift = null;
         if (shiftMeasured) {
-            double meanVariance = 0;
-            for (double std : noiseGrey) {
-                meanVariance += std * std / CORNERS;
-            }
-            double variance = meanVariance / shiftInformation;
             double[] withCorners = new double[8];
-            for (int k = 0; k < 8; k++) {
-                double s = 0;
-                for (int m = 0; m < 8; m++) {
-                    s += lines[8 * k + m] * shiftByLine[m];
-                }
-                variance += s * shiftByLine[k];
-            }
             for (int r = 0; r < 8; r++) {
                 for (int k = 0; k < 8; k++) {
-                    withCorners[r] += half[8 * r + k] * shiftByLine[k];
+                    withCorners[r] += byLines[8 * r + k] * joint[9 * k + 8];
                 }
             }
-            // the inner edges are as blurred as the outline was found to be
-            for (int i = 0; i < CORNERS; i++) {
-                double scaled = noiseGrey[i] * noiseGrey[i] * shiftByBlur[i];
-                variance += scaled * shiftByBlur[i] * sides[i].covariance(SideFit.BLUR, SideFit.BLUR);
-                for (int a = 0; a < 2; a++) {
-                    double withLine = scaled * sides[i].covariance(a, SideFit.BLUR);
-                    variance += 2 * withLine * shiftByLine[2 * i + a];
-                    for (int r = 0; r < 8; r++) {
-                        withCorners[r] += byLines[8 * r + 2 * i + a] * withLine;
-                    }
-                }
-            }
-            shift = new EdgeShift(shiftPx, variance, withCorners);
+            shift = new EdgeShift(shiftPx, joint[80], withCorners);
         }
         return new MarkerObservation(id, corners, covariance, shift);
     }
 
     /**
-     * Covariance of offset and slope of the four lines: noise of their own pixels, and of the white that tells the lamp.
+     * Covariance of offset and slope of the four lines and of the shift, 9x9 row by row: noise of the sides' own pixels,
+     * of the white that tells the lamp, and of the inner edges.
+     *
+     * <p>All of it from what every side's fit knows of offset, slope, blur and white, through their derivatives, so that
+     * no part of it is left out that another has: what errors of white and blur share was, and where lamp and blur are
+     * uncertain (dark photos) corners less what they share with the shift then had no covariance any more.
      */
-    private double[] lines(double[] noiseGrey) {
-        double[] lines = new double[8 * 8];
-        double[] byBright = new double[8];
-        double[] withBright = new double[8];
+    private double[] linesAndShift(double[] noiseGrey) {
+        double[] joint = new double[9 * 9];
+        double[] by = new double[9 * SIDE_UNKNOWNS.length];
+        int n = SIDE_UNKNOWNS.length;
         for (int i = 0; i < CORNERS; i++) {
             double variance = noiseGrey[i] * noiseGrey[i];
+            Arrays.fill(by, 0);
             for (int k = 0; k < CORNERS; k++) {
                 double lamp = lampXByBright[i] * sides[k].tangentX + lampYByBright[i] * sides[k].tangentY;
-                byBright[2 * k] = sides[k].offsetByLamp * lamp;
-                byBright[2 * k + 1] = sides[k].slopeByLamp * lamp;
+                by[n * 2 * k + BY_BRIGHT] = sides[k].offsetByLamp * lamp;
+                by[n * (2 * k + 1) + BY_BRIGHT] = sides[k].slopeByLamp * lamp;
             }
-            Arrays.fill(withBright, 0);
-            for (int a = 0; a < 2; a++) {
-                withBright[2 * i + a] = sides[i].covariance(a, SideFit.BRIGHT);
-                for (int c = 0; c < 2; c++) {
-                    lines[8 * (2 * i + a) + 2 * i + c] += variance * sides[i].covariance(a, c);
+            by[n * 2 * i] = 1;
+            by[n * (2 * i + 1) + 1] = 1;
+            if (shiftMeasured) {
+                // the pattern follows the lines, and the inner edges are as blurred as the outline was found to be
+                by[n * 8 + BY_BLUR] = shiftByBlur[i];
+                for (int a = 0; a < n; a++) {
+                    for (int k = 0; k < 8; k++) {
+                        by[n * 8 + a] += shiftByLine[k] * by[n * k + a];
+                    }
                 }
             }
-            double ofBright = sides[i].covariance(SideFit.BRIGHT, SideFit.BRIGHT);
-            for (int r = 0; r < 8; r++) {
-                for (int c = 0; c < 8; c++) {
-                    lines[8 * r + c] += variance * (byBright[r] * ofBright * byBright[c]
-                            + byBright[r] * withBright[c] + withBright[r] * byBright[c]);
+            for (int r = 0; r < 9; r++) {
+                for (int c = 0; c <= r; c++) {
+                    double sum = 0;
+                    for (int a = 0; a < n; a++) {
+                        for (int b = 0; b < n; b++) {
+                            sum += by[n * r + a] * sides[i].covariance(SIDE_UNKNOWNS[a], SIDE_UNKNOWNS[b])
+                                    * by[n * c + b];
+                        }
+                    }
+                    joint[9 * r + c] += variance * sum;
                 }
+            }
+            if (shiftMeasured) {
+                joint[80] += variance / CORNERS / shiftInformation;
             }
         }
-        return lines;
+        for (int r = 0; r < 9; r++) {
+            for (int c = 0; c < r; c++) {
+                joint[9 * c + r] = joint[9 * r + c];
+            }
+        }
+        return joint;
     }
 
     private static double[] times(double[] a, double[] b) {

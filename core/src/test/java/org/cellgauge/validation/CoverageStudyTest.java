@@ -280,7 +280,60 @@ class CoverageStudyTest {
             markers.set(0, new MarkerObservation(markers.get(0).id(), px));
             return new Detections("simulated", 1280, 720, markers);
         };
-        assertEquals(4, study(shifted, 4, 2).falseAlarms());
+        CoverageFigures figures = study(shifted, 4, 2);
+        assertEquals(4, figures.falseAlarms());
+        assertEquals(4, figures.alarmed());
+    }
+
+    /** Short chains: only what needs none is looked at. */
+    private static CoverageFigures alarms(CellSource cells, DetectionSource detections, int photos) {
+        return CoverageStudy.run(cells, detections, settings().toBuilder().iterations(100).warmup(50).build(), photos,
+                1, done -> { });
+    }
+
+    /** Three times the stated noise: 8 degrees of freedom exceed the limit of 24.4 / 9 in 95 of 100 photos. */
+    @Test
+    void noiseThatIsStatedWronglyRaisesItsOwnAlarm() {
+        CellSource cells = OneCell.of(prior(scene().noObjects().pixelStd(0.1)));
+        CoverageFigures wrong = alarms(cells, DrawnCorners.of(0.3), 10);
+        // fewer than 7 of 10 come once in a thousand
+        assertTrue(wrong.noiseMisfits() >= 7, wrong.noiseMisfits() + " named the noise");
+        assertTrue(wrong.falseAlarms() <= 2, "the noise and no reference is named");
+        assertTrue(wrong.alarmed() >= wrong.noiseMisfits());
+        CoverageFigures right = alarms(cells, DrawnCorners.of(0.1), 10);
+        // at a rate of 2 in 1000, more than 1 of 10 come twice in ten thousand
+        assertTrue(right.noiseMisfits() <= 1, right.noiseMisfits() + " named the noise");
+        assertTrue(right.referenceMisfits() <= 1, right.referenceMisfits() + " named the references");
+    }
+
+    /** Two references placed 2.5 times worse than stated: now one is accused, now none and they do not fit. */
+    @Test
+    void referencesThatDoNotFitTogetherRaiseTheirOwnAlarm() {
+        TruthPrior prior = prior(ThesisScene.inPlane(2).placement(1, 0.005).pixelStd(PIXEL_STD_PX).noObjects());
+        CellSource loose = new CellSource() {
+            @Override
+            public SimulatedCell cell(long seed, int index) {
+                RandomGenerator random = RandomStreams.of(seed, 9, index);
+                Map<Integer, RigidTransform> actual = new LinkedHashMap<>();
+                for (Reference r : prior.cell().references()) {
+                    actual.put(r.id(), SimulatedPhoto.misplaced(new Reference(r.id(), r.sizeMm(), r.worldFromMarker(),
+                            new Placement(2.5, 2.5, 2.5, 0.0125)), random));
+                }
+                return new SimulatedCell(prior.cell(), prior.nominal(), actual);
+            }
+
+            @Override
+            public String nameOf(ObjectMarker object) {
+                return "object";
+            }
+        };
+        CoverageFigures figures = alarms(loose, DrawnCorners.asStated(), 40);
+        assertTrue(figures.referenceMisfits() > 0, figures.warnings().toString());
+        assertEquals(figures.warnings().get("references_do_not_fit"), figures.referenceMisfits());
+        assertTrue(figures.falseAlarms() > 0, figures.warnings().toString());
+        assertEquals(0, figures.noiseMisfits());
+        // of two references of which one is accused, no two are left that may fit together or not
+        assertEquals(figures.falseAlarms() + figures.referenceMisfits(), figures.alarmed());
     }
 
     @Test

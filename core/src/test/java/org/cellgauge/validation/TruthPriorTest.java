@@ -9,6 +9,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.ThesisScene;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.statistics.RunningMoments;
@@ -19,6 +20,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class TruthPriorTest {
     private static final ThesisScene SCENE = ThesisScene.inPlane(4);
+    private static final PinholeCamera LENS = SCENE.cell().camera();
     private static final double[] CENTROID = {246, 190, 0};
 
     private static CellTruth nominal() {
@@ -74,13 +76,13 @@ class TruthPriorTest {
                 new double[] {g[0] + 15 - h[0], g[1] - h[1], g[2] - h[2]});
         double expected = -0.5 * (0.25 + angle * angle / 0.04)
                 - Math.log(2 * (1 - Math.cos(angle)) / (angle * angle));
-        assertEquals(expected, prior.logCamera(moved.inverse()) - prior.logCamera(SCENE.worldFromCamera()), 1e-9);
+        assertEquals(expected, prior.logCamera(LENS, moved.inverse()) - prior.logCamera(LENS, SCENE.worldFromCamera()), 1e-9);
     }
 
     @Test
     void noPoseOutOfSightHasDensity() {
         RigidTransform away = RigidTransform.ofEuler(418, 106, 1070, 0, 0, 0);
-        assertEquals(Double.NEGATIVE_INFINITY, prior(30, 0.2).logCamera(away));
+        assertEquals(Double.NEGATIVE_INFINITY, prior(30, 0.2).logCamera(LENS, away));
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.util.List;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import org.cellgauge.cell.MarkerFamily;
+import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.light.ToneCurve;
 import org.junit.jupiter.api.Test;
@@ -30,6 +31,10 @@ class MarkerEdgesTest {
      * of it knows what the fit makes of an edge.
      */
     private static double[] light(double[] cornersPx) {
+        return light(cornersPx, BLUR_PX);
+    }
+
+    private static double[] light(double[] cornersPx, double blurPx) {
         int n = SIZE_PX * SUB;
         boolean[] cells = new MarkerPattern(FAMILY).white(ID);
         int count = new MarkerPattern(FAMILY).cells();
@@ -49,11 +54,11 @@ class MarkerEdgesTest {
                 fine[y * n + x] = white ? 0.7 : 0.05;
             }
         }
-        int reach = (int) Math.ceil(5 * BLUR_PX * SUB);
+        int reach = (int) Math.ceil(5 * blurPx * SUB);
         double[] kernel = new double[2 * reach + 1];
         double sum = 0;
         for (int k = -reach; k <= reach; k++) {
-            kernel[k + reach] = Math.exp(-0.5 * k * k / (BLUR_PX * SUB * BLUR_PX * SUB));
+            kernel[k + reach] = Math.exp(-0.5 * k * k / (blurPx * SUB * blurPx * SUB));
             sum += kernel[k + reach];
         }
         // along rows, then the sum over a pixel's columns, then the same down the columns
@@ -158,6 +163,35 @@ class MarkerEdgesTest {
             }
         }
         assertEquals(1, ratio, 0.2, words);
+    }
+
+    /**
+     * Corners and shift share noise of the white and of the blur. In the dark these are poorly known, and a part that is
+     * counted for one and not for the other states variances that nothing can have: corners less what they share with
+     * the shift, as a check takes them, then have none.
+     */
+    @Test
+    void covarianceOfCornersAndShiftTogetherIsOneInTheDark() {
+        double[] large = {13.3, 9.6, 60.1, 13.4, 57.2, 59.8, 10.4, 56.1};
+        double[] light = light(large, 0.3);
+        for (int i = 0; i < light.length; i++) {
+            light[i] *= 0.1;
+        }
+        BoofMarkerDetector detector = new BoofMarkerDetector(PinholeCamera.ideal(SIZE_PX, SIZE_PX, 300, 300, 36, 36),
+                FAMILY, List.of(ID), 1, ToneCurve.LINEAR);
+        RandomGenerator random = new Well19937c(8);
+        for (int i = 0; i < 20; i++) {
+            MarkerObservation seen = detector.detect(photo(light, ToneCurve.LINEAR, random), "dark").find(ID);
+            EdgeShift shift = seen.edgeShift();
+            double[] joint = new double[81];
+            for (int a = 0; a < 8; a++) {
+                System.arraycopy(seen.covariancePx2(), 8 * a, joint, 9 * a, 8);
+                joint[9 * a + 8] = shift.covarianceWithCornersPx2()[a];
+                joint[72 + a] = shift.covarianceWithCornersPx2()[a];
+            }
+            joint[80] = shift.variancePx2();
+            assertTrue(Cholesky.factor(joint, 9), "picture " + i);
+        }
     }
 
     /** Means of corners' errors and the shift, less four of their own standard errors. */

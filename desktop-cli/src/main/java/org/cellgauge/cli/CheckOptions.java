@@ -65,9 +65,15 @@ final class CheckOptions {
     private String estimate;
 
     @Option(names = "--focal-prior-std", paramLabel = "PX",
-            description = "With --estimate focal: standard deviation of what is known of fx and fy beforehand, about "
-                    + "the camera file's values, px (200).")
+            description = "With --estimate focal: standard deviation of what is known of the focal length beforehand, "
+                    + "about the camera file's fx, px (200).")
     private Double focalPriorStdPx;
+
+    @Option(names = "--aspect-prior-std", paramLabel = "SHARE|independent",
+            description = "With --estimate focal: standard deviation of what is known of fy / fx beforehand, as a share "
+                    + "of the camera file's (0.005); independent for two focal lengths that know nothing of each "
+                    + "other, as in the thesis.")
+    private String aspectPriorStd;
 
     @Option(names = "--initial", paramLabel = "average|ransac|pnp",
             description = "First estimate of the camera pose (pnp).")
@@ -147,6 +153,9 @@ final class CheckOptions {
         if (focalPriorStdPx != null) {
             b.focalPriorStdPx(focalPriorStdPx);
         }
+        if (aspectPriorStd != null) {
+            b.aspectPriorStd(aspect(command, aspectPriorStd));
+        }
         if (threads != null) {
             b.threads(threads);
         }
@@ -155,6 +164,22 @@ final class CheckOptions {
         } catch (IllegalArgumentException e) {
             throw new ParameterException(command, e.getMessage());
         }
+    }
+
+    private static double aspect(CommandLine command, String text) {
+        if (text.equals("independent")) {
+            return Double.POSITIVE_INFINITY;
+        }
+        try {
+            double share = Double.parseDouble(text);
+            if (share > 0 && share < Double.POSITIVE_INFINITY) {
+                return share;
+            }
+        } catch (NumberFormatException e) {
+            // said below
+        }
+        throw new ParameterException(command, "--aspect-prior-std: '" + text + "' is neither a share above 0, such as "
+                + "0.005, nor independent");
     }
 
     /** Whether the precision was given, so that no default of a command's own takes its place. */

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -55,9 +56,6 @@ final class CoverageStudyRun {
         if (simulations < 1 || simulations > 1_000_000) {
             throw new ParameterException(command, "simulations must be between 1 and 1000000, not " + simulations);
         }
-        if (check.estimate() != CheckSettings.Estimate.NONE) {
-            throw new ParameterException(command, "a validation takes the camera as the cell file has it");
-        }
         // each simulation is one thread's; BoofCV would spread its part over all cores
         BoofThreads.useOne();
     }
@@ -96,6 +94,10 @@ final class CoverageStudyRun {
     // ---- random layouts
 
     int randomLayouts(boolean json, Double pixelStdPx, IntConsumer progress) {
+        if (check.estimate() != CheckSettings.Estimate.NONE) {
+            throw new ParameterException(command, "--random-layouts draws cameras that the check knows; leave out "
+                    + "--estimate, or give a --cell");
+        }
         CellSource cells;
         DetectionSource detections;
         String what;
@@ -145,16 +147,14 @@ final class CoverageStudyRun {
         }
         Path file = options.out();
         List<String> done = file != null && Files.exists(file) ? Files.readAllLines(file) : List.of();
-        if (!done.isEmpty() && !head().startsWith(done.get(0) + "\n")) {
-            throw new ParameterException(command, "--out: " + file + " is no table of these columns; write another");
-        }
+        List<String> columns = done.isEmpty() ? columns() : columnsOf(done.get(0), file);
         PrintWriter out = command.getOut();
         PrintWriter err = command.getErr();
         if (!json) {
-            out.print(head());
+            out.print(head(columns));
         }
         if (file != null && done.isEmpty()) {
-            Files.writeString(file, head());
+            Files.writeString(file, head(columns));
         }
         boolean covered = true;
         boolean told = true;
@@ -174,7 +174,7 @@ final class CoverageStudyRun {
             }
             CoverageFigures figures = row(row, given, nominal, priors);
             String line = start + (figures == null ? "refused |"
-                    : String.join(" | ", cellsOfRow(figures)) + " |");
+                    : String.join(" | ", cellsOfRow(figures, columns)) + " |");
             if (file != null) {
                 Files.write(file, (line + "\n").getBytes(StandardCharsets.UTF_8), StandardOpenOption.APPEND);
             }
@@ -211,9 +211,31 @@ final class CoverageStudyRun {
         }
     }
 
-    private String head() {
+    /**
+     * Columns of a table that stands in a file already: ours, or some of them, as where it was begun before there were
+     * others.
+     */
+    private List<String> columnsOf(String head, Path file) {
+        List<String> titles = Arrays.asList(head.replaceAll("^\\| | \\|$", "").split(" \\| "));
+        int first = PhotoGrid.titles().size();
+        if (titles.size() <= first || !titles.subList(0, first).equals(PhotoGrid.titles())
+                || !columns().containsAll(titles.subList(first, titles.size()))) {
+            throw new ParameterException(command, "--out: " + file + " is no table of these columns; write another");
+        }
+        List<String> columns = titles.subList(first, titles.size());
+        List<String> missing = new ArrayList<>(columns());
+        missing.removeAll(columns);
+        if (!missing.isEmpty()) {
+            command.getErr().println(file + " has no column for " + String.join(", ", missing)
+                    + ": rows are added without; write another file to have them");
+            command.getErr().flush();
+        }
+        return columns;
+    }
+
+    private static String head(List<String> columns) {
         List<String> titles = new ArrayList<>(PhotoGrid.titles());
-        titles.addAll(columns());
+        titles.addAll(columns);
         return "| " + String.join(" | ", titles) + " |\n" + "|---".repeat(titles.size()) + "|\n";
     }
 
@@ -234,9 +256,12 @@ final class CoverageStudyRun {
         return options.cornersOnly() ? StudyText.CORNER_COLUMNS : StudyText.COLUMNS;
     }
 
-    private List<String> cellsOfRow(CoverageFigures figures) {
+    private List<String> cellsOfRow(CoverageFigures figures, List<String> columns) {
         StudyText text = new StudyText(figures);
-        return options.cornersOnly() ? text.markdownRowOfCorners() : text.markdownRow();
+        List<String> all = options.cornersOnly() ? text.markdownRowOfCorners() : text.markdownRow();
+        List<String> cells = new ArrayList<>();
+        columns.forEach(column -> cells.add(all.get(columns().indexOf(column))));
+        return cells;
     }
 
     private Map<String, Object> settings() {

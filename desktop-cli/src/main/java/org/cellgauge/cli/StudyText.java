@@ -19,8 +19,8 @@ import org.cellgauge.validation.CoverageFigures;
 final class StudyText {
     /** Columns of {@link #markdownRow}. */
     static final List<String> COLUMNS = List.of("photos", "camera 95 %", "objects 95 %", "camera NEES", "objects NEES",
-            "camera z, mm", "no figure", "ambiguous", "accused", "found", "corners e'S⁻¹e/8", "outward, px",
-            "outward, std", "rms, px");
+            "camera z, mm", "no figure", "ambiguous", "accused", "noise misfit", "references misfit", "found",
+            "corners e'S⁻¹e/8", "outward, px", "outward, std", "rms, px");
 
     /** Columns of {@link #markdownRowOfCorners}. */
     static final List<String> CORNER_COLUMNS = List.of("photos", "refused", "found", "corners e'S⁻¹e/8", "outward, px",
@@ -49,10 +49,12 @@ final class StudyText {
     String text(String what) {
         StringBuilder text = new StringBuilder();
         text.append(CheckText.wrap(String.format(Locale.ROOT, "%d simulated cells, %s. %d refused, %d not converged, "
-                + "%d ambiguous; %d accuse a reference although all stand as stated (%.1f %%). Of %d markers %d were "
-                + "found; in %d photos one was missing.", figures.simulations(), what, figures.refused(),
-                figures.count(Verdict.NOT_CONVERGED), figures.count(Verdict.AMBIGUOUS), figures.falseAlarms(),
-                100.0 * figures.falseAlarms() / figures.simulations(), figures.markers(), figures.markersFound(),
+                + "%d ambiguous; %d accuse a reference although all stand as stated, corners of %d do not fit the "
+                + "stated noise, references of %d together do not fit; %.1f %% have one or another of these false "
+                + "alarms. Of %d markers %d were found; in %d photos one was missing.", figures.simulations(), what,
+                figures.refused(), figures.count(Verdict.NOT_CONVERGED), figures.count(Verdict.AMBIGUOUS),
+                figures.falseAlarms(), figures.noiseMisfits(), figures.referenceMisfits(),
+                100.0 * figures.alarmed() / figures.simulations(), figures.markers(), figures.markersFound(),
                 figures.photosWithMarkersMissing()), ""));
         figures.refusals().forEach((reason, count) -> text.append("  refused ").append(count).append(": ")
                 .append(reason).append('\n'));
@@ -139,6 +141,7 @@ final class StudyText {
                 z == null ? "-" : String.format(Locale.ROOT, "%+.2f", z.value()),
                 String.valueOf(figures.refused() + figures.count(Verdict.NOT_CONVERGED)),
                 String.valueOf(figures.count(Verdict.AMBIGUOUS)), String.valueOf(figures.falseAlarms()),
+                String.valueOf(figures.noiseMisfits()), String.valueOf(figures.referenceMisfits()),
                 percent(figures.markersFound(), figures.markers()) + " %", plain(corners.squaredAsTaken().value(), 2),
                 signed(corners.outwardPx().value(), 4), signed(corners.outwardInStds().value(), 2),
                 plain(corners.rmsPx(), 4));
@@ -183,6 +186,9 @@ final class StudyText {
         root.add("refusals", gson.toJsonTree(figures.refusals()));
         root.add("warnings", gson.toJsonTree(figures.warnings()));
         root.addProperty("false_alarms", figures.falseAlarms());
+        root.addProperty("noise_misfits", figures.noiseMisfits());
+        root.addProperty("reference_misfits", figures.referenceMisfits());
+        root.addProperty("photos_with_alarm", figures.alarmed());
         root.addProperty("markers", figures.markers());
         root.addProperty("markers_found", figures.markersFound());
         root.addProperty("photos_with_markers_missing", figures.photosWithMarkersMissing());

@@ -132,10 +132,10 @@ public final class ValidateCommand implements Callable<Integer> {
                             + "--state-pixel-std");
                 }
                 CoverageStudyRun run = study(check);
-                return study.grid() ? run.grid(cell, nominal, (c, n) -> prior(c, n, spreads), json)
-                        : run.oneCell(cell, nominal, (c, n) -> prior(c, n, spreads), json, this::progress);
+                return study.grid() ? run.grid(cell, nominal, (c, n) -> prior(c, n, spreads, check), json)
+                        : run.oneCell(cell, nominal, (c, n) -> prior(c, n, spreads, check), json, this::progress);
             }
-            TruthPrior prior = prior(cell, nominal, spreads);
+            TruthPrior prior = prior(cell, nominal, spreads, check);
             ValidationSettings settings = settings(cell, check);
             ValidationResult result = Validation.run(prior, settings, this::progress);
             ValidationText text = new ValidationText(prior, settings, result);
@@ -172,9 +172,9 @@ public final class ValidateCommand implements Callable<Integer> {
                 : result.covers(ValidationText.JUDGED) ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
     }
 
-    private TruthPrior prior(Cell cell, CellTruth nominal, ParsedSpread spreads) {
+    private TruthPrior prior(Cell cell, CellTruth nominal, ParsedSpread spreads, CheckSettings check) {
         try {
-            return new TruthPrior(cell, nominal, spreads.mm(), spreads.rad());
+            return new TruthPrior(cell, nominal, spreads.mm(), spreads.rad(), check.intrinsicsPrior(cell.camera()));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), "--spread: " + e.getMessage());
         }

@@ -12,6 +12,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.LikelihoodModel;
 import org.cellgauge.geometry.RigidTransform;
@@ -25,6 +27,7 @@ import org.cellgauge.validation.ValidationSettings;
 
 /** A validation in tables for people, and as JSON. */
 final class ValidationText {
+    private static final List<String> FOCAL = List.of("fx_px", "fy_px");
     /** The level that the exit code goes by. */
     static final double JUDGED = 0.95;
     private static final double[] LEVELS = {0.5, 0.8, 0.95};
@@ -81,7 +84,9 @@ final class ValidationText {
     /** Only where placement is tested at all. */
     private String falseAlarms(CheckSettings check) {
         return check.model() == LikelihoodModel.RIGID_MARKER
-                ? "; in " + result.falseAlarms() + " a reference was called misplaced although none was" : "";
+                ? "; in " + result.falseAlarms() + " a reference was called misplaced although none was, in "
+                + result.noiseMisfits() + " corners do not fit the stated noise, in " + result.referenceMisfits()
+                + " the references together do not fit" : "";
     }
 
     private static String model(CheckSettings check) {
@@ -90,10 +95,11 @@ final class ValidationText {
     }
 
     private String truth() {
-        return prior.isPoint() ? "the same true poses in all"
+        String poses = prior.isPoint() ? "the same true poses in all"
                 : String.format(Locale.ROOT, "true poses spread by %s mm and %s degrees",
                         CheckText.plain(prior.stdMm()),
                         CheckText.plain(Math.round(Math.toDegrees(prior.stdRad()) * 1e6) / 1e6));
+        return prior.intrinsicsPrior().count() == 0 ? poses : poses + ", true focal lengths by what is known of them";
     }
 
     private static String percent(int count, RegionCoverage region) {
@@ -114,7 +120,7 @@ final class ValidationText {
             row.add(part);
             mean.add("  mean");
             for (RankedQuantity q : quantities) {
-                if (!Double.isNaN(q.rmsError())) {
+                if (!Double.isNaN(q.rmsError()) && !FOCAL.contains(q.name())) {
                     row.add(CheckText.fixed(q.rmsError(), 2));
                     mean.add(String.format(Locale.ROOT, "%+.2f", q.meanError()));
                 }
@@ -123,6 +129,18 @@ final class ValidationText {
             table.row(mean.toArray(new String[0]));
         });
         text.append(table.text("  "));
+        ofFocalLengths(text, "focal lengths", q -> FOCAL.contains(q.name()),
+                q -> q.name() + String.format(Locale.ROOT, " %.2f, mean %+.2f", q.rmsError(), q.meanError()));
+    }
+
+    /** A line on the camera's focal lengths, where they were sampled. */
+    private void ofFocalLengths(StringBuilder text, String title, Predicate<RankedQuantity> which,
+            Function<RankedQuantity, String> figures) {
+        List<String> words = new ArrayList<>();
+        result.quantities().stream().filter(which).forEach(q -> words.add(figures.apply(q)));
+        if (!words.isEmpty()) {
+            text.append("  ").append(title).append(": ").append(String.join("; ", words)).append('\n');
+        }
     }
 
     private void ranks(StringBuilder text) {
@@ -145,6 +163,8 @@ final class ValidationText {
             table.row(row.toArray(new String[0]));
         });
         text.append(table.text("  "));
+        ofFocalLengths(text, "focal lengths", q -> FOCAL.contains(q.name()) || q.name().equals("focal_norm"),
+                q -> q.name() + " " + CheckText.fixed(q.ranks().pValue(), 3));
         text.append(CheckText.wrap((prior.isPoint()
                 ? "At fixed true poses uniform ranks are an approximation that holds where uncertainties are small; "
                         + "with a --spread it is exact."
@@ -208,6 +228,10 @@ final class ValidationText {
         used.addProperty("simulated_pixel_std_px", settings.pixelStdPx());
         used.addProperty("spread_mm", prior.stdMm());
         used.addProperty("spread_rad", prior.stdRad());
+        used.addProperty("estimate", check.estimate().optionName());
+        boolean focal = check.estimate() == CheckSettings.Estimate.FOCAL;
+        used.add("focal_prior_std_px", focal ? number(check.focalPriorStdPx()) : JsonNull.INSTANCE);
+        used.add("aspect_prior_std", focal ? number(check.aspectPriorStd()) : JsonNull.INSTANCE);
         used.add("camera_pose", pose(prior.nominal().worldFromCamera()));
         JsonObject objects = new JsonObject();
         prior.nominal().worldFromObjects().forEach((id, p) -> objects.add(String.valueOf(id), pose(p)));
@@ -217,6 +241,8 @@ final class ValidationText {
         root.addProperty("refused", result.refused());
         root.addProperty("ambiguous", result.ambiguous());
         root.addProperty("false_alarms", result.falseAlarms());
+        root.addProperty("noise_misfits", result.noiseMisfits());
+        root.addProperty("reference_misfits", result.referenceMisfits());
         root.add("effective_share_min", number(result.weightShareMin()));
         root.add("rank_p_value", number(result.rankPValue()));
         JsonArray regions = new JsonArray();

@@ -75,6 +75,9 @@ class ValidateCommandTest {
         assertTrue(missing <= 6, missing + " without a figure");
         // one in a hundred is the promise; more than 7 of 120 would come at that rate once in ten thousand
         assertTrue(result.get("false_alarms").getAsInt() <= 7);
+        // at 2 and 1 in a thousand, more than 3 and 2 of 120 come once in seven thousand and in three thousand
+        assertTrue(result.get("noise_misfits").getAsInt() <= 3);
+        assertTrue(result.get("reference_misfits").getAsInt() <= 2);
 
         Set<String> regions = new HashSet<>();
         for (JsonElement e : result.getAsJsonArray("regions")) {
@@ -330,7 +333,7 @@ class ValidateCommandTest {
         "--object 7=0,0,0 | has no object 7; its objects are [5, 20]",
         "--object 5 | --object",
         "--camera-pose 1,2 | --camera-pose",
-        "--estimate focal | a validation takes the camera as the cell file has it",
+        "--estimate focal --aspect-prior-std 0 | neither a share above 0, such as 0.005, nor independent",
         "--model cube | --model: 'cube' is not known; write rigid-marker or corner-cube",
         "--simulation 5 | Possible solutions: --simulations"})
     void faultyOptionsAreUsageErrors(String args, String message) {

@@ -56,6 +56,8 @@ class ValidatePhotosTest {
         JsonObject corners = result.getAsJsonObject("corners");
         assertEquals(24, corners.get("markers").getAsInt(), result.toString());
         assertEquals(24, result.get("markers_found").getAsInt());
+        assertTrue(result.get("photos_with_alarm").getAsInt() <= result.get("false_alarms").getAsInt()
+                + result.get("noise_misfits").getAsInt() + result.get("reference_misfits").getAsInt());
         assertTrue(corners.get("rms_px").getAsDouble() < 0.03, corners.toString());
         assertEquals(0, corners.getAsJsonObject("outward_px").get("mean").getAsDouble(), 0.01);
         JsonObject settings = result.getAsJsonObject("settings");
@@ -145,6 +147,26 @@ class ValidatePhotosTest {
         assertTrue(second.err().contains("already in"), second.err());
         assertEquals(Files.readAllLines(file), second.out().lines().toList());
         assertEquals(3, Files.readAllLines(file).size());
+    }
+
+    /** A table begun before there were columns for every alarm goes on with the columns it has; others are refused. */
+    @Test
+    void gridGoesOnWithTheColumnsOfItsFile() throws IOException {
+        Path file = folder.resolve("grid.md");
+        String[] args = {"--photos", "--grid", "--only", "linear blur0.7 24px normal", "--simulations", "1", "--out",
+            file.toString()};
+        String head = "| tone curve | blur, px | marker, px | exposure | besides | photos | accused | found |";
+        Files.writeString(file, head + "\n" + "|---".repeat(8) + "|\n");
+        CommandCall call = validate(args);
+        List<String> lines = Files.readAllLines(file);
+        assertEquals(head, lines.get(0));
+        assertEquals("| linear | 0.7 | 24 | normal |  | 1 | 0 | 100.0 % |", lines.get(2));
+        assertEquals(lines, call.out().lines().toList());
+        assertTrue(call.err().contains("noise misfit, references misfit"), call.err());
+        Files.writeString(file, head.replace("accused", "blamed") + "\n");
+        CommandCall other = validate(args);
+        assertEquals(2, other.code());
+        assertTrue(other.err().contains("is no table of these columns"), other.err());
     }
 
     /** The same photos as with checks, so the same corners; columns of checks are left out, and files are not mixed. */

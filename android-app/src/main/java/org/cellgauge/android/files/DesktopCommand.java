@@ -45,6 +45,10 @@ final class DesktopCommand {
             if (settings.focalPriorStdPx() != defaults.focalPriorStdPx()) {
                 words.add("--focal-prior-std " + settings.focalPriorStdPx());
             }
+            if (settings.aspectPriorStd() != defaults.aspectPriorStd()) {
+                words.add("--aspect-prior-std "
+                        + (Double.isInfinite(settings.aspectPriorStd()) ? "independent" : settings.aspectPriorStd()));
+            }
         }
         if (settings.initial() != defaults.initial()) {
             words.add("--initial " + settings.initial().optionName());
