@@ -93,6 +93,8 @@ final class MarkerField {
         final double leftPx;
         /** Mean of e' S^-1 e / 8 of the corners as they were found. */
         final double chiSquarePerValue;
+        /** The same of the corners less the shift that the inner edges measure, which shares errors with them. */
+        final double chiSquareLessShift;
 
         private Found(Detections detections) {
             this.detections = detections;
@@ -121,6 +123,7 @@ final class MarkerField {
             shiftScatterPx = Math.sqrt(Math.max(0, shiftSquares / n - shiftPx * shiftPx));
             double inside = 0;
             double chiSquare = 0;
+            double lessShift = 0;
             for (SceneTruth.MarkerInImage marker : truth) {
                 MarkerObservation seen = detections.find(marker.id());
                 if (seen == null) {
@@ -136,10 +139,21 @@ final class MarkerField {
                 }
                 inside += along / squares / n;
                 chiSquare += mahalanobis(seen.covariancePx2(), e) / (8 * n);
+                double[] covariance = seen.covariancePx2();
+                double[] with = seen.edgeShift().covarianceWithCornersPx2();
+                for (int r = 0; r < 8; r++) {
+                    e[r] -= byShift[r] * seen.edgeShift().shiftPx();
+                    for (int c = 0; c < 8; c++) {
+                        covariance[8 * r + c] += byShift[r] * byShift[c] * seen.edgeShift().variancePx2()
+                                - byShift[r] * with[c] - with[r] * byShift[c];
+                    }
+                }
+                lessShift += mahalanobis(covariance, e) / (8 * n);
             }
             insidePx = inside;
             leftPx = inside - shiftPx;
             chiSquarePerValue = chiSquare;
+            chiSquareLessShift = lessShift;
         }
 
         private double[] errors(MarkerObservation seen, SceneTruth.MarkerInImage marker) {
@@ -164,8 +178,9 @@ final class MarkerField {
         @Override
         public String toString() {
             return String.format(Locale.ROOT, "%d markers, rms %.4f px, worst %.3f; shift %.4f (scatter %.4f)"
-                    + ", inside by %.4f, left %.4f px; e'S^-1e/8 %.3f; %s, blur %.2f, noise %.2f; %s", markers, rmsPx,
-                    worstPx, shiftPx, shiftScatterPx, insidePx, leftPx, chiSquarePerValue,
+                    + ", inside by %.4f, left %.4f px; e'S^-1e/8 %.3f, "
+                    + "less shift %.3f; %s, blur %.2f, noise %.2f; %s",
+                    markers, rmsPx, worstPx, shiftPx, shiftScatterPx, insidePx, leftPx, chiSquarePerValue, chiSquareLessShift,
                     detections.light().toneCurve(), detections.light().blurPx(), detections.light().noiseGrey(),
                     detections.warnings());
         }
