@@ -172,7 +172,8 @@ final class ValidationText {
                         + "sampler and object poses are right together; at least "
                         + CheckText.fixed(100 * result.weightShareMin(), 1) + " % of the draws stayed effective.")
                 + " All together: p = " + CheckText.fixed(result.rankPValue(), 3)
-                + verdictOnRanks(), ""));
+                + verdictOnRanks() + (prior.intrinsicsPrior().count() == 0 ? "" : " Ranks of objects are an "
+                + "approximation where the focal length is unknown: their corners say nothing of it."), ""));
     }
 
     /** Ranks among draws of which hardly any has weight are those of a handful of values, uniform or not. */
