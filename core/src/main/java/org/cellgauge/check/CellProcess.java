@@ -79,6 +79,13 @@ final class CellProcess implements ChainProcess {
         final MetropolisChain chain;
         final double[] grip;
         final double[] observed;
+        /** Coordinates of the solved pose. */
+        final double[] solution = new double[6];
+        /**
+         * Whether there is a pose at the camera's draw at all; where not (a focal length of a few pixels, of which no
+         * draw that counts is made) the object stays where it was.
+         */
+        boolean standing = true;
 
         ObjectWalk(ObjectTarget target, boolean noisy, RandomGenerator random) {
             this.target = target;
@@ -88,6 +95,7 @@ final class CellProcess implements ChainProcess {
             base = target.modes.get(0).state();
             grip = target.marker.gripMm();
             posterior = target.posterior();
+            state.copyFrom(base);
             if (noisy) {
                 StudentTMixture proposal = target.proposal.copy();
                 chain = new MetropolisChain(posterior, List.of(proposal),
@@ -124,12 +132,13 @@ final class CellProcess implements ChainProcess {
                 solveAt(camera);
             }
             if (chain != null) {
-                chain.densityChanged();
+                // with a focal length far from the mode's, what was near the solution may be behind the camera
+                standing = chain.densityChanged(solution);
             }
         }
 
         void step(int steps) {
-            for (int i = 0; i < steps && chain != null; i++) {
+            for (int i = 0; i < steps && chain != null && standing; i++) {
                 chain.step();
             }
         }
@@ -137,7 +146,7 @@ final class CellProcess implements ChainProcess {
         void read() {
             if (chain == null) {
                 state.copyFrom(base);
-            } else {
+            } else if (standing) {
                 posterior.decode(chain.current(), state);
             }
         }

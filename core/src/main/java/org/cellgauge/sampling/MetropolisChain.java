@@ -72,13 +72,19 @@ public final class MetropolisChain {
     }
 
     /**
-     * Tells the chain that its density has changed under it, so that the one it keeps is stale.
+     * Tells the chain that its density has changed under it, so that the one it keeps is stale. Where its point has no
+     * density any more it goes on from another.
      *
-     * @throws IllegalStateException if the density of the current point is no longer finite
+     * @param start where it goes on from then; copied
+     * @return false if there is no density there either: the chain must not be stepped until it has changed again
      */
-    public void densityChanged() {
+    public boolean densityChanged(double[] start) {
         currentLogDensity = density.at(current);
-        requireFinite();
+        if (!Double.isFinite(currentLogDensity)) {
+            System.arraycopy(start, 0, current, 0, current.length);
+            currentLogDensity = density.at(current);
+        }
+        return Double.isFinite(currentLogDensity);
     }
 
     /**

@@ -2,6 +2,7 @@ package org.cellgauge.sampling;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -228,10 +229,28 @@ class MetropolisChainTest {
         MetropolisChain chain = new MetropolisChain(density(1, x -> level[0]), walk, new double[1],
                 RandomStreams.of(1));
         level[0] = -5;
-        chain.densityChanged();
+        assertTrue(chain.densityChanged(new double[] {3}));
         assertEquals(-5, chain.logDensity(), 0);
+        assertEquals(0, chain.current()[0], 0);
         level[0] = Double.NaN;
-        assertThrows(IllegalStateException.class, chain::densityChanged);
+        assertFalse(chain.densityChanged(new double[] {3}));
+    }
+
+    @Test
+    void chainThatLosesItsDensityGoesOnFromAnotherPoint() {
+        double[] from = {0};
+        MetropolisChain chain = new MetropolisChain(density(1, x -> x[0] < from[0] ? Double.NEGATIVE_INFINITY : -x[0]),
+                List.of(new GaussianStep("walk", 0, 1, 1, 0)), new double[1], RandomStreams.of(1));
+        from[0] = 2;
+        double[] start = {3};
+        assertTrue(chain.densityChanged(start));
+        start[0] = 99;
+        assertEquals(3, chain.current()[0], 0);
+        assertEquals(-3, chain.logDensity(), 0);
+        for (int i = 0; i < 50; i++) {
+            chain.step();
+            assertTrue(chain.current()[0] >= 2);
+        }
     }
 
     @Test

@@ -64,7 +64,8 @@ public final class RenderedPhotos implements DetectionSource {
     public GreyImage photo(SimulatedCell simulated, RandomGenerator random) {
         Cell cell = simulated.cell();
         String family = cell.family().familyName();
-        Scene.Builder scene = Scene.of(simulated.truth().camera(cell), simulated.truth().worldFromCamera()).printGainMm(printGainMm);
+        Scene.Builder scene = Scene.of(simulated.truth().camera(cell), simulated.truth().worldFromCamera())
+                .printGainMm(printGainMm);
         for (Reference r : cell.references()) {
             scene.marker(family, r.id(), r.sizeMm(), simulated.worldFromReferences().get(r.id()));
         }
