@@ -89,8 +89,10 @@ final class CameraTarget {
     }
 
     private CameraPosterior posterior(CameraChart chart) {
-        CameraLikelihood likelihood =
-                settings.model().likelihood(view, modes, belief == null ? null : errors, settings.kappa());
+        CornerErrors sampled = belief == null ? null : errors;
+        CameraLikelihood likelihood = intrinsicsPrior.count() == 0
+                ? settings.model().likelihood(view, modes, sampled, settings.kappa())
+                : settings.model().farReaching(view, modes, finder(view).noise(), sampled, settings.kappa());
         boolean shared = view.unknowns() > 0 || belief != null;
         return new CameraPosterior(chart, likelihood, settings.rotationPrior(), intrinsicsPrior, posePrior,
                 shared ? new SharedPrior(logNoise) : null);

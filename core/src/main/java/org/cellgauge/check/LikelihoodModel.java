@@ -9,6 +9,7 @@ import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.RigidMarkerNoise;
 import org.cellgauge.posterior.CameraLikelihood;
 import org.cellgauge.posterior.CornerCubeLikelihood;
+import org.cellgauge.posterior.MovingRigidLikelihood;
 import org.cellgauge.posterior.NearestModeLikelihood;
 import org.cellgauge.posterior.RigidMarkerLikelihood;
 
@@ -29,6 +30,14 @@ public enum LikelihoodModel {
             }
             return errors == null ? new RigidMarkerLikelihood(view, modes.get(0))
                     : new RigidMarkerLikelihood(view, modes.get(0), errors);
+        }
+
+        @Override
+        CameraLikelihood farReaching(ReferenceView view, List<PoseMode> modes, ReferenceNoise noise,
+                CornerErrors errors, double kappa) {
+            return modes.size() > 1
+                    ? new NearestModeLikelihood(modes, mode -> new MovingRigidLikelihood(view, mode, noise, errors))
+                    : new MovingRigidLikelihood(view, modes.get(0), noise, errors);
         }
     },
     /** The thesis' likelihood: every corner on its own, deviations of a projected box. */
@@ -70,4 +79,15 @@ public enum LikelihoodModel {
      */
     abstract CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors,
             double kappa);
+
+    /**
+     * The same for posteriors that reach far from their modes, as with unknown intrinsics, where what is frozen at a
+     * mode does not hold.
+     *
+     * @param noise of the view
+     */
+    CameraLikelihood farReaching(ReferenceView view, List<PoseMode> modes, ReferenceNoise noise, CornerErrors errors,
+            double kappa) {
+        return likelihood(view, modes, errors, kappa);
+    }
 }

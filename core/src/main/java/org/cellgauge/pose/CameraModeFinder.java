@@ -58,6 +58,15 @@ public final class CameraModeFinder {
     }
 
     /**
+     * What residuals are weighed with.
+     *
+     * @return the noise about the nominal places
+     */
+    public ReferenceNoise noise() {
+        return noise;
+    }
+
+    /**
      * Finds the modes.
      *
      * <p>Starts are the one given; the pose mirrored about the plane that fits all corners best (a set of references

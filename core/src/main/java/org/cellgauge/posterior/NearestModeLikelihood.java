@@ -1,6 +1,7 @@
 package org.cellgauge.posterior;
 
 import java.util.List;
+import java.util.function.Function;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.PoseMode;
@@ -16,7 +17,7 @@ import org.cellgauge.pose.ReferenceView;
  * derivative. Allocates nothing; not thread-safe.
  */
 public final class NearestModeLikelihood implements CameraLikelihood {
-    private final RigidMarkerLikelihood[] likelihoods;
+    private final CameraLikelihood[] likelihoods;
     private final double[] rotations;
 
     /**
@@ -37,11 +38,21 @@ public final class NearestModeLikelihood implements CameraLikelihood {
      * @param errors errors of these corners, with an added noise; null where it is the modes' own
      */
     public NearestModeLikelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors) {
-        likelihoods = new RigidMarkerLikelihood[modes.size()];
+        this(modes, mode -> errors == null ? new RigidMarkerLikelihood(view, mode)
+                : new RigidMarkerLikelihood(view, mode, errors));
+    }
+
+    /**
+     * A likelihood of any that are each right about one mode.
+     *
+     * @param modes modes of the camera pose, at least one
+     * @param ofMode makes the likelihood about a mode
+     */
+    public NearestModeLikelihood(List<PoseMode> modes, Function<PoseMode, CameraLikelihood> ofMode) {
+        likelihoods = new CameraLikelihood[modes.size()];
         rotations = new double[9 * likelihoods.length];
         for (int k = 0; k < likelihoods.length; k++) {
-            likelihoods[k] = errors == null ? new RigidMarkerLikelihood(view, modes.get(k))
-                    : new RigidMarkerLikelihood(view, modes.get(k), errors);
+            likelihoods[k] = ofMode.apply(modes.get(k));
             System.arraycopy(modes.get(k).state().rotation, 0, rotations, 9 * k, 9);
         }
     }

@@ -105,7 +105,7 @@ class CoverageTest {
     void unknownFocalLengthIsCoveredWherePixelsAreSquare() {
         int simulations = 100;
         ThesisScene scene = scene(4, 20).noObjects();
-        TruthPrior prior = new TruthPrior(scene.cell(), new CellTruth(scene.worldFromCamera(), scene.objects()), 100,
+        TruthPrior prior = new TruthPrior(scene.cell(), new CellTruth(scene.worldFromCamera(), scene.objects()), 300,
                 Math.toRadians(3), IntrinsicsPrior.focalAndAspect(scene.cell().camera(), 100, 1e-9));
         CheckSettings check = settings(LikelihoodModel.RIGID_MARKER, 0.5).toBuilder()
                 .estimate(CheckSettings.Estimate.FOCAL).focalPriorStdPx(100).build();
@@ -120,10 +120,12 @@ class CoverageTest {
         }
         for (RankedQuantity q : result.quantities()) {
             if (q.name().equals("fx_px")) {
-                assertEquals(0, q.meanError(), 3.5 / Math.sqrt(simulations));
+                // a flat prior of the distance pulls the mean up where cameras do not stand anywhere; ranks allow for it
+                assertTrue(q.ranks().pValue() > 0.001, "p of the ranks: " + q.ranks().pValue());
                 assertEquals(1, q.rmsError(), 3.5 / Math.sqrt(2 * simulations));
             }
         }
+        assertTrue(result.weightShareMin() > 0.02, "effective share " + result.weightShareMin());
     }
 
     /** At a fixed truth, where coverage is frequentist and exact only to first order. */
