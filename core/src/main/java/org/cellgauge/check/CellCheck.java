@@ -665,10 +665,13 @@ public final class CellCheck {
 
     private NoiseFit noiseFit() {
         // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
-        return settings.model() != LikelihoodModel.RIGID_MARKER
-                && settings.objectNoise() == CheckSettings.ObjectNoise.NONE ? NoiseFit.untested()
-                : NoiseFit.of(cell, errors, PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(),
-                        camera.modes.get(0).state().intrinsics));
+        if (settings.model() != LikelihoodModel.RIGID_MARKER
+                && settings.objectNoise() == CheckSettings.ObjectNoise.NONE) {
+            return NoiseFit.untested();
+        }
+        return settings.estimate() == CheckSettings.Estimate.FOCAL
+                ? NoiseFit.ofUnknownFocal(cell, errors, camera.intrinsicsPrior)
+                : NoiseFit.of(cell, errors, cell.camera());
     }
 
     private ReferenceCheck referenceCheck() {

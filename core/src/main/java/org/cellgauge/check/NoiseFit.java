@@ -13,6 +13,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Warning;
@@ -37,6 +38,10 @@ public final class NoiseFit {
     private static final double USUAL = 0.05;
     /** Fewer markers than this cannot say which of them is out of line. */
     private static final int LEAST_MARKERS = 3;
+    /** How far about their prior means unknown focal lengths are searched, and in which steps. */
+    private static final double SEARCHED_STDS = 3;
+    private static final double FIRST_STEP_STDS = 0.25;
+    private static final double LAST_STEP_STDS = 0.001;
     /** Least inflation of the variance of a marker with a corner that is far off. */
     private static final double LEAST_INFLATION = 9;
 
@@ -74,6 +79,56 @@ public final class NoiseFit {
             }
         }
         return new NoiseFit(errors.statedStdPx(), markers);
+    }
+
+    /**
+     * The same with unknown focal lengths: those within three deviations of what is known of them that make markers the
+     * most square. Corners that some focal length explains are no sign of noise; that one is fitted makes the test a
+     * little too lenient.
+     *
+     * @param cell the cell
+     * @param errors errors of the corners
+     * @param prior of the unknown intrinsics
+     */
+    static NoiseFit ofUnknownFocal(Cell cell, CornerErrors errors, IntrinsicsPrior prior) {
+        double[] at = new double[prior.count()];
+        NoiseFit best = null;
+        for (double k = -SEARCHED_STDS; k <= SEARCHED_STDS; k += FIRST_STEP_STDS) {
+            double[] there = at.clone();
+            there[0] = k;
+            NoiseFit fit = at(cell, errors, prior, there);
+            if (fit != null && fit.isSquarerThan(best)) {
+                best = fit;
+                at = there;
+            }
+        }
+        // from there along every unknown in turn, in steps that shrink to a thousandth of a deviation
+        for (double step = FIRST_STEP_STDS; step > LAST_STEP_STDS && best != null; step /= 2) {
+            for (int i = 0; i < at.length; i++) {
+                for (int side = -1; side <= 1; side += 2) {
+                    double[] there = at.clone();
+                    there[i] += side * step;
+                    NoiseFit fit = Math.abs(there[i]) > SEARCHED_STDS ? null : at(cell, errors, prior, there);
+                    if (fit != null && fit.isSquarerThan(best)) {
+                        best = fit;
+                        at = there;
+                    }
+                }
+            }
+        }
+        return best == null ? untested() : best;
+    }
+
+    private static NoiseFit at(Cell cell, CornerErrors errors, IntrinsicsPrior prior, double[] rows) {
+        double[] intrinsics = cell.camera().intrinsics();
+        prior.setWhitened(rows, intrinsics);
+        return intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0 ? of(cell, errors,
+                PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(), intrinsics)) : null;
+    }
+
+    private boolean isSquarerThan(NoiseFit other) {
+        return other == null || markers.size() > other.markers.size()
+                || (markers.size() == other.markers.size() && chiSquare < other.chiSquare);
     }
 
     /**

@@ -15,7 +15,9 @@ import java.util.stream.Collectors;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.vision.Detections;
@@ -63,6 +65,27 @@ class NoiseFitTest {
         // of the two degrees of freedom of each
         assertTrue(sum / cells < 14 + 4 * Math.sqrt(28.0 / cells), "mean " + sum / cells);
         assertTrue(sum / cells > 7, "mean " + sum / cells);
+    }
+
+    /** Markers are no squares through the lens of the file, and are through another within what is known of it. */
+    @Test
+    void anUnknownFocalLengthIsNoNoise() {
+        ThesisScene scene = ThesisScene.oneRaised(4).placement(1, 0.005).pixelStd(0.05).camera(ThesisScene.CAMERA)
+                .object(20, RigidTransform.ofEuler(240, 100, 60, 0.6, 0.5, 0.2));
+        RandomGenerator random = RandomStreams.of(35);
+        IntrinsicsPrior prior = IntrinsicsPrior.focalAndAspect(ThesisScene.CAMERA, 200, 0.005);
+        int failedAsStated = 0;
+        int failed = 0;
+        int cells = 60;
+        for (int c = 0; c < cells; c++) {
+            Detections seen = scene.camera(ThesisScene.CAMERA.withFocal(850, 855)).detections(0.05, random, 1, 0.005);
+            Cell cell = scene.camera(ThesisScene.CAMERA).cell();
+            CornerErrors errors = CornerErrors.of(cell, seen);
+            failedAsStated += NoiseFit.of(cell, errors, cell.camera()).holds() ? 0 : 1;
+            failed += NoiseFit.ofUnknownFocal(cell, errors, prior).holds() ? 0 : 1;
+        }
+        assertTrue(failedAsStated > cells / 2, failedAsStated + " fail through the lens of the file");
+        assertTrue(failed <= 1, failed + " of " + cells + " fail");
     }
 
     /** How far off a reference stands says nothing of noise. */

@@ -99,7 +99,7 @@ class CoverageTest {
 
     /**
      * A camera with square pixels, seen nearly from the front, whose focal length nobody knows to better than 100 px. With
-     * two independent priors, whose pixels have any shape, errors of the focal length are 1.3 times as large as stated.
+     * two independent priors, whose pixels have any shape, regions of the camera hold the truth in 83 of 100.
      */
     @Test
     void unknownFocalLengthIsCoveredWherePixelsAreSquare() {
