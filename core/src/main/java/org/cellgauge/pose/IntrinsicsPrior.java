@@ -50,8 +50,8 @@ public final class IntrinsicsPrior {
     }
 
     /**
-     * One unknown focal length, N(camera's fx, std²), and an unknown aspect ratio: {@code fy / fx} is the camera's, give
-     * or take a share of it. To first order in that share: {@code fy - fy0 = (fy0 / fx0) (fx - fx0) + fy0 t}.
+     * One unknown focal length, N(camera's fx, std²), and an unknown aspect ratio: {@code fy / fx} is the camera's,
+     * give or take a share of it. To first order in that share: {@code fy - fy0 = (fy0 / fx0) (fx - fx0) + fy0 t}.
      *
      * <p>Pixels are square, or as the calibration has them, far better than the focal length is known. Two independent
      * focal lengths leave room for shapes of pixels that no camera has, and their posterior lies off the truth.
@@ -176,8 +176,8 @@ public final class IntrinsicsPrior {
     }
 
     /**
-     * The intrinsics that have given independent rows: the inverse of {@link #whitened}. Standard normal ones give a draw
-     * of the prior, which may have a focal length that is not positive.
+     * The intrinsics that have given independent rows: the inverse of {@link #whitened}. Standard normal ones give a
+     * draw of the prior, which may have a focal length that is not positive.
      *
      * @param rows count values
      * @param intrinsics in the order of {@link PinholeCamera}; receives the unknown ones

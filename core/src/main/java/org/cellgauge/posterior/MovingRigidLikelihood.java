@@ -14,8 +14,8 @@ import org.cellgauge.pose.ReferenceView;
  * {@link RigidMarkerLikelihood} freezes at a mode is found anew at every state, and only the placement errors d_m about
  * which it is linear are kept:
  *
- * <p>{@code log L = sum_m [ -log det L_m - |L_m^-1 r_m|² / 2 ], L_m L_m^T = J_m S J_m^T + C_m, r_m = projection(d_m) - J_m
- * d_m - observed}, J_m the derivative at the state.
+ * <p>{@code log L = sum_m [ -log det L_m - |L_m^-1 r_m|² / 2 ]}, {@code L_m L_m^T = J_m S J_m^T + C_m}, {@code r_m =
+ * projection(d_m) - J_m d_m - observed}, J_m the derivative at the state.
  *
  * <p>For posteriors that reach far: with an unknown focal length, camera and references may stand a tenth nearer or
  * farther, by which the room that corners leave for the depth of every reference grows, and what a millimetre of it is

@@ -155,7 +155,8 @@ final class CellPart {
                 cameraFromWorld[i] = pose.inverse();
                 if (!prior.isPoint()) {
                     System.arraycopy(cameraFromWorld[i].rotation(), 0, state.rotation, 0, 9);
-                    logWeights[i] = prior.logCamera(lenses[i], pose) - result.settings().rotationPrior().logDensity(state);
+                    logWeights[i] = prior.logCamera(lenses[i], pose)
+                            - result.settings().rotationPrior().logDensity(state);
                 }
             }
         }

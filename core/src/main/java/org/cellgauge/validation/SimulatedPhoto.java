@@ -37,7 +37,8 @@ public final class SimulatedPhoto {
         List<MarkerObservation> markers = new ArrayList<>();
         for (Reference r : cell.references()) {
             RigidTransform pose = placement == null ? r.worldFromMarker() : misplaced(r, placement);
-            if (!add(markers, truth.camera(cell), r.id(), r.sizeMm(), cameraFromWorld.compose(pose), pixelStdPx, noise)) {
+            if (!add(markers, truth.camera(cell), r.id(), r.sizeMm(), cameraFromWorld.compose(pose), pixelStdPx,
+                    noise)) {
                 return null;
             }
         }

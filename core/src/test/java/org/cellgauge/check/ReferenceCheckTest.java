@@ -59,7 +59,7 @@ class ReferenceCheckTest {
     @ParameterizedTest
     @CsvSource({"2, 5", "3, 1", "3, 5", "4, 5", "6, 5", "6, 20"})
     void cellsAsStatedRaiseAWarningLessThanOnceInAHundred(int references, double stdMm, TestReporter reporter) {
-        int cells = 700;
+        int cells = 500;
         ThesisScene scene = scene(references, stdMm, 0.3);
         Cell cell = scene.cell();
         RandomGenerator random = RandomStreams.of(11, references, (long) stdMm);
@@ -138,7 +138,7 @@ class ReferenceCheckTest {
         double detectable = check(asStated.cell(), asStated.exactDetections()).fit(id).detectable()[axis];
         ThesisScene scene = asStated.shifted(id, axis, detectable);
         RandomGenerator random = RandomStreams.of(23, references);
-        int cells = 350;
+        int cells = 250;
         int noticed = 0;
         int told = 0;
         for (int c = 0; c < cells; c++) {

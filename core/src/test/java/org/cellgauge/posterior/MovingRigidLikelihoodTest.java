@@ -41,7 +41,8 @@ class MovingRigidLikelihoodTest {
         }
         RigidTransform turn = RigidTransform.ofRotationVector(new double[] {d[3], d[4], d[5]}, new double[3])
                 .compose(RigidTransform.of(r.worldFromMarker().rotation(), new double[3]));
-        double[] c = MarkerGeometry.cornersMm(cameraFromWorld.compose(RigidTransform.of(turn.rotation(), t)), r.sizeMm());
+        double[] c = MarkerGeometry.cornersMm(cameraFromWorld.compose(RigidTransform.of(turn.rotation(), t)),
+                r.sizeMm());
         double[] px = new double[8];
         for (int i = 0; i < 4; i++) {
             px[2 * i] = k[PinholeCamera.FX] * c[3 * i] / c[3 * i + 2] + k[PinholeCamera.CX];
@@ -125,7 +126,8 @@ class MovingRigidLikelihoodTest {
             CameraState state = farther(share);
             double expected = exact(state) - apart;
             assertEquals(expected, moving.at(state), 0.15, share + " farther");
-            off = Math.max(off, Math.abs(frozen.at(state) - frozen.at(mode.state()) + moving.at(mode.state()) - expected));
+            off = Math.max(off, Math.abs(frozen.at(state) - frozen.at(mode.state()) + moving.at(mode.state())
+                    - expected));
         }
         // what it is for: the frozen one is off by more than one there
         assertTrue(off > 1, "frozen off by " + off);

@@ -76,7 +76,8 @@ class TruthPriorTest {
                 new double[] {g[0] + 15 - h[0], g[1] - h[1], g[2] - h[2]});
         double expected = -0.5 * (0.25 + angle * angle / 0.04)
                 - Math.log(2 * (1 - Math.cos(angle)) / (angle * angle));
-        assertEquals(expected, prior.logCamera(LENS, moved.inverse()) - prior.logCamera(LENS, SCENE.worldFromCamera()), 1e-9);
+        assertEquals(expected,
+                prior.logCamera(LENS, moved.inverse()) - prior.logCamera(LENS, SCENE.worldFromCamera()), 1e-9);
     }
 
     @Test

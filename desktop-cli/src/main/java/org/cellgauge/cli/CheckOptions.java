@@ -70,8 +70,8 @@ final class CheckOptions {
     private Double focalPriorStdPx;
 
     @Option(names = "--aspect-prior-std", paramLabel = "SHARE|independent",
-            description = "With --estimate focal: standard deviation of what is known of fy / fx beforehand, as a share "
-                    + "of the camera file's (0.005); independent for two focal lengths that know nothing of each "
+            description = "With --estimate focal: standard deviation of what is known of fy / fx beforehand, as a "
+                    + "share of the camera file's (0.005); independent for two focal lengths that know nothing of each "
                     + "other, as in the thesis.")
     private String aspectPriorStd;
 

@@ -180,7 +180,8 @@ final class MarkerField {
             return String.format(Locale.ROOT, "%d markers, rms %.4f px, worst %.3f; shift %.4f (scatter %.4f)"
                     + ", inside by %.4f, left %.4f px; e'S^-1e/8 %.3f, "
                     + "less shift %.3f; %s, blur %.2f, noise %.2f; %s",
-                    markers, rmsPx, worstPx, shiftPx, shiftScatterPx, insidePx, leftPx, chiSquarePerValue, chiSquareLessShift,
+                    markers, rmsPx, worstPx, shiftPx, shiftScatterPx, insidePx, leftPx, chiSquarePerValue,
+                    chiSquareLessShift,
                     detections.light().toneCurve(), detections.light().blurPx(), detections.light().noiseGrey(),
                     detections.warnings());
         }
