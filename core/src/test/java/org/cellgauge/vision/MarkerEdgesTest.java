@@ -239,6 +239,24 @@ class MarkerEdgesTest {
         }
     }
 
+    /**
+     * At a blur of 0.4 cells BoofCV reads the marker as another one. It tells the photo's light all the same: left out
+     * of that, its edges were sought at a curve that nothing had tested, and lay off by half a pixel.
+     */
+    @Test
+    void markerThatBoofCvMisreadsTellsTheCurve() {
+        double[] corners = {15.3, 16.4, 55.1, 15.2, 56.4, 55.9, 16.2, 56.6};
+        double[] light = light(corners, 2.1);
+        BoofMarkerDetector detector = new BoofMarkerDetector(PinholeCamera.ideal(SIZE_PX, SIZE_PX, 300, 300, 36, 36),
+                FAMILY, List.of(ID), 1);
+        Detections seen = detector.detect(photo(light, ToneCurve.SRGB, new Well19937c(9)), "blurred");
+        assertEquals(2.2, seen.light().toneCurve().power(), 0.4);
+        assertEquals(0, seen.find(ID).edgeShift().shiftPx(), 0.05);
+        for (int k = 0; k < 8; k++) {
+            assertEquals(corners[k], seen.find(ID).cornersPx()[k], 0.15);
+        }
+    }
+
     /** No threads, no state: the same picture through one detector and through another gives the same bits. */
     @Test
     void samePictureGivesTheSameWhateverWasSeenBefore() {
