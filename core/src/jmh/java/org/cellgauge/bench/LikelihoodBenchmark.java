@@ -5,6 +5,7 @@ import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.posterior.CameraLikelihood;
 import org.cellgauge.posterior.CornerCubeLikelihood;
+import org.cellgauge.posterior.MovingRigidLikelihood;
 import org.cellgauge.posterior.RigidMarkerLikelihood;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -27,7 +28,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 1)
 public class LikelihoodBenchmark {
     /** The third has a shift of edges, ink on one size of markers and an unknown noise besides. */
-    @Param({"rigid-marker", "corner-cube", "rigid-marker-shared"})
+    @Param({"rigid-marker", "corner-cube", "rigid-marker-shared", "rigid-marker-moving"})
     public String model;
     @Param({"false", "true"})
     public boolean distortion;
@@ -44,6 +45,8 @@ public class LikelihoodBenchmark {
         }
         PoseMode mode = scene.mode();
         likelihood = scene.errors != null ? new RigidMarkerLikelihood(scene.view, mode, scene.errors)
+                : model.equals("rigid-marker-moving")
+                ? new MovingRigidLikelihood(scene.view, mode, scene.finder().noise(), null)
                 : model.equals("corner-cube") ? new CornerCubeLikelihood(scene.view, 0.5)
                 : new RigidMarkerLikelihood(scene.view, mode.whitening());
         states = BenchScene.around(mode);

@@ -33,9 +33,9 @@ final class CellProcess implements ChainProcess {
     private static final int STEPS_WITH_MODES = 4;
     /**
      * Steps of an object after the intrinsics have moved. Its proposal was fitted at the mode's intrinsics and follows
-     * others by the solved pose and the depth alone; so many steps forget where the chain was at the last draw, without
-     * which an object's deviations came out a sixth too small in frontal views (Plummer, "Cuts in Bayesian graphical
-     * models", Statistics and Computing 2015, on chains that lag behind what they are given).
+     * others by the solved pose and the depth alone; of so many steps, seven in ten accepted, none is left that
+     * remembers the last draw (Plummer, "Cuts in Bayesian graphical models", Statistics and Computing 2015, on chains
+     * that lag behind what they are given).
      */
     private static final int STEPS_WITH_INTRINSICS = 8;
 

@@ -20,7 +20,7 @@ import org.cellgauge.pose.ReferenceView;
  * <p>For posteriors that reach far: with an unknown focal length, camera and references may stand a tenth nearer or
  * farther, by which the room that corners leave for the depth of every reference grows, and what a millimetre of it is
  * in the image shrinks. Frozen, focal lengths of simulated photos came out 0.6 stated deviations too short (references
- * placed to 20 mm). It costs some twenty times as much. Allocates nothing but once for every step of an unknown noise;
+ * placed to 20 mm). It costs some thirty times as much. Allocates nothing but once for every step of an unknown noise;
  * not thread-safe.
  */
 public final class MovingRigidLikelihood implements CameraLikelihood {

@@ -29,7 +29,8 @@ import org.cellgauge.vision.Detections;
  * error is that of the picked-from draws: they must be many (their effective share is reported).
  *
  * <p>Where intrinsics are unknown, true ones come from the check's own prior of them, and ranks of objects are no
- * longer exact: in a check the corners of objects say nothing of the intrinsics, while a full posterior would listen to them.
+ * longer exact: in a check the corners of objects say nothing of the intrinsics, while a full posterior would listen to
+ * them.
  *
  * <p><b>Coverage is what a user gets.</b> It is counted for regions as the check states them, under its flat prior,
  * unweighted. Flat posteriors of a location cover exactly at every fixed truth; poses are close to locations where

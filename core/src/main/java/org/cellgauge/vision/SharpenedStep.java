@@ -12,7 +12,6 @@ package org.cellgauge.vision;
  */
 final class SharpenedStep {
     private static final double STEP_PX = 0.25;
-    private static final double REACH = 4;
     private static final int ROUNDS = 16;
 
     private double fromPx;
@@ -57,16 +56,7 @@ final class SharpenedStep {
      * @param radiusPx deviation of its Gaussian, positive, px
      */
     void solve(double amount, double radiusPx) {
-        double[] weights = new double[(int) Math.ceil(REACH * radiusPx / STEP_PX) + 1];
-        double total = 0;
-        for (int k = 0; k < weights.length; k++) {
-            double z = k * STEP_PX / radiusPx;
-            weights[k] = Math.exp(-0.5 * z * z);
-            total += k == 0 ? weights[k] : 2 * weights[k];
-        }
-        for (int k = 0; k < weights.length; k++) {
-            weights[k] /= total;
-        }
+        double[] weights = Unsharpened.weights(radiusPx / STEP_PX);
         blur(grey, weights);
         overshoot = 0;
         double contrast = grey[nodes - 1] - grey[0];

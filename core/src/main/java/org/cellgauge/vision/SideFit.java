@@ -486,13 +486,7 @@ final class SideFit {
         powerScore = 0;
         powerInformation = 0;
         offsetByPower = 0;
-        for (int a = 0; a < UNKNOWNS; a++) {
-            damped[a * (UNKNOWNS + 1)] += 1e-9;
-            for (int b = 0; b < a; b++) {
-                damped[b * UNKNOWNS + a] = damped[a * UNKNOWNS + b];
-            }
-        }
-        double[] inverse = Cholesky.inverse(damped, UNKNOWNS);
+        double[] inverse = inverseOfDamped();
         if (inverse == null) {
             return;
         }
@@ -592,19 +586,24 @@ final class SideFit {
                 }
             }
         }
-        for (int a = 0; a < UNKNOWNS; a++) {
-            damped[a * (UNKNOWNS + 1)] += 1e-9;
-            for (int b = 0; b < a; b++) {
-                damped[b * UNKNOWNS + a] = damped[a * UNKNOWNS + b];
-            }
-        }
-        double[] inverse = Cholesky.inverse(damped, UNKNOWNS);
+        double[] inverse = inverseOfDamped();
         if (inverse == null) {
             Arrays.fill(shapeInformation, 0);
             Arrays.fill(shapeScore, 0);
             return;
         }
         projectShape(inverse);
+    }
+
+    /** Inverse of the lower triangle gathered in {@link #damped}, hardly damped; null where it has none. */
+    private double[] inverseOfDamped() {
+        for (int a = 0; a < UNKNOWNS; a++) {
+            damped[a * (UNKNOWNS + 1)] += 1e-9;
+            for (int b = 0; b < a; b++) {
+                damped[b * UNKNOWNS + a] = damped[a * UNKNOWNS + b];
+            }
+        }
+        return Cholesky.inverse(damped, UNKNOWNS);
     }
 
     /** Projects the side's own unknowns out of score and information of the shape. */

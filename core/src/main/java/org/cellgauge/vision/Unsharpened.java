@@ -128,12 +128,12 @@ final class Unsharpened {
         return dark + (bright - dark) * (likely[i] + (at - i) * (likely[i + 1] - likely[i]));
     }
 
-    /** Weights of a pixel itself and of those 1, 2, ... px away in a sampled Gaussian. */
-    static double[] weights(double radiusPx) {
-        double[] weights = new double[(int) Math.ceil(REACH * radiusPx) + 1];
+    /** Weights of a sample itself and of those 1, 2, ... samples away in a Gaussian of so many samples' deviation. */
+    static double[] weights(double radius) {
+        double[] weights = new double[(int) Math.ceil(REACH * radius) + 1];
         double total = 0;
         for (int k = 0; k < weights.length; k++) {
-            weights[k] = Math.exp(-0.5 * k * k / (radiusPx * radiusPx));
+            weights[k] = Math.exp(-0.5 * k * k / (radius * radius));
             total += k == 0 ? weights[k] : 2 * weights[k];
         }
         for (int k = 0; k < weights.length; k++) {

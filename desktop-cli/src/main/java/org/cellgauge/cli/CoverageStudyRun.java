@@ -269,6 +269,7 @@ final class CoverageStudyRun {
         settings.put("simulations", simulations);
         settings.put("seed", check.seed());
         settings.put("model", check.model().optionName());
+        settings.put("estimate", check.estimate().optionName());
         settings.put("photos", options.photos());
         settings.put("corners_only", options.cornersOnly());
         return settings;

@@ -178,6 +178,20 @@ class ValidateCommandTest {
     }
 
     @Test
+    void unknownFocalLengthsAreJudgedToo() {
+        CommandCall call = quick("--estimate", "focal", "--focal-prior-std", "20");
+        assertTrue(call.out().contains("true focal\nlengths by what is known of them"), call.out());
+        assertTrue(call.out().lines().anyMatch(l -> l.matches("  camera focal lengths +2 .* - .*")), call.out());
+        assertTrue(call.out().lines().anyMatch(l -> l.matches("  focal lengths: fx_px \\S+, mean \\S+; fy_px \\S+, mean "
+                + "\\S+")), call.out());
+        JsonObject settings = json(quick("--json", "--estimate", "focal", "--focal-prior-std", "20",
+                "--aspect-prior-std", "independent")).getAsJsonObject("settings");
+        assertEquals("focal", settings.get("estimate").getAsString());
+        assertEquals(20, settings.get("focal_prior_std_px").getAsDouble(), 0);
+        assertTrue(settings.get("aspect_prior_std").isJsonNull());
+    }
+
+    @Test
     void textAndJsonTellTheSameCounts() {
         String text = quick().out();
         JsonObject camera = json(quick("--json")).getAsJsonArray("regions").get(0).getAsJsonObject();

@@ -302,6 +302,10 @@ public class FolderArchiveTest {
         assertEquals("cellgauge check --cell n.cell.yaml --seed -5 --estimate focal --focal-prior-std 120.5 n.png",
                 DesktopCommand.of("n", CheckSettings.builder().seed(-5).estimate(CheckSettings.Estimate.FOCAL)
                         .focalPriorStdPx(120.5).build()));
+        assertEquals("cellgauge check --cell n.cell.yaml --seed 1 --estimate focal --aspect-prior-std independent "
+                + "n.png",
+                DesktopCommand.of("n", CheckSettings.builder().estimate(CheckSettings.Estimate.FOCAL)
+                        .aspectPriorStd(Double.POSITIVE_INFINITY).build()));
         assertEquals("cellgauge check --cell n.cell.yaml --seed 1 --model corner-cube --kappa 0.7 --sampler adaptive "
                 + "--chains 2 --iterations 9000 --warmup 100 --initial ransac --object-noise none n.png",
                 DesktopCommand.of("n", CheckSettings.builder().model(org.cellgauge.check.LikelihoodModel.CORNER_CUBE)
