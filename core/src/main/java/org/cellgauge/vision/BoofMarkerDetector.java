@@ -350,8 +350,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
             light.refit(image, marker, patterns.get(id));
         }
-        if (marker.blurPx() > (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * borderCells) * marker.cellPx()) {
-            warnings.add(Warning.of(DetectionWarning.TOO_BLURRED, id, Decimal.of(marker.blurPx(), 1),
+        double blurPx = light.blurInPhotoPx(marker);
+        if (blurPx > (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * borderCells) * marker.cellPx()) {
+            warnings.add(Warning.of(DetectionWarning.TOO_BLURRED, id, Decimal.of(blurPx, 1),
                     Decimal.of(marker.cellPx(), 1)));
             return null;
         }

@@ -540,6 +540,23 @@ final class LightFit {
     }
 
     /**
+     * Blur of a marker's edges as the photo shows them, its mask not undone: that of an edge which is as steep in the
+     * middle. A mask makes edges steeper, so more of them keep clear of each other than before it.
+     *
+     * @param marker edges of a marker, fitted
+     * @return deviation, px, at least 0; without a mask the fitted one
+     */
+    double blurInPhotoPx(MarkerEdges marker) {
+        double blur = marker.blurPx();
+        if (maskAmount == 0) {
+            return blur;
+        }
+        double std = Math.sqrt(blur * blur + MarkerEdges.PIXEL_VARIANCE);
+        double steepness = (1 + maskAmount) / std - maskAmount / Math.hypot(std, maskRadiusPx);
+        return Math.sqrt(Math.max(0, 1 / (steepness * steepness) - MarkerEdges.PIXEL_VARIANCE));
+    }
+
+    /**
      * Whether a marker's edges still lie so far from where the others' do that its fit cannot be believed: ink spreads
      * differently from print to print, but by hundredths of a millimetre.
      */

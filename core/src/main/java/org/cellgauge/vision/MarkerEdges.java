@@ -51,7 +51,7 @@ final class MarkerEdges {
     /** A pixel that sees less of the dark has no use for where that lies. */
     private static final double LEAST_SEEN = 1e-5;
     /** Variance that a pixel's own square adds to the blur. */
-    private static final double PIXEL_VARIANCE = 1.0 / 12;
+    static final double PIXEL_VARIANCE = 1.0 / 12;
     /** How far outwards the edge of the paper is looked for. */
     private static final int PAPER_STEPS = 24;
     private static final int PAPER_LINES = 3;

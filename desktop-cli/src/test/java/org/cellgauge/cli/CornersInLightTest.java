@@ -198,6 +198,17 @@ class CornersInLightTest {
         assertEquals(1.025, found.chiSquareLessShift, 0.175, found.toString());
     }
 
+    /** A blur of 0.8 px would be too much for one of these markers, but after the mask no edge is so flat. */
+    @Test
+    void sharpenedMarkersAreLeftOutByTheBlurThatThePhotoShows() {
+        MarkerField field = MarkerField.of("aruco-mip-25h7", 43);
+        GreyImage photo = field.photo(sensor(0.8, ToneCurve.SRGB).withNoiseGrey(5.9).withUnsharp(0.6, 1));
+        MarkerField.Found found = field.find(photo, null);
+        assertTrue(warns(found, DetectionWarning.SHARPENED), found.toString());
+        assertEquals(40, found.markers, found.toString());
+        assertEquals(1, found.chiSquareLessShift, 0.3, found.toString());
+    }
+
     /** No sharpening is seen where there is none, however sharp the edges. */
     @ParameterizedTest
     @CsvSource({"0, linear", "0.3, linear", "0.3, srgb", "0.7, gamma 2.2"})
