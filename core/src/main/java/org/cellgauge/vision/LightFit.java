@@ -300,8 +300,8 @@ final class LightFit {
                     scale.setNoise(noise);
                     return shiftStdPx;
                 }
-            } else if (deviations < CERTAIN_DEVIATIONS && byNoise(sharpNoise) < (round == 1 ? 0 : BORNE_OUT)) {
-                // what edges alone hint at, noise must bear out
+            } else if (byNoise(sharpNoise) < (round == 1 || deviations >= CERTAIN_DEVIATIONS ? 0 : BORNE_OUT)) {
+                // what edges hint at, noise must bear out: more so where they are not sure of it
                 maskAmount = 0;
                 break;
             }
