@@ -19,9 +19,12 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.net.URL;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -95,6 +98,24 @@ class ArchitectureTest {
         noClasses().should().dependOnClassesThat()
                 .resideInAnyPackage("java.awt..", "javax.swing..", "javax.imageio..", "android..", "androidx..")
                 .check(core);
+    }
+
+    /** Remedies are data: whoever runs core, a tablet too, says how they are taken. */
+    @Test
+    void coreNamesNoOptionOfTheCommandLine() throws IOException {
+        Pattern option = Pattern.compile("(?<![-\\w])--[a-z]");
+        List<String> named = new ArrayList<>();
+        int read = 0;
+        Path sources = Path.of(System.getProperty("cellgauge.root", "."), "core/src/main/java");
+        try (Stream<Path> files = Files.walk(sources)) {
+            for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
+                read++;
+                Files.readAllLines(file).stream().filter(line -> option.matcher(line).find())
+                        .forEach(line -> named.add(file.getFileName() + ": " + line.trim()));
+            }
+        }
+        assertTrue(read > 100, read + " files were read");
+        assertEquals(List.of(), named);
     }
 
     /** A package the order does not name would escape it. */

@@ -29,12 +29,15 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
+import org.cellgauge.sampling.StartException;
 import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.statistics.ParetoTail;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.Warning;
 
 /**
@@ -197,8 +200,11 @@ public final class CellCheck {
                 processes.add(new CellProcess(quantities, tuned, photoSeed(), c));
             }
         } catch (IllegalStateException e) {
-            throw new InputRefusedException(detections.imageName() + ": the chains cannot start, " + e.getMessage()
-                    + "; check the references' positions in the cell file or use --initial pnp", e);
+            Object why = e instanceof StartException
+                    ? Warning.of(CheckPhrase.DENSITY_AT_START, String.valueOf(((StartException) e).logDensity()))
+                    : e.getMessage();
+            throw new InputRefusedException(Refusal.at(Place.of(detections.imageName()),
+                    CheckRefusal.CHAINS_CANNOT_START, why, CheckPhrase.INITIAL_PNP), e);
         }
         boolean[] judged = quantities.judged();
         int cap = settings.iterations().orElse(settings.maxIterations());
@@ -298,9 +304,7 @@ public final class CellCheck {
 
     private void prepare() {
         if (detections.light() != null && detections.light().toneCurveOpen()) {
-            throw new InputRefusedException(detections.imageName() + ": whites are clipped, and then nothing in the "
-                    + "photo tells its tone curve, without which edges are not where they seem; expose less, or state "
-                    + "tone_curve in the cell file");
+            throw refused(CheckRefusal.TONE_CURVE_OPEN);
         }
         warnOfReferencesNotSeen();
         errors = cornerErrors();
@@ -333,8 +337,7 @@ public final class CellCheck {
             }
         }
         if (unseen.size() == cell.references().size()) {
-            throw new InputRefusedException(detections.imageName() + ": none of the references " + Listing.and(unseen)
-                    + " is in the photo; check the marker family of the cell file, the light and the focus");
+            throw refused(CheckRefusal.NO_REFERENCE_SEEN, Listing.and(unseen));
         }
         if (!unseen.isEmpty()) {
             warnings.add(Warning.of(CheckWarning.REFERENCES_NOT_SEEN, Listing.and(unseen)));
@@ -501,7 +504,7 @@ public final class CellCheck {
         if (initial == null) {
             initial = InitialPose.PNP.estimate(view, cell.camera());
             if (initial == null) {
-                throw noPose();
+                throw refused(CheckRefusal.NO_CAMERA_POSE);
             }
             warnings.add(Warning.of(CheckWarning.INITIAL_ESTIMATE_FAILED, settings.initial().optionName()));
         }
@@ -518,7 +521,7 @@ public final class CellCheck {
             modes = finder.modes(InitialPose.PNP.estimate(view, cell.camera()));
         }
         if (modes.isEmpty()) {
-            throw noPose();
+            throw refused(CheckRefusal.NO_CAMERA_POSE);
         }
         return new CameraTarget(view, settings, intrinsics, posePrior, notNegligible(modes), initial, finders);
     }
@@ -544,9 +547,8 @@ public final class CellCheck {
         return new CameraTarget(view, settings, intrinsics, null, notNegligible(modes), worldFromCameraStart, finders);
     }
 
-    private InputRefusedException noPose() {
-        return new InputRefusedException(detections.imageName() + ": no camera pose explains the corners of the "
-                + "references; check their ids, positions and sizes in the cell file");
+    private InputRefusedException refused(CheckRefusal kind, Object... arguments) {
+        return new InputRefusedException(detections.imageName(), kind, arguments);
     }
 
     private static int foreignReference(CameraTarget target) {
@@ -575,8 +577,7 @@ public final class CellCheck {
     private ObjectTarget objectTarget(ObjectMarker marker, CameraState atMode) {
         List<PoseMode> modes = ObjectTarget.modes(marker, errors, atMode);
         if (modes.isEmpty()) {
-            throw new InputRefusedException(detections.imageName() + ": the corners of object " + marker.id()
-                    + " are of no square in front of the camera; check the order of its corners");
+            throw refused(CheckRefusal.NO_OBJECT_POSE, marker.id());
         }
         boolean noisy = settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION;
         modes = noisy ? notNegligible(modes) : modes.subList(0, 1);
@@ -652,7 +653,8 @@ public final class CellCheck {
         if (diagnostics.converged() && !settings.iterations().isPresent() && !preciseEnough(diagnostics)) {
             warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(last.iterationsPerChain(), 0),
                     diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
-                    Decimal.shortest(Math.rint(1e11 * settings.targetMcseStdRel()) / 1e9)));
+                    Decimal.shortest(Math.rint(1e11 * settings.targetMcseStdRel()) / 1e9),
+                    CheckPhrase.MORE_ITERATIONS));
         }
         if (diagnostics.converged() && diagnostics.heavyTails()) {
             warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter(),

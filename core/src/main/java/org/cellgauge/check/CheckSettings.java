@@ -22,7 +22,7 @@ public final class CheckSettings {
         }
 
         /**
-         * The word of the option {@code --estimate}.
+         * Its word in settings and files.
          *
          * @return {@code none} or {@code focal}
          */
@@ -45,7 +45,7 @@ public final class CheckSettings {
         }
 
         /**
-         * The word of the option {@code --object-noise}.
+         * Its word in settings and files.
          *
          * @return {@code detection} or {@code none}
          */

@@ -61,7 +61,7 @@ public enum LikelihoodModel {
     }
 
     /**
-     * The word of the option {@code --model}.
+     * Its word in settings and files.
      *
      * @return for instance {@code rigid-marker}
      */

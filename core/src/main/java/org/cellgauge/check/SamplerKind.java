@@ -18,7 +18,7 @@ public enum SamplerKind {
     }
 
     /**
-     * The word of the option {@code --sampler}.
+     * Its word in settings and files.
      *
      * @return for instance {@code independence}
      */

@@ -13,7 +13,7 @@ public interface InitialPose {
     InitialPose PNP = new PnpInitialPose();
 
     /**
-     * The name of the option {@code --initial}.
+     * Its name in settings and files.
      *
      * @return {@code average}, {@code ransac} or {@code pnp}
      */

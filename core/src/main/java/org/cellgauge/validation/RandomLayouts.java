@@ -93,7 +93,7 @@ public final class RandomLayouts implements CellSource {
                 return cell;
             }
         }
-        throw new InputRefusedException("simulated: no layout fits into the image");
+        throw new InputRefusedException("simulated", ValidationRefusal.NO_LAYOUT);
     }
 
     /** A layout, or null if its markers found no room. */

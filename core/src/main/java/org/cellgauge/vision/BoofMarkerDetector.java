@@ -25,6 +25,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellPhrase;
+import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
@@ -195,9 +197,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     @Override
     public Detections detect(GreyImage image, String imageName) {
         if (image.widthPx() != camera.widthPx() || image.heightPx() != camera.heightPx()) {
-            throw new InputRefusedException(String.format(Locale.ROOT, "%s: the image is %d x %d px, but the camera is "
-                    + "calibrated for %d x %d px; take the photo at that size or calibrate the camera at this one",
-                    imageName, image.widthPx(), image.heightPx(), camera.widthPx(), camera.heightPx()));
+            throw new InputRefusedException(imageName, CellRefusal.IMAGE_SIZE, image.widthPx(), image.heightPx(),
+                    camera.widthPx(), camera.heightPx(), CellPhrase.PHOTO_SIZE);
         }
         view.data = image.luminance();
         view.startIndex = image.offset();

@@ -35,6 +35,7 @@ import org.cellgauge.validation.OneCell;
 import org.cellgauge.validation.RandomLayouts;
 import org.cellgauge.validation.TruthPrior;
 import org.cellgauge.vision.BoofThreads;
+import org.cellgauge.warning.Refusal;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 
@@ -206,7 +207,7 @@ final class CoverageStudyRun {
             return run(OneCell.inFullView(prior), new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm()),
                     done -> { });
         } catch (InputRefusedException e) {
-            command.getErr().println(row.name() + ": " + e.getMessage());
+            command.getErr().println(row.name() + ": " + CommandWords.of(e));
             return null;
         }
     }
@@ -334,8 +335,7 @@ final class CoverageStudyRun {
             }
         }
         if (!(Math.abs(meanSidePx(cell, moved) / sidePx - 1) < 0.01)) {
-            throw new InputRefusedException("no distance of the camera makes markers " + CheckText.plain(sidePx)
-                    + " px wide; give another --marker-px or --camera-pose");
+            throw new InputRefusedException(Refusal.of(CommandRefusal.NO_DISTANCE, CheckText.plain(sidePx)));
         }
         return moved;
     }
