@@ -78,7 +78,7 @@ public final class CellEstimate {
      */
     public boolean isAmbiguous(int objectId) {
         ObjectEstimate object = object(objectId);
-        return object != null && (Judgement.ambiguous(cameraModes) || Judgement.ambiguous(object.modes()));
+        return object != null && (ModeEstimate.areAmbiguous(cameraModes) || ModeEstimate.areAmbiguous(object.modes()));
     }
 
     /**

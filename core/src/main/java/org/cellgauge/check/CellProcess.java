@@ -49,19 +49,19 @@ final class CellProcess implements ChainProcess {
 
     CellProcess(CellQuantities quantities, CameraSampler.Tuned tuned, long seed, int chain) {
         this.quantities = quantities;
-        CameraTarget target = quantities.camera;
-        cameraChain = tuned.chain(RandomStreams.of(seed, CellCheck.STREAM_CHAIN, chain));
+        CameraFit fit = quantities.camera;
+        cameraChain = tuned.chain(RandomStreams.of(seed, RandomPaths.CHAIN, chain));
         camera = cameraChain.chain;
-        intrinsicsUnknown = target.intrinsicsPrior.count() > 0;
-        shared = target.view.unknowns() > 0 || target.belief != null;
-        centroid = target.view.centroidMm();
+        intrinsicsUnknown = fit.intrinsicsPrior.count() > 0;
+        shared = fit.view.unknowns() > 0 || fit.belief != null;
+        centroid = fit.view.centroidMm();
         objects = new ObjectWalk[quantities.objects.size()];
         cameraChain.chart.decode(camera.current(), state);
         for (int o = 0; o < objects.length; o++) {
             ObjectTarget object = quantities.objects.get(o);
-            RandomGenerator random = RandomStreams.of(seed, CellCheck.STREAM_OBJECT, chain, object.marker.id());
+            RandomGenerator random = RandomStreams.of(seed, RandomPaths.OBJECT, chain, object.fit.marker.id());
             objects[o] = new ObjectWalk(object,
-                    target.settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION, random);
+                    fit.settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION, random);
             if (intrinsicsUnknown || shared) {
                 objects[o].cameraMoved(state, intrinsicsUnknown, shared);
             }
@@ -89,11 +89,11 @@ final class CellProcess implements ChainProcess {
 
         ObjectWalk(ObjectTarget target, boolean noisy, RandomGenerator random) {
             this.target = target;
-            observed = target.cornersPx.clone();
-            fit = target.fit(observed);
-            mode = target.modes.get(0).state();
-            base = target.modes.get(0).state();
-            grip = target.marker.gripMm();
+            observed = target.fit.cornersPx.clone();
+            fit = target.fit.fitTo(observed);
+            mode = target.fit.modes.get(0).state();
+            base = target.fit.modes.get(0).state();
+            grip = target.fit.marker.gripMm();
             posterior = target.posterior();
             state.copyFrom(base);
             if (noisy) {
@@ -171,7 +171,7 @@ final class CellProcess implements ChainProcess {
         if (cameraMoved && intrinsicsUnknown) {
             return STEPS_WITH_INTRINSICS;
         }
-        return cameraMoved && shared && object.target.modes.size() > 1 ? STEPS_WITH_MODES : 1;
+        return cameraMoved && shared && object.target.fit.modes.size() > 1 ? STEPS_WITH_MODES : 1;
     }
 
     @Override
@@ -189,7 +189,7 @@ final class CellProcess implements ChainProcess {
         out[0] = camera.logDensity();
         int at = readPose(centre, worldFromCamera, quantities.cameraReference, out, 1);
         if (quantities.camera.modes.size() > 1) {
-            out[at++] = ObjectTarget.nearest(quantities.camera.modes, state);
+            out[at++] = ObjectFit.nearest(quantities.camera.modes, state);
         }
         at = quantities.readIntrinsics(state, out, at);
         at = quantities.readShared(state, out, at);
@@ -209,8 +209,8 @@ final class CellProcess implements ChainProcess {
             out[first] = px;
             out[first + 1] = py;
             out[first + 2] = pz;
-            if (object.target.modes.size() > 1) {
-                out[at++] = ObjectTarget.nearest(object.target.modes, pose);
+            if (object.target.fit.modes.size() > 1) {
+                out[at++] = ObjectFit.nearest(object.target.fit.modes, pose);
             }
             if (object.grip != null) {
                 out[at++] = px + along(worldFromObject, 0, object.grip);
@@ -240,7 +240,7 @@ final class CellProcess implements ChainProcess {
         for (ObjectWalk object : objects) {
             if (object.chain != null) {
                 for (AcceptanceCount count : object.chain.acceptance()) {
-                    counts.add(new AcceptanceCount("object " + object.target.marker.id() + " " + count.proposal(),
+                    counts.add(new AcceptanceCount("object " + object.target.fit.marker.id() + " " + count.proposal(),
                             count.accepted(), count.rejected()));
                 }
             }

@@ -25,13 +25,13 @@ final class CellQuantities {
     static final String ADDED_NOISE = "added_noise_px";
 
     final QuantityLayout layout;
-    final CameraTarget camera;
+    final CameraFit camera;
     final List<ObjectTarget> objects;
     final double[] cameraReference;
     final double[][] objectReferences;
     private final CornerErrors errors;
 
-    CellQuantities(CameraTarget camera, List<ObjectTarget> objects) {
+    CellQuantities(CameraFit camera, List<ObjectTarget> objects) {
         this.camera = camera;
         this.objects = objects;
         QuantityLayout.Builder b = new QuantityLayout.Builder();
@@ -50,18 +50,18 @@ final class CellQuantities {
         if (intrinsics.length > 0) {
             b.group("intrinsics", intrinsics);
         }
-        errors = camera.errors != null && (camera.view.unknowns() > 0 || camera.belief != null) ? camera.errors : null;
+        errors = camera.view.unknowns() > 0 || camera.belief != null ? camera.errors : null;
         addShared(b);
         objectReferences = new double[objects.size()][9];
         for (int o = 0; o < objects.size(); o++) {
             ObjectTarget object = objects.get(o);
-            Rotations.multiply(cameraReference, object.modes.get(0).state().rotation, objectReferences[o]);
-            String name = "object_" + object.marker.id();
+            Rotations.multiply(cameraReference, object.fit.modes.get(0).state().rotation, objectReferences[o]);
+            String name = "object_" + object.fit.marker.id();
             addPose(b, name, objectReferences[o]);
-            if (object.modes.size() > 1) {
+            if (object.fit.modes.size() > 1) {
                 b.add(name + "_mode");
             }
-            if (object.marker.hasGrip()) {
+            if (object.fit.marker.hasGrip()) {
                 int x = b.add(name + "_grip_x_mm");
                 int y = b.add(name + "_grip_y_mm");
                 int z = b.add(name + "_grip_z_mm");
@@ -162,8 +162,8 @@ final class CellQuantities {
             measured[layout.indexOf(ADDED_NOISE)] = false;
         }
         for (ObjectTarget object : objects) {
-            if (object.modes.size() > 1) {
-                int first = layout.indexOf("object_" + object.marker.id() + "_wx_rad");
+            if (object.fit.modes.size() > 1) {
+                int first = layout.indexOf("object_" + object.fit.marker.id() + "_wx_rad");
                 java.util.Arrays.fill(measured, first, first + 3, false);
             }
         }
@@ -179,7 +179,7 @@ final class CellQuantities {
         return next;
     }
 
-    static boolean focalIsUnknown(CameraTarget camera) {
+    static boolean focalIsUnknown(CameraFit camera) {
         for (int i = 0; i < camera.intrinsicsPrior.count(); i++) {
             if (camera.intrinsicsPrior.index(i) == PinholeCamera.FX) {
                 return true;

@@ -37,7 +37,7 @@ final class Estimates {
         PinholeCamera lens = ImageEllipses.camera(cell.camera(), quantities.camera.intrinsicsPrior, intrinsics);
         List<ObjectEstimate> objects = new ArrayList<>();
         for (int o = 0; o < quantities.objects.size(); o++) {
-            ObjectTarget target = quantities.objects.get(o);
+            ObjectFit target = quantities.objects.get(o).fit;
             String name = "object_" + target.marker.id();
             double[] reference = quantities.objectReferences[o];
             PoseEstimate pose = pose(summary, name, "object in world", reference);

@@ -65,11 +65,11 @@ final class Judgement {
         if (!diagnostics.converged()) {
             return Verdict.NOT_CONVERGED;
         }
-        if (ambiguous(estimate.cameraModes())) {
+        if (ModeEstimate.areAmbiguous(estimate.cameraModes())) {
             return Verdict.AMBIGUOUS;
         }
         for (ObjectEstimate object : objects) {
-            if (ambiguous(object.modes())) {
+            if (ModeEstimate.areAmbiguous(object.modes())) {
                 return Verdict.AMBIGUOUS;
             }
         }
@@ -136,9 +136,9 @@ final class Judgement {
      * @param objects the objects seen
      * @param target mm
      */
-    static boolean undecided(Diagnostics diagnostics, List<ObjectTarget> objects, double target) {
+    static boolean undecided(Diagnostics diagnostics, List<ObjectFit> objects, double target) {
         Standing standing = Standing.WITHIN;
-        for (ObjectTarget object : objects) {
+        for (ObjectFit object : objects) {
             standing = worse(standing, standing(diagnostics, object.marker.id(), object.marker.hasGrip(), target));
         }
         return standing == Standing.UNDECIDED;
@@ -193,11 +193,11 @@ final class Judgement {
         if (verdict == Verdict.NOT_CONVERGED) {
             return Reason.notConverged(diagnostics);
         }
-        if (ambiguous(estimate.cameraModes())) {
+        if (ModeEstimate.areAmbiguous(estimate.cameraModes())) {
             return Reason.twoCameraPoses(estimate.cameraModes().get(1).weight());
         }
         for (ObjectEstimate object : objects) {
-            if (ambiguous(object.modes())) {
+            if (ModeEstimate.areAmbiguous(object.modes())) {
                 return Reason.twoObjectPoses(object.id(), object.modes().get(1).weight());
             }
         }
@@ -209,10 +209,5 @@ final class Judgement {
 
     private static List<ObjectEstimate> only(ObjectEstimate object) {
         return object == null ? Collections.emptyList() : Collections.singletonList(object);
-    }
-
-    /** Whether other poses than the first hold too much of the posterior to be left aside. */
-    static boolean ambiguous(List<ModeEstimate> modes) {
-        return modes.size() > 1 && 1 - modes.get(0).weight() > CellCheck.AMBIGUOUS_SHARE;
     }
 }

@@ -25,7 +25,7 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 final class LinearModel {
     private static final double NEXT_TO_NOTHING = 1e-9;
 
-    private final CameraTarget camera;
+    private final CameraFit camera;
     private final PoseMode mode;
     private final CameraState state;
     private final double[] worldFromCamera = new double[9];
@@ -33,7 +33,7 @@ final class LinearModel {
     /** Covariance that a fit has which knows a source to be zero, by source; filled when a budget is asked for. */
     private Map<String, double[]> refitted;
 
-    LinearModel(CameraTarget camera) {
+    LinearModel(CameraFit camera) {
         this.camera = camera;
         mode = camera.modes.get(0);
         state = mode.state();
@@ -118,13 +118,13 @@ final class LinearModel {
 
     /** How one object answers to the camera's chart and to its own. */
     final class ObjectLink {
-        private final ObjectTarget target;
+        private final ObjectFit target;
         private final PoseMode objectMode;
         private final CameraState object;
         private final double[][] byShared;
         private final boolean noisy;
 
-        ObjectLink(ObjectTarget target, int modeIndex) {
+        ObjectLink(ObjectFit target, int modeIndex) {
             this.target = target;
             objectMode = target.modes.get(modeIndex);
             object = objectMode.state();

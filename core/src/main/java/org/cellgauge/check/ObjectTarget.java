@@ -1,150 +1,48 @@
 package org.cellgauge.check;
 
-import java.util.List;
-import org.cellgauge.cell.ObjectMarker;
-import org.cellgauge.geometry.Cholesky;
-import org.cellgauge.geometry.MarkerGeometry;
-import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.pose.CameraState;
-import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.IntrinsicsPrior;
-import org.cellgauge.pose.MarkerPoseFinder;
-import org.cellgauge.pose.PoseMode;
-import org.cellgauge.pose.ReprojectionFit;
 import org.cellgauge.posterior.ObjectPosterior;
 import org.cellgauge.sampling.StudentTMixture;
 
-/**
- * One object of a photo: its corners less what they share with others at the camera's mode, the modes of its pose
- * before the camera, and the proposal fitted to them. Immutable.
- */
+/** The posterior of one object's pose before the camera, and the proposal fitted to it; immutable. */
 final class ObjectTarget {
-    final ObjectMarker marker;
-    final CornerErrors errors;
-    final double[] cornersPx;
-    final List<PoseMode> modes;
+    final ObjectFit fit;
     final StudentTMixture proposal;
-    private final CameraState camera;
 
     /**
      * An object.
      *
-     * @param camera mode of the camera: intrinsics, shared unknowns and noise that the modes were found at
+     * @param fit its modes
+     * @param proposal of its chains
      */
-    ObjectTarget(ObjectMarker marker, CornerErrors errors, CameraState camera, List<PoseMode> modes,
-            StudentTMixture proposal) {
-        this.marker = marker;
-        this.errors = errors;
-        this.camera = camera;
-        this.modes = modes;
+    ObjectTarget(ObjectFit fit, StudentTMixture proposal) {
+        this.fit = fit;
         this.proposal = proposal;
-        cornersPx = errors.cornersPx(marker.id(), camera.unknowns);
     }
 
-    /** The modes of an object's pose at the intrinsics, shared unknowns and noise of a camera; empty where none is. */
-    static List<PoseMode> modes(ObjectMarker marker, CornerErrors errors, CameraState camera) {
-        PinholeCamera lens = PinholeCamera.of(1, 1, camera.intrinsics);
-        double[] corners = errors.cornersPx(marker.id(), camera.unknowns);
-        return errors.isPlain() ? MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.statedStdPx())
-                : MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.whitening(marker.id(), camera.noise));
-    }
-
-    /** The same object before another camera; the same where that leads to no pose. */
-    ObjectTarget at(CameraState other) {
-        List<PoseMode> found = modes(marker, errors, other);
-        return found.isEmpty() ? this : new ObjectTarget(marker, errors, other, found, proposal);
+    /** An object with Laplace's approximation at its modes as proposal. */
+    static ObjectTarget ofModes(ObjectFit fit) {
+        return new ObjectTarget(fit, TunedMixture.ofModes(fit.modes));
     }
 
     ObjectTarget withProposal(StudentTMixture fitted) {
-        return new ObjectTarget(marker, errors, camera, modes, fitted);
+        return new ObjectTarget(fit, fitted);
     }
 
+    /** The density, a new instance for one thread. */
     ObjectPosterior posterior() {
-        CameraState base = modes.get(0).state();
-        if (errors.isPlain()) {
-            return new ObjectPosterior(cornersPx, marker.sizeMm(), errors.statedStdPx(), base);
+        CameraState base = fit.modes.get(0).state();
+        if (fit.errors.isPlain()) {
+            return new ObjectPosterior(fit.cornersPx, fit.marker.sizeMm(), fit.errors.statedStdPx(), base);
         }
-        base.unknowns = camera.unknowns.clone();
-        base.noise = camera.noise;
-        double[][] answers = answers(0, IntrinsicsPrior.KNOWN);
-        double[] flat = new double[6 * errors.unknowns()];
+        base.unknowns = fit.camera.unknowns.clone();
+        base.noise = fit.camera.noise;
+        double[][] answers = fit.answers(0, IntrinsicsPrior.KNOWN);
+        double[] flat = new double[6 * fit.errors.unknowns()];
         for (int i = 0; i < 6; i++) {
-            System.arraycopy(answers[i], 0, flat, i * errors.unknowns(), errors.unknowns());
+            System.arraycopy(answers[i], 0, flat, i * fit.errors.unknowns(), fit.errors.unknowns());
         }
-        return new ObjectPosterior(errors, marker.id(), marker.sizeMm(), flat, base, modes.size() == 1);
-    }
-
-    /** A fit of the pose to corners of the caller's (not copied) at the caller's intrinsics, for one thread. */
-    ReprojectionFit fit(double[] corners) {
-        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(marker.sizeMm()), corners,
-                IntrinsicsPrior.KNOWN, null);
-        weigh(fit);
-        return fit;
-    }
-
-    private void weigh(ReprojectionFit fit) {
-        if (errors.isPlain()) {
-            fit.setIsotropic(errors.statedStdPx());
-        } else {
-            fit.setWhitening(errors.whitening(marker.id(), camera.noise));
-        }
-    }
-
-    /**
-     * Change of the fitted pose by each unknown intrinsic and each unknown that markers share: {@code -(J^T J)^-1 J^T
-     * J_f} of the whitened derivatives.
-     *
-     * @return 6 rows
-     */
-    double[][] answers(int modeIndex, IntrinsicsPrior intrinsicsPrior) {
-        int n = intrinsicsPrior.count() + errors.unknowns();
-        double[][] out = new double[6][n];
-        if (n == 0) {
-            return out;
-        }
-        CameraState object = modes.get(modeIndex).state();
-        object.unknowns = new double[errors.unknowns()];
-        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(marker.sizeMm()), cornersPx,
-                errors.columns(marker.id()), errors.unknowns(), intrinsicsPrior, null);
-        weigh(fit);
-        double[] j = fit.jacobianAt(object);
-        double[] normal = new double[36];
-        double[][] right = new double[n][6];
-        int all = fit.columns();
-        for (int row = 0; row < 8; row++) {
-            for (int a = 0; a < 6; a++) {
-                for (int b = 0; b < 6; b++) {
-                    normal[6 * a + b] += j[row * all + a] * j[row * all + b];
-                }
-                for (int f = 0; f < n; f++) {
-                    right[f][a] -= j[row * all + a] * j[row * all + 6 + f];
-                }
-            }
-        }
-        Cholesky.factor(normal, 6);
-        for (int f = 0; f < n; f++) {
-            Cholesky.solveLower(normal, 6, right[f]);
-            Cholesky.solveUpper(normal, 6, right[f]);
-            for (int a = 0; a < 6; a++) {
-                out[a][f] = right[f][a];
-            }
-        }
-        return out;
-    }
-
-    /** Which of the modes a state is nearest to, in the deviations of that mode. */
-    static int nearest(List<PoseMode> modes, CameraState state) {
-        int nearest = 0;
-        double least = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < modes.size(); k++) {
-            double[] step = state.stepFrom(modes.get(k).state());
-            // rotation alone tells mirrored poses apart
-            double squared = step[3] * step[3] + step[4] * step[4] + step[5] * step[5];
-            if (squared < least) {
-                least = squared;
-                nearest = k;
-            }
-        }
-        return nearest;
+        return new ObjectPosterior(fit.errors, fit.marker.id(), fit.marker.sizeMm(), flat, base, fit.modes.size() == 1);
     }
 }

@@ -6,8 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
+import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.warning.Decimal;
@@ -54,20 +56,44 @@ public final class ReferenceCheck {
     }
 
     /**
+     * Tests the references of a photo; no chains are needed for it.
+     *
+     * @param modes poses that explain the photo best
+     */
+    static ReferenceCheck of(CellModes modes) {
+        NoiseFit noiseFit = noiseFit(modes);
+        return of(modes.atNoise(noiseFit.inflation()), modes.objects, noiseFit);
+    }
+
+    private static NoiseFit noiseFit(CellModes modes) {
+        CheckSettings settings = modes.observed.settings;
+        Cell cell = modes.observed.cell;
+        CornerErrors errors = modes.observed.errors;
+        // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
+        if (settings.model() != LikelihoodModel.RIGID_MARKER
+                && settings.objectNoise() == CheckSettings.ObjectNoise.NONE) {
+            return NoiseFit.untested();
+        }
+        return settings.estimate() == CheckSettings.Estimate.FOCAL
+                ? NoiseFit.ofUnknownFocal(cell, errors, modes.camera.intrinsicsPrior)
+                : NoiseFit.of(cell, errors, cell.camera());
+    }
+
+    /**
      * Checks the references of a photo.
      *
      * @param camera the camera from all of them, at a corner noise that the photo does not contradict
      * @param objects the objects seen
      * @param noise whether corners are as precise as stated
      */
-    static ReferenceCheck of(CameraTarget camera, List<ObjectTarget> objects, NoiseFit noise) {
+    static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise) {
         PoseMode mode = camera.modes.get(0);
         // without rigid placements in the likelihood there is nothing stated that a test could hold against them
         List<PlacementTest> tests = camera.settings.model() == LikelihoodModel.RIGID_MARKER
                 ? PlacementTest.of(camera.view, mode) : Collections.emptyList();
         List<MisplacedReference> found = new ArrayList<>();
         List<Integer> leftOut = new ArrayList<>();
-        CameraTarget rest = camera;
+        CameraFit rest = camera;
         List<PlacementTest> testsOfRest = tests;
         while (rest != null && rest.view.size() >= 2) {
             PlacementTest worst = worst(testsOfRest, Collections.emptyList(), true);
@@ -135,7 +161,7 @@ public final class ReferenceCheck {
     }
 
     /** The camera from all references of a target but one; null if they lead to no pose. */
-    private static CameraTarget without(CameraTarget target, int leftOut) {
+    private static CameraFit without(CameraFit target, int leftOut) {
         List<Integer> kept = new ArrayList<>();
         for (int m = 0; m < target.view.size(); m++) {
             if (m != leftOut) {

@@ -349,7 +349,7 @@ public final class ResultJson {
 
     /** The modes of a pose where it is ambiguous; nothing where it is not. */
     private void modes(List<ModeEstimate> modes) throws IOException {
-        if (!Judgement.ambiguous(modes)) {
+        if (!ModeEstimate.areAmbiguous(modes)) {
             return;
         }
         json.name("modes").beginArray();

@@ -15,8 +15,8 @@ final class ThesisCameraSampler implements CameraSampler {
             public CameraChain chain(RandomGenerator chainRandom) {
                 CameraPosterior posterior = target.euler();
                 double[] start;
-                if (target.settings.start() == CheckSettings.Start.INITIAL_ESTIMATE) {
-                    start = posterior.chart().encode(target.initialState());
+                if (target.fit.settings.start() == CheckSettings.Start.INITIAL_ESTIMATE) {
+                    start = posterior.chart().encode(target.fit.initialState());
                 } else {
                     CameraPosterior centred = target.centred();
                     StudentTMixture around = target.mixture();
@@ -25,8 +25,8 @@ final class ThesisCameraSampler implements CameraSampler {
                     start = posterior.chart().encode(state);
                 }
                 return new CameraChain(new MetropolisChain(posterior,
-                        ThesisMixture.proposals(target.intrinsicsPrior.count(),
-                                posterior.dimension() - 6 - target.intrinsicsPrior.count()), start, chainRandom),
+                        ThesisMixture.proposals(target.fit.intrinsicsPrior.count(),
+                                posterior.dimension() - 6 - target.fit.intrinsicsPrior.count()), start, chainRandom),
                         posterior.chart(), () -> { });
             }
 

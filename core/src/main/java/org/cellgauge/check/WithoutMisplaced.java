@@ -37,14 +37,14 @@ public final class WithoutMisplaced {
      * @param without the camera from the others
      * @param objects the objects seen
      */
-    static WithoutMisplaced of(List<Integer> leftOut, CameraTarget all, CameraTarget without,
-            List<ObjectTarget> objects) {
+    static WithoutMisplaced of(List<Integer> leftOut, CameraFit all, CameraFit without,
+            List<ObjectFit> objects) {
         LinearModel linear = new LinearModel(without);
         PoseEstimate camera = linear.cameraPose();
         LinearModel before = new LinearModel(all);
         List<ObjectWithout> moved = new ArrayList<>();
         double worst = 0;
-        for (ObjectTarget object : objects) {
+        for (ObjectFit object : objects) {
             LinearModel.ObjectLink was = before.new ObjectLink(object, 0);
             LinearModel.ObjectLink is = linear.new ObjectLink(at(object, without), 0);
             worst = Math.max(worst, largest(was.poseEstimate().std()));
@@ -58,7 +58,7 @@ public final class WithoutMisplaced {
     }
 
     /** The object fitted at the intrinsics and shared unknowns of another camera estimate; the same without any. */
-    private static ObjectTarget at(ObjectTarget object, CameraTarget camera) {
+    private static ObjectFit at(ObjectFit object, CameraFit camera) {
         if (camera.intrinsicsPrior.count() == 0 && camera.view.unknowns() == 0) {
             return object;
         }

@@ -120,7 +120,7 @@ class MirroredLayoutTest {
                 }
             }
             double weight = modes.get(0).weight();
-            boolean several = 1 - weight > CellCheck.AMBIGUOUS_SHARE;
+            boolean several = 1 - weight > ModeEstimate.AMBIGUOUS_SHARE;
             assertEquals(several, result.verdict() == Verdict.AMBIGUOUS, "photo " + p);
             ambiguous += several ? 1 : 0;
             expected += weight;

@@ -39,7 +39,7 @@ class NoiseFitTest {
     }
 
     private static ReferenceCheck references(Cell cell, Detections detections) {
-        return CellCheck.references(cell, detections, CheckSettings.builder().build());
+        return ReferenceCheck.of(CellModes.of(Observed.of(cell, detections, CheckSettings.builder().build()), null));
     }
 
     private static String warnings(CheckResult result) {

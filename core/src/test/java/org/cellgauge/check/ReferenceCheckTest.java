@@ -9,18 +9,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.pose.CameraModeFinder;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.InitialPose;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
-import org.cellgauge.pose.RigidMarkerNoise;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.statistics.RankHistogram;
@@ -38,12 +36,12 @@ class ReferenceCheckTest {
     private static final double LEVEL = 0.0075;
 
     private static ReferenceCheck check(Cell cell, Detections detections) {
-        ReferenceView view = ReferenceView.of(cell.references(), detections);
-        Function<ReferenceView, CameraModeFinder> finders = v -> new CameraModeFinder(v, cell.camera(),
-                new RigidMarkerNoise(v, cell.pixelStdPx().getAsDouble()), IntrinsicsPrior.KNOWN, null);
-        List<PoseMode> modes = finders.apply(view).modes(ThesisScene.WORLD_FROM_CAMERA);
-        return ReferenceCheck.of(new CameraTarget(view, CheckSettings.builder().build(), IntrinsicsPrior.KNOWN, null,
-                modes, ThesisScene.WORLD_FROM_CAMERA, finders), Collections.emptyList(), NoiseFit.untested());
+        CornerErrors errors = CornerErrors.of(cell, detections);
+        CameraFit camera = new CameraFit(cell.camera(), CheckSettings.builder().build(),
+                ReferenceView.of(cell.references(), errors), IntrinsicsPrior.KNOWN, null, errors, 0);
+        List<PoseMode> modes = camera.finder(camera.view).modes(ThesisScene.WORLD_FROM_CAMERA);
+        return ReferenceCheck.of(camera.at(modes, ThesisScene.WORLD_FROM_CAMERA), Collections.emptyList(),
+                NoiseFit.untested());
     }
 
     private static boolean names(ReferenceCheck check, int id) {
