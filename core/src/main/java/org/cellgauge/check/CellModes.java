@@ -99,8 +99,28 @@ final class CellModes {
                 : Warning.of(CheckWarning.DIRECTION_OPEN, Decimal.of(100 * share, 0), weakPrior());
     }
 
+    /** Tests whether references and corners are as stated; no chains are needed for it. */
+    ReferenceCheck references() {
+        NoiseFit noiseFit = noiseFit();
+        return ReferenceCheck.of(atNoise(noiseFit.inflation()), objects, noiseFit);
+    }
+
+    private NoiseFit noiseFit() {
+        CheckSettings settings = observed.settings;
+        Cell cell = observed.cell;
+        CornerErrors errors = observed.errors;
+        // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
+        if (settings.model() != LikelihoodModel.RIGID_MARKER
+                && settings.objectNoise() == CheckSettings.ObjectNoise.NONE) {
+            return NoiseFit.untested();
+        }
+        return settings.estimate() == CheckSettings.Estimate.FOCAL
+                ? NoiseFit.ofUnknownFocal(cell, errors, camera.intrinsicsPrior)
+                : NoiseFit.of(cell, errors, cell.camera());
+    }
+
     /** The camera as it is fitted where corners are noisier than stated, so that no reference is accused for them. */
-    CameraFit atNoise(Map<Integer, Double> inflation) {
+    private CameraFit atNoise(Map<Integer, Double> inflation) {
         if (inflation.isEmpty() || observed.settings.model() != LikelihoodModel.RIGID_MARKER) {
             return camera;
         }

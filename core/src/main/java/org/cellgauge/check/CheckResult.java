@@ -83,7 +83,7 @@ public final class CheckResult {
         CheckSettings settings = modes.observed.settings;
         Diagnostics diagnostics = sampled.diagnostics;
         List<Warning> warnings = new ArrayList<>(sampled.warnings);
-        ReferenceCheck referenceCheck = ReferenceCheck.of(modes);
+        ReferenceCheck referenceCheck = modes.references();
         warnings.addAll(referenceCheck.warnings());
         Warning open = modes.directionOpen();
         if (open != null) {

@@ -22,7 +22,7 @@ final class Judgement {
     private final CellEstimate estimate;
     private final Diagnostics diagnostics;
     private final ReferenceCheck references;
-    private final Reason.Misfit misfit;
+    private final Misfit misfit;
     private final OptionalDouble targetStdMm;
     private final List<Integer> missing;
 

@@ -293,9 +293,9 @@ public final class NoiseFit {
     }
 
     /** What it adds to a reason; null where the noise holds. */
-    Reason.Misfit misfit() {
+    Misfit misfit() {
         return holds() ? null : outlier.isPresent()
-                ? Reason.Misfit.ofMarker(outlier.getAsInt(), times(outlier.getAsInt()), statedStdPx)
-                : Reason.Misfit.ofNoise(times(), statedStdPx, shownStdPx());
+                ? Misfit.ofMarker(outlier.getAsInt(), times(outlier.getAsInt()), statedStdPx)
+                : Misfit.ofNoise(times(), statedStdPx, shownStdPx());
     }
 }

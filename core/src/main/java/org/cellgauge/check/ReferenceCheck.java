@@ -6,10 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
-import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.warning.Decimal;
@@ -53,30 +51,6 @@ public final class ReferenceCheck {
         this.fits = Collections.unmodifiableList(fits);
         this.misplaced = Collections.unmodifiableList(misplaced);
         this.without = without;
-    }
-
-    /**
-     * Tests the references of a photo; no chains are needed for it.
-     *
-     * @param modes poses that explain the photo best
-     */
-    static ReferenceCheck of(CellModes modes) {
-        NoiseFit noiseFit = noiseFit(modes);
-        return of(modes.atNoise(noiseFit.inflation()), modes.objects, noiseFit);
-    }
-
-    private static NoiseFit noiseFit(CellModes modes) {
-        CheckSettings settings = modes.observed.settings;
-        Cell cell = modes.observed.cell;
-        CornerErrors errors = modes.observed.errors;
-        // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
-        if (settings.model() != LikelihoodModel.RIGID_MARKER
-                && settings.objectNoise() == CheckSettings.ObjectNoise.NONE) {
-            return NoiseFit.untested();
-        }
-        return settings.estimate() == CheckSettings.Estimate.FOCAL
-                ? NoiseFit.ofUnknownFocal(cell, errors, modes.camera.intrinsicsPrior)
-                : NoiseFit.of(cell, errors, cell.camera());
     }
 
     /**
@@ -261,8 +235,8 @@ public final class ReferenceCheck {
     }
 
     /** What that adds to a reason, the noise first; null where nothing is contradicted. */
-    Reason.Misfit misfit() {
-        return !noise.holds() ? noise.misfit() : fitTogether() ? null : Reason.Misfit.ofReferences(timesWorse());
+    Misfit misfit() {
+        return !noise.holds() ? noise.misfit() : fitTogether() ? null : Misfit.ofReferences(timesWorse());
     }
 
     /**
@@ -443,13 +417,13 @@ public final class ReferenceCheck {
      * @param of the objects that the reason is about
      * @return the largest error that a stated position of these has if they are misplaced; null where none is
      */
-    Reason.Misplacement misplacement(boolean targetMet, List<ObjectEstimate> of) {
+    Misplacement misplacement(boolean targetMet, List<ObjectEstimate> of) {
         if (misplaced.isEmpty()) {
             return null;
         }
         List<Integer> ids = new ArrayList<>();
         misplaced.forEach(reference -> ids.add(reference.id()));
-        Reason.Misplacement worst = new Reason.Misplacement(ids, targetMet, OptionalInt.empty(), false, 0,
+        Misplacement worst = new Misplacement(ids, targetMet, OptionalInt.empty(), false, 0,
                 without == null ? Double.POSITIVE_INFINITY : 0);
         if (without == null) {
             return worst;
@@ -458,11 +432,11 @@ public final class ReferenceCheck {
             WithoutMisplaced.ObjectWithout object = without.object(estimate.id());
             for (int i = 0; i < 3; i++) {
                 if (object.errorMm()[i] > worst.errorMm()) {
-                    worst = new Reason.Misplacement(ids, targetMet, OptionalInt.of(object.id()), false, i,
+                    worst = new Misplacement(ids, targetMet, OptionalInt.of(object.id()), false, i,
                             object.errorMm()[i]);
                 }
                 if (object.grip() != null && object.gripErrorMm()[i] > worst.errorMm()) {
-                    worst = new Reason.Misplacement(ids, targetMet, OptionalInt.of(object.id()), true, i,
+                    worst = new Misplacement(ids, targetMet, OptionalInt.of(object.id()), true, i,
                             object.gripErrorMm()[i]);
                 }
             }

@@ -4,7 +4,6 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalInt;
-import org.cellgauge.pose.CornerErrors;
 
 /**
  * Where the variance of a point in the world comes from, by source, to first order; immutable.
@@ -127,35 +126,6 @@ public final class VarianceBudget {
             shares.put(e.getKey(), sum / total);
         }
         return Collections.unmodifiableMap(shares);
-    }
-
-    /**
-     * What the name of a source stands for.
-     *
-     * @throws IllegalArgumentException if no source has that name
-     */
-    static Reason.Source kindOf(String name) {
-        switch (name) {
-            case CORNER_NOISE_OF_REFERENCES:
-                return Reason.Source.CORNER_NOISE_OF_REFERENCES;
-            case CORNER_NOISE_OF_OBJECT:
-                return Reason.Source.CORNER_NOISE_OF_OBJECT;
-            case INTRINSICS:
-                return Reason.Source.INTRINSICS;
-            case FLATNESS_OF_PRINTS:
-                return Reason.Source.FLATNESS_OF_PRINTS;
-            case CornerErrors.EDGES:
-                return Reason.Source.EDGES;
-            case CornerErrors.SIZES:
-                return Reason.Source.SIZE_OF_PRINTS;
-            case POSE_PRIOR:
-                return Reason.Source.POSE_PRIOR;
-            default:
-                if (name.startsWith(PLACEMENT_OF_REFERENCE)) {
-                    return Reason.Source.PLACEMENT_OF_REFERENCE;
-                }
-                throw new IllegalArgumentException("no source of variance is called " + name);
-        }
     }
 
     /** The reference whose placement a source is; empty for other sources. */

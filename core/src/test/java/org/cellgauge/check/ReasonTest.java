@@ -178,10 +178,10 @@ class ReasonTest {
                 .estimate(CheckSettings.Estimate.FOCAL).iterations(400).warmup(100).build());
         List<Reason.Source> found = new ArrayList<>();
         for (String name : result.estimate().objects().get(0).budget().shares().keySet()) {
-            found.add(VarianceBudget.kindOf(name));
+            found.add(Reason.sourceOf(name));
             assertEquals(name.startsWith("placement"), VarianceBudget.referenceOf(name).isPresent());
         }
         assertTrue(found.containsAll(List.of(Reason.Source.values())), found.toString());
-        assertThrows(IllegalArgumentException.class, () -> VarianceBudget.kindOf("weather"));
+        assertThrows(IllegalArgumentException.class, () -> Reason.sourceOf("weather"));
     }
 }
