@@ -17,7 +17,7 @@ public final class MisplacedReference {
     private final double limit;
     private final List<Integer> orInstead;
 
-    MisplacedReference(PlacementTest test, List<Integer> orInstead) {
+    MisplacedReference(DirectionScore test, List<Integer> orInstead) {
         reference = test.reference;
         offset = test.offset();
         statistic = test.statistic();

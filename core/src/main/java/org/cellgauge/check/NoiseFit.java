@@ -28,7 +28,7 @@ import org.cellgauge.warning.Warning;
  * and has nothing to be held against.
  */
 public final class NoiseFit {
-    /** Chance that a photo as stated fails the test; with that of {@link PlacementTest#LEVEL} below 1 in 100. */
+    /** Chance that a photo as stated fails the test; with that of {@link DirectionScore#LEVEL} below 1 in 100. */
     static final double LEVEL = 0.002;
     /** Share of photos in which corners are less noisy than what references are then tested with. */
     private static final double CONFIDENCE = 0.95;

@@ -17,7 +17,7 @@ import org.cellgauge.warning.Warning;
 /**
  * Whether the references fit together, which of them does not, and what hangs on it; immutable.
  *
- * <p>Every direction of every reference has its {@link PlacementTest} (a mean-shift outlier test; data snooping in
+ * <p>Every direction of every reference has its {@link DirectionScore} (a mean-shift outlier test; data snooping in
  * photogrammetry: Baarda, "A testing procedure for use in geodetic networks", 1968). The reference for which most
  * speaks is named and left out, the pose fitted again, and the rest tested anew, until nothing raises an alarm.
  *
@@ -63,14 +63,14 @@ public final class ReferenceCheck {
     static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise) {
         PoseMode mode = camera.modes.get(0);
         // without rigid placements in the likelihood there is nothing stated that a test could hold against them
-        List<PlacementTest> tests = camera.settings.model() == LikelihoodModel.RIGID_MARKER
-                ? PlacementTest.of(camera.view, mode) : Collections.emptyList();
+        List<DirectionScore> tests = camera.settings.model() == LikelihoodModel.RIGID_MARKER
+                ? DirectionScore.of(camera.view, mode) : Collections.emptyList();
         List<MisplacedReference> found = new ArrayList<>();
         List<Integer> leftOut = new ArrayList<>();
         CameraFit rest = camera;
-        List<PlacementTest> testsOfRest = tests;
+        List<DirectionScore> testsOfRest = tests;
         while (rest != null && rest.view.size() >= 2) {
-            PlacementTest worst = worst(testsOfRest, Collections.emptyList(), true);
+            DirectionScore worst = worst(testsOfRest, Collections.emptyList(), true);
             if (worst == null) {
                 break;
             }
@@ -78,7 +78,7 @@ public final class ReferenceCheck {
             leftOut.add(worst.reference.id());
             rest = without(rest, worst.index);
             testsOfRest = rest == null || rest.view.size() < 2 ? Collections.emptyList()
-                    : PlacementTest.of(rest.view, rest.modes.get(0));
+                    : DirectionScore.of(rest.view, rest.modes.get(0));
         }
         PlacementScores scores = new PlacementScores(camera.view, mode);
         double[] position = camera.view.worldFromCamera(mode.state().cameraFromSet()).translationMm();
@@ -109,9 +109,9 @@ public final class ReferenceCheck {
     }
 
     /** The test for which most speaks, of references that are not excepted. */
-    private static PlacementTest worst(List<PlacementTest> tests, List<Integer> excepted, boolean alarmsOnly) {
-        PlacementTest worst = null;
-        for (PlacementTest test : tests) {
+    private static DirectionScore worst(List<DirectionScore> tests, List<Integer> excepted, boolean alarmsOnly) {
+        DirectionScore worst = null;
+        for (DirectionScore test : tests) {
             if ((test.raisesAlarm() || !alarmsOnly) && !excepted.contains(test.reference.id())
                     && (worst == null || test.evidence() > worst.evidence())) {
                 worst = test;
@@ -120,12 +120,12 @@ public final class ReferenceCheck {
         return worst;
     }
 
-    private static List<Integer> orInstead(List<PlacementTest> tests, PlacementTest worst) {
+    private static List<Integer> orInstead(List<DirectionScore> tests, DirectionScore worst) {
         List<Integer> excepted = new ArrayList<>();
         excepted.add(worst.reference.id());
         List<Integer> others = new ArrayList<>();
         while (true) {
-            PlacementTest next = worst(tests, excepted, false);
+            DirectionScore next = worst(tests, excepted, false);
             if (next == null || next.evidence() < worst.evidence() - DOUBT) {
                 return others;
             }
@@ -346,10 +346,10 @@ public final class ReferenceCheck {
                 + Listing.or(sizes) + ".";
         text += never.isEmpty() ? "" : (text.isEmpty() ? "" : " ") + "A reference that is off in "
                 + Listing.or(never) + " would not be noticed.";
-        if (most > PlacementTest.LOOKED_FOR) {
+        if (most > DirectionScore.LOOKED_FOR) {
             text += String.format(Locale.ROOT, never.isEmpty() ? " That is more than %.0f times what is stated: more "
                     + "references would show less."
-                    : " More references would show less than %.0f times what is stated.", PlacementTest.LOOKED_FOR);
+                    : " More references would show less than %.0f times what is stated.", DirectionScore.LOOKED_FOR);
         } else if (!never.isEmpty()) {
             text += " More references would show it.";
         }
@@ -363,7 +363,7 @@ public final class ReferenceCheck {
             warnings.add(reference.warning());
         }
         if (!misplaced.isEmpty()) {
-            warnings.add(hangsOnIt());
+            warnings.add(whatRestsOnThem());
         }
         if (!fitTogether()) {
             warnings.add(Warning.of(CheckWarning.REFERENCES_DO_NOT_FIT, Decimal.of(timesWorse(), 1),
@@ -373,7 +373,7 @@ public final class ReferenceCheck {
     }
 
     /** What leaving out the misplaced references changes, largest change first. */
-    private Warning hangsOnIt() {
+    private Warning whatRestsOnThem() {
         boolean one = misplaced.size() == 1;
         if (without == null) {
             return Warning.of(one ? CheckWarning.NO_POSE_WITHOUT_IT : CheckWarning.NO_POSE_WITHOUT_THEM);

@@ -23,13 +23,13 @@ public final class ReferenceFit {
     private final double[] detectable = undefined();
 
     ReferenceFit(Reference reference, double distanceMm, double[] chiSquare, boolean misplaced,
-            Iterable<PlacementTest> tests) {
+            Iterable<DirectionScore> tests) {
         this.reference = reference;
         this.distanceMm = distanceMm;
         this.chiSquare = chiSquare[0];
         this.degreesOfFreedom = (int) chiSquare[1];
         this.misplaced = misplaced;
-        for (PlacementTest test : tests) {
+        for (DirectionScore test : tests) {
             int c = test.coordinate();
             if (test.reference.id() == reference.id() && c >= 0) {
                 statistic[c] = test.statistic();

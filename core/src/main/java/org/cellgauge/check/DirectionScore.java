@@ -20,12 +20,12 @@ import org.cellgauge.statistics.SharedLevel;
  * alone keep the level: Genovese, Roeder and Wasserman, "False discovery control with p-value weighting", Biometrika
  * 2006): a test of what the pose absorbs anyway must not cost the others their sharpness.
  */
-final class PlacementTest {
+final class DirectionScore {
     /** Chance of a false alarm per cell by the linear model; 1 in 100 less what large placement errors may add. */
     static final double LEVEL = 0.0075;
     /** Chance of being found that {@link #detectable()} is about. */
     static final double POWER = 0.95;
-    /** So many stated deviations a reference is off that the tests are made to find. */
+    /** How far off a reference is, in stated deviations, that the tests are made to find. */
     static final double LOOKED_FOR = 5;
     /** What share of the level a direction gets: places are stated, and measured, along axes. */
     private static final double[] WEIGHTS = {1, 0.2, 0.05};
@@ -49,7 +49,7 @@ final class PlacementTest {
     private final double weight;
     private final double limit;
 
-    private PlacementTest(int index, Reference reference, double[] direction, double score, double sensitivity,
+    private DirectionScore(int index, Reference reference, double[] direction, double score, double sensitivity,
             double weight, double limit) {
         this.index = index;
         this.reference = reference;
@@ -60,20 +60,20 @@ final class PlacementTest {
         this.limit = limit;
     }
 
-    private PlacementTest withLimit(double found) {
-        return new PlacementTest(index, reference, direction, score, sensitivity, weight, found);
+    private DirectionScore withLimit(double found) {
+        return new DirectionScore(index, reference, direction, score, sensitivity, weight, found);
     }
 
     /** All tests of a fit; none of a direction that the pose absorbs entirely. */
-    static List<PlacementTest> of(ReferenceView view, PoseMode mode) {
+    static List<DirectionScore> of(ReferenceView view, PoseMode mode) {
         PlacementScores scores = new PlacementScores(view, mode);
-        List<PlacementTest> tests = new ArrayList<>();
+        List<DirectionScore> tests = new ArrayList<>();
         for (int m = 0; m < view.size(); m++) {
             for (int kind = 0; kind < DIRECTIONS.length; kind++) {
                 for (double[] direction : DIRECTIONS[kind]) {
                     double sensitivity = Math.sqrt(scores.variance(m, direction));
                     if (sensitivity > 0) {
-                        tests.add(new PlacementTest(m, view.references().get(m), direction, scores.score(m, direction),
+                        tests.add(new DirectionScore(m, view.references().get(m), direction, scores.score(m, direction),
                                 sensitivity, WEIGHTS[kind] * chance(LOOKED_FOR, sensitivity, TYPICAL_LIMIT),
                                 Double.NaN));
                     }
@@ -83,12 +83,12 @@ final class PlacementTest {
         return tests.isEmpty() ? tests : withLimits(tests, scores.factor());
     }
 
-    private static List<PlacementTest> withLimits(List<PlacementTest> tests, double[] factor) {
+    private static List<DirectionScore> withLimits(List<DirectionScore> tests, double[] factor) {
         int width = (int) Math.round(Math.sqrt(factor.length));
         double[][] rows = new double[tests.size()][width];
         double[] weights = new double[rows.length];
         for (int t = 0; t < rows.length; t++) {
-            PlacementTest test = tests.get(t);
+            DirectionScore test = tests.get(t);
             weights[t] = test.weight;
             double squares = 0;
             for (int k = 0; k < width; k++) {
@@ -103,7 +103,7 @@ final class PlacementTest {
             }
         }
         double[] limits = SharedLevel.limits(rows, weights, LEVEL, RandomStreams.of(SEED));
-        List<PlacementTest> out = new ArrayList<>();
+        List<DirectionScore> out = new ArrayList<>();
         for (int t = 0; t < rows.length; t++) {
             out.add(tests.get(t).withLimit(limits[t]));
         }
