@@ -8,7 +8,7 @@ public final class OverlayStyle {
 
     /** Least width of the image in heights of a letter: the figures of an object then fit on one line. */
     private static final double LEAST_WIDTH_IN_CAPS = 24;
-    /** Least height of the image in heights of a letter: labels of a few objects then leave something of it to be seen. */
+    /** Least height of the image in heights of a letter: labels of a few objects leave some of it to be seen. */
     private static final double LEAST_HEIGHT_IN_CAPS = 26;
 
     private final ImageOrientation orientation;
