@@ -18,6 +18,7 @@ import org.cellgauge.posterior.CentredChart;
 import org.cellgauge.posterior.EulerChart;
 import org.cellgauge.posterior.SharedPrior;
 import org.cellgauge.sampling.StudentTMixture;
+import org.cellgauge.settings.CheckSettings;
 
 /** The camera posterior of one photo, as the samplers need it; immutable. */
 final class CameraTarget {
@@ -90,11 +91,12 @@ final class CameraTarget {
 
     private CameraPosterior posterior(CameraChart chart) {
         CornerErrors sampled = belief == null ? null : errors;
+        Likelihoods likelihoods = Likelihoods.of(settings.model().likelihood());
         CameraLikelihood likelihood = intrinsicsPrior.count() == 0
-                ? settings.model().likelihood(view, modes, sampled, settings.kappa())
-                : settings.model().farReaching(view, modes, finder(view).noise(), sampled, settings.kappa());
+                ? likelihoods.likelihood(view, modes, sampled, settings.model().kappa())
+                : likelihoods.farReaching(view, modes, finder(view).noise(), sampled, settings.model().kappa());
         boolean shared = view.unknowns() > 0 || belief != null;
-        return new CameraPosterior(chart, likelihood, settings.rotationPrior(), intrinsicsPrior, posePrior,
+        return new CameraPosterior(chart, likelihood, settings.model().rotationPrior(), intrinsicsPrior, posePrior,
                 shared ? new SharedPrior(logNoise) : null);
     }
 

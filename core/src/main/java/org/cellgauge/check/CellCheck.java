@@ -29,6 +29,12 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.InitialEstimate;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ObjectNoise;
+import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.statistics.ParetoTail;
 import org.cellgauge.vision.Detections;
@@ -86,6 +92,7 @@ public final class CellCheck {
     private final Cell cell;
     private final Detections detections;
     private final CheckSettings settings;
+    private final Likelihoods likelihoods;
     private final RigidTransform worldFromCameraStart;
     private final List<Warning> warnings = new ArrayList<>();
     private CornerErrors errors;
@@ -102,9 +109,10 @@ public final class CellCheck {
     private long tuningEvaluations;
 
     private CellCheck(Cell cell, Detections detections, CheckSettings settings, RigidTransform worldFromCameraStart) {
-        this.cell = cell;
+        this.cell = settings.model().targetStdMm().isPresent() ? cell.withTarget(settings.model().targetStdMm()) : cell;
         this.detections = detections;
         this.settings = settings;
+        this.likelihoods = Likelihoods.of(settings.model().likelihood());
         this.worldFromCameraStart = worldFromCameraStart;
         warnings.addAll(detections.warnings());
     }
@@ -114,6 +122,7 @@ public final class CellCheck {
         cell = prepared.cell;
         detections = prepared.detections;
         settings = prepared.settings;
+        likelihoods = prepared.likelihoods;
         worldFromCameraStart = prepared.worldFromCameraStart;
         warnings.addAll(prepared.warnings);
         errors = prepared.errors;
@@ -146,7 +155,7 @@ public final class CellCheck {
     public static Flowable<CheckUpdate> stream(Cell cell, Detections detections, CheckSettings settings) {
         return Flowable.defer(() -> {
             QuickLook quickLook = quickLook(cell, detections, settings, null);
-            return Flowable.just(quickLook.update()).concatWith(quickLook.chains(settings::threads));
+            return Flowable.just(quickLook.update()).concatWith(quickLook.chains(settings.sampling()::threads));
         }).onBackpressureLatest();
     }
 
@@ -193,7 +202,7 @@ public final class CellCheck {
         CameraSampler.Tuned tuned = tunedSampler();
         List<CellProcess> processes = new ArrayList<>();
         try {
-            for (int c = 0; c < settings.chains(); c++) {
+            for (int c = 0; c < settings.sampling().chains(); c++) {
                 processes.add(new CellProcess(quantities, tuned, photoSeed(), c));
             }
         } catch (IllegalStateException e) {
@@ -201,9 +210,10 @@ public final class CellCheck {
                     + "; check the references' positions in the cell file or use --initial pnp", e);
         }
         boolean[] judged = quantities.judged();
-        int cap = settings.iterations().orElse(settings.maxIterations());
-        int warmup = settings.toBuilder().sampler(samplerUsed).build().warmup();
-        RunLength length = new RunLength(warmup, settings.iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
+        int cap = settings.sampling().iterations().orElse(settings.sampling().maxIterations());
+        int warmup = settings.sampling().warmup(samplerUsed);
+        boolean fixed = settings.sampling().iterations().isPresent();
+        RunLength length = new RunLength(warmup, fixed ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
                 draws -> preciseEnough(diagnosed(draws, quantities, judged)) && !undecided(), threads);
         return ensemble.stream().map(snapshot -> {
@@ -218,9 +228,9 @@ public final class CellCheck {
 
     /** The sampler asked for; where independence fits the posterior too poorly, adaptive Metropolis instead. */
     private CameraSampler.Tuned tunedSampler() {
-        samplerUsed = settings.sampler();
+        samplerUsed = settings.sampling().sampler();
         CameraSampler.Tuned tuned = tuned(samplerUsed);
-        if (tuned.misfit() != null && settings.sampler() == SamplerKind.INDEPENDENCE) {
+        if (tuned.misfit() != null && settings.sampling().sampler() == SamplerKind.INDEPENDENCE) {
             warnings.add(Warning.of(CheckWarning.FAR_FROM_GAUSSIAN, tuned.misfit()));
             samplerUsed = SamplerKind.ADAPTIVE;
             return tuned(samplerUsed);
@@ -229,7 +239,7 @@ public final class CellCheck {
     }
 
     private CameraSampler.Tuned tuned(SamplerKind kind) {
-        CameraSampler.Tuned tuned = kind.sampler().tune(camera, RandomStreams.of(photoSeed(), STREAM_TUNING));
+        CameraSampler.Tuned tuned = CameraSampler.of(kind).tune(camera, RandomStreams.of(photoSeed(), STREAM_TUNING));
         tuningEvaluations += tuned.evaluations();
         return tuned;
     }
@@ -249,12 +259,12 @@ public final class CellCheck {
                 path[at++] = Double.doubleToLongBits(px);
             }
         }
-        return RandomStreams.of(settings.seed(), path).nextLong();
+        return RandomStreams.of(settings.sampling().seed(), path).nextLong();
     }
 
     /** Fits each object's proposal, once the quick look is out. */
     private void tuneObjects() {
-        if (settings.objectNoise() == CheckSettings.ObjectNoise.NONE) {
+        if (settings.model().objectNoise() == ObjectNoise.NONE) {
             return;
         }
         objects.replaceAll(o -> o.withProposal(TunedMixture.tune(o.posterior(), TunedMixture.ofModes(o.modes),
@@ -272,7 +282,7 @@ public final class CellCheck {
     }
 
     private boolean preciseEnough(Diagnostics found) {
-        return found.converged() && found.mcseStdRelMax() < settings.targetMcseStdRel();
+        return found.converged() && found.mcseStdRelMax() < settings.sampling().targetMcseStdRel();
     }
 
     /** Whether the target lies within the Monte Carlo error of a deviation that could decide on it. */
@@ -305,9 +315,9 @@ public final class CellCheck {
         warnOfReferencesNotSeen();
         errors = cornerErrors();
         ReferenceView view = ReferenceView.of(cell.references(), errors);
-        IntrinsicsPrior intrinsics = settings.intrinsicsPrior(cell.camera());
+        IntrinsicsPrior intrinsics = IntrinsicsPrior.stated(cell.camera(), settings.model());
         camera = withNoise(cameraTarget(view, intrinsics));
-        noise = settings.model().noise(camera.view, errors, noiseLevel, settings.kappa());
+        noise = likelihoods.noise(camera.view, errors, noiseLevel, settings.model().kappa());
         CameraState atMode = camera.modes.get(0).state();
         objects = new ArrayList<>();
         missing = new ArrayList<>();
@@ -363,7 +373,7 @@ public final class CellCheck {
      * turn.
      */
     private void warnOfLooseTurns() {
-        if (settings.model() != LikelihoodModel.RIGID_MARKER) {
+        if (settings.model().likelihood() != LikelihoodModel.RIGID_MARKER) {
             return;
         }
         List<Integer> loose = new ArrayList<>();
@@ -389,11 +399,12 @@ public final class CellCheck {
         found.setAside().forEach((id, factor) ->
                 warnings.add(Warning.of(CheckWarning.MARKER_SET_ASIDE, id, Decimal.of(factor, factor < 10 ? 1 : 0))));
         noiseLevel = found.added() == null ? 0 : found.squarenessBelief().ofMeanVariance();
-        if (found.fromNothing() && settings.model() != LikelihoodModel.RIGID_MARKER) {
+        if (found.fromNothing() && settings.model().likelihood() != LikelihoodModel.RIGID_MARKER) {
             warnings.add(noiseWarning(found.squarenessBelief()));
         }
         // the thesis' likelihood has no corner noise for shared errors to be a part of
-        return found.isPlain() || settings.model() == LikelihoodModel.RIGID_MARKER ? found : found.fixedAt(noiseLevel);
+        return found.isPlain() || settings.model().likelihood() == LikelihoodModel.RIGID_MARKER ? found
+                : found.fixedAt(noiseLevel);
     }
 
     private static Warning noiseWarning(NoiseBelief belief) {
@@ -457,8 +468,8 @@ public final class CellCheck {
      * already, since the noise moves modes and weighs them and hardly makes any.
      */
     private double logMass(CameraTarget target, int node) {
-        CameraModeFinder finder = new CameraModeFinder(target.view, cell.camera(), settings.model().noise(target.view,
-                errors, AddedNoise.atNode(node), settings.kappa()), target.intrinsicsPrior, target.posePrior);
+        CameraModeFinder finder = new CameraModeFinder(target.view, cell.camera(), likelihoods.noise(target.view,
+                errors, AddedNoise.atNode(node), settings.model().kappa()), target.intrinsicsPrior, target.posePrior);
         List<PoseMode> modes = finder.refined(target.modes);
         if (modes.isEmpty()) {
             return Double.NEGATIVE_INFINITY;
@@ -490,20 +501,20 @@ public final class CellCheck {
     }
 
     private CameraTarget cameraTargetOf(ReferenceView view, IntrinsicsPrior intrinsics) {
-        boolean needsPosePrior = settings.posePriorAllowed() && view.size() <= 2;
+        boolean needsPosePrior = settings.model().posePriorAllowed() && view.size() <= 2;
         if (worldFromCameraStart != null && !needsPosePrior) {
             CameraTarget target = targetFromStart(view, intrinsics);
             if (target != null) {
                 return target;
             }
         }
-        RigidTransform initial = settings.initial().estimate(view, cell.camera());
+        RigidTransform initial = InitialPose.of(settings.sampling().initial()).estimate(view, cell.camera());
         if (initial == null) {
             initial = InitialPose.PNP.estimate(view, cell.camera());
             if (initial == null) {
                 throw noPose();
             }
-            warnings.add(Warning.of(CheckWarning.INITIAL_ESTIMATE_FAILED, settings.initial().optionName()));
+            warnings.add(Warning.of(CheckWarning.INITIAL_ESTIMATE_FAILED, settings.sampling().initial().word()));
         }
         PosePrior posePrior = null;
         if (needsPosePrior) {
@@ -514,7 +525,7 @@ public final class CellCheck {
         Function<ReferenceView, CameraModeFinder> finders = finders(intrinsics, posePrior);
         CameraModeFinder finder = finders.apply(view);
         List<PoseMode> modes = finder.modes(initial);
-        if (modes.isEmpty() && settings.initial() != InitialPose.PNP) {
+        if (modes.isEmpty() && settings.sampling().initial() != InitialEstimate.PNP) {
             modes = finder.modes(InitialPose.PNP.estimate(view, cell.camera()));
         }
         if (modes.isEmpty()) {
@@ -530,7 +541,7 @@ public final class CellCheck {
     private Function<ReferenceView, CameraModeFinder> finders(IntrinsicsPrior intrinsics, PosePrior posePrior) {
         double level = noiseLevel;
         return references -> new CameraModeFinder(references, cell.camera(),
-                settings.model().noise(references, errors, level, settings.kappa()), intrinsics, posePrior);
+                likelihoods.noise(references, errors, level, settings.model().kappa()), intrinsics, posePrior);
     }
 
     /** The target by the modes that the start leads to, or null where these leave more unexplained than noise would. */
@@ -578,7 +589,7 @@ public final class CellCheck {
             throw new InputRefusedException(detections.imageName() + ": the corners of object " + marker.id()
                     + " are of no square in front of the camera; check the order of its corners");
         }
-        boolean noisy = settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION;
+        boolean noisy = settings.model().objectNoise() == ObjectNoise.DETECTION;
         modes = noisy ? notNegligible(modes) : modes.subList(0, 1);
         return new ObjectTarget(marker, errors, atMode, modes, TunedMixture.ofModes(modes));
     }
@@ -649,10 +660,10 @@ public final class CellCheck {
                 warnings.add(Warning.of(CheckWarning.DIRECTION_OPEN, Decimal.of(100 * share, 0), weakPrior()));
             }
         }
-        if (diagnostics.converged() && !settings.iterations().isPresent() && !preciseEnough(diagnostics)) {
+        if (diagnostics.converged() && !settings.sampling().iterations().isPresent() && !preciseEnough(diagnostics)) {
             warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(last.iterationsPerChain(), 0),
                     diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
-                    Decimal.shortest(Math.rint(1e11 * settings.targetMcseStdRel()) / 1e9)));
+                    Decimal.shortest(Math.rint(1e11 * settings.sampling().targetMcseStdRel()) / 1e9)));
         }
         if (diagnostics.converged() && diagnostics.heavyTails()) {
             warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter(),
@@ -665,11 +676,11 @@ public final class CellCheck {
 
     private NoiseFit noiseFit() {
         // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
-        if (settings.model() != LikelihoodModel.RIGID_MARKER
-                && settings.objectNoise() == CheckSettings.ObjectNoise.NONE) {
+        if (settings.model().likelihood() != LikelihoodModel.RIGID_MARKER
+                && settings.model().objectNoise() == ObjectNoise.NONE) {
             return NoiseFit.untested();
         }
-        return settings.estimate() == CheckSettings.Estimate.FOCAL
+        return settings.model().estimate() == Estimate.FOCAL
                 ? NoiseFit.ofUnknownFocal(cell, errors, camera.intrinsicsPrior)
                 : NoiseFit.of(cell, errors, cell.camera());
     }
@@ -694,12 +705,12 @@ public final class CellCheck {
 
     /** The camera as it is fitted where corners are noisier than stated, so that no reference is accused for them. */
     private CameraTarget atNoise(Map<Integer, Double> inflation) {
-        if (inflation.isEmpty() || settings.model() != LikelihoodModel.RIGID_MARKER) {
+        if (inflation.isEmpty() || settings.model().likelihood() != LikelihoodModel.RIGID_MARKER) {
             return camera;
         }
         CornerErrors noisier = errors.inflated(inflation);
         Function<ReferenceView, CameraModeFinder> finders = references -> new CameraModeFinder(references,
-                cell.camera(), settings.model().noise(references, noisier, noiseLevel, settings.kappa()),
+                cell.camera(), likelihoods.noise(references, noisier, noiseLevel, settings.model().kappa()),
                 camera.intrinsicsPrior, camera.posePrior);
         List<PoseMode> modes = finders.apply(camera.view).refined(camera.modes);
         return modes.isEmpty() ? camera : new CameraTarget(camera.view, settings, camera.intrinsicsPrior,

@@ -4,13 +4,16 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.SamplerKind;
+import org.cellgauge.settings.SettingTable;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.warning.Warning;
 
@@ -175,7 +178,9 @@ public final class CheckResult {
         if (targetStdMm.equals(cell.targetStdMm())) {
             return this;
         }
-        return new CheckResult(cell.withTarget(targetStdMm), detections, settings, estimate, quickLook, referencesUsed,
+        // the cell holds it now
+        CheckSettings others = settings.toBuilder().set(SettingTable.TARGET_STD_MM, OptionalDouble.empty()).build();
+        return new CheckResult(cell.withTarget(targetStdMm), detections, others, estimate, quickLook, referencesUsed,
                 errors, noiseLevel, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior,
                 samplerUsed, tuningEvaluations, camera, referenceCheck);
     }
@@ -331,7 +336,7 @@ public final class CheckResult {
      * @return the settings' number for the sampler that was used
      */
     public int warmup() {
-        return settings.toBuilder().sampler(samplerUsed).build().warmup();
+        return settings.toBuilder().sampler(samplerUsed).build().sampling().warmup();
     }
 
     /**

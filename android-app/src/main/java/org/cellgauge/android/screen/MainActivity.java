@@ -99,7 +99,7 @@ public final class MainActivity extends Activity {
             session = kept.session;
             feed = kept.feed;
         } else {
-            SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().seed())
+            SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().sampling().seed())
                     : SessionMemory.read(saved);
             session = new CheckSession(parts.cellLibrary(), parts.resultArchive(),
                     new FrozenFrameFile(parts.cacheFolder()), parts.settings(), parts.sessionThreads(), memory);

@@ -12,11 +12,12 @@ import org.cellgauge.posterior.CornerCubeLikelihood;
 import org.cellgauge.posterior.MovingRigidLikelihood;
 import org.cellgauge.posterior.NearestModeLikelihood;
 import org.cellgauge.posterior.RigidMarkerLikelihood;
+import org.cellgauge.settings.LikelihoodModel;
 
-/** The likelihoods to choose from. */
-public enum LikelihoodModel {
+/** What each likelihood model makes of the references seen: covariances for fits, likelihoods for chains. */
+enum Likelihoods {
     /** References misplaced rigidly, corners noisy: the default. */
-    RIGID_MARKER("rigid-marker") {
+    RIGID_MARKER {
         @Override
         ReferenceNoise noise(ReferenceView view, CornerErrors errors, double noise, double kappa) {
             return new RigidMarkerNoise(view, errors, noise);
@@ -41,7 +42,7 @@ public enum LikelihoodModel {
         }
     },
     /** The thesis' likelihood: every corner on its own, deviations of a projected box. */
-    CORNER_CUBE("corner-cube") {
+    CORNER_CUBE {
         @Override
         ReferenceNoise noise(ReferenceView view, CornerErrors errors, double noise, double kappa) {
             return new CornerCubeNoise(view, kappa);
@@ -54,19 +55,14 @@ public enum LikelihoodModel {
         }
     };
 
-    private final String optionName;
-
-    LikelihoodModel(String optionName) {
-        this.optionName = optionName;
-    }
-
     /**
-     * The word of the option {@code --model}.
+     * What belongs to a model.
      *
-     * @return for instance {@code rigid-marker}
+     * @param model as the settings have it
+     * @return its covariances and likelihoods
      */
-    public String optionName() {
-        return optionName;
+    static Likelihoods of(LikelihoodModel model) {
+        return model == LikelihoodModel.RIGID_MARKER ? RIGID_MARKER : CORNER_CUBE;
     }
 
     /** Residual covariances for fits, at an added noise. */
