@@ -34,8 +34,8 @@ class ArchitectureTest {
 
     /** The path of a photo through the library: each package may use those before it. */
     private static final List<String> ORDER =
-            List.of("warning", "geometry", "light", "cell", "vision", "pose", "posterior", "sampling", "check", "validation",
-                    "live", "overlay");
+            List.of("warning", "geometry", "light", "cell", "settings", "vision", "pose", "posterior", "sampling",
+                    "check", "validation", "live", "overlay");
 
     /** Mathematics alone: uses no other package, and is used only by these. */
     private static final String STATISTICS = BASE + "statistics..";

@@ -19,6 +19,7 @@ import org.cellgauge.pose.MarkerPoseFinder;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.RigidMarkerNoise;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.Ellipse;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;

@@ -12,6 +12,7 @@ import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.PosePrior;
 import org.cellgauge.pose.ReferenceNoise;
 import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.settings.CheckSettings;
 
 /**
  * The camera of one photo fitted to its references: what they show, how it is modelled, and the modes that came of it;
@@ -91,7 +92,7 @@ final class CameraFit {
 
     /** How far the corners of references may be off, at an added noise. */
     ReferenceNoise noise(ReferenceView of, double level) {
-        return settings.model().noise(of, errors, level, settings.kappa());
+        return ReferenceNoise.of(settings.model(), of, errors, level);
     }
 
     /** Finds the modes from some references, at an added noise. */

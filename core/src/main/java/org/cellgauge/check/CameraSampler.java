@@ -3,10 +3,28 @@ package org.cellgauge.check;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.posterior.CameraChart;
 import org.cellgauge.sampling.MetropolisChain;
+import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.warning.Warning;
 
 /** A way to sample the camera posterior: tuned once, then it makes the chains. */
 interface CameraSampler {
+    /**
+     * The sampler of a kind.
+     *
+     * @param kind as the settings have it
+     * @return a sampler without state
+     */
+    static CameraSampler of(SamplerKind kind) {
+        switch (kind) {
+            case INDEPENDENCE:
+                return new IndependenceCameraSampler();
+            case ADAPTIVE:
+                return new AdaptiveCameraSampler();
+            default:
+                return new ThesisCameraSampler();
+        }
+    }
+
     /**
      * Tunes on a target.
      *

@@ -8,6 +8,7 @@ import org.cellgauge.posterior.CentredChart;
 import org.cellgauge.posterior.EulerChart;
 import org.cellgauge.posterior.SharedPrior;
 import org.cellgauge.sampling.StudentTMixture;
+import org.cellgauge.settings.ModelSettings;
 
 /** The camera posterior of one photo, as the samplers need it; immutable. */
 final class CameraTarget {
@@ -39,14 +40,16 @@ final class CameraTarget {
     }
 
     private CameraPosterior posterior(CameraChart chart) {
-        CheckSettings settings = fit.settings;
+        ModelSettings model = fit.settings.model();
+        Likelihoods likelihoods = Likelihoods.of(model.likelihood());
+        double kappa = model.kappa();
         CornerErrors sampled = fit.belief == null ? null : fit.errors;
         CameraLikelihood likelihood = fit.intrinsicsPrior.count() == 0
-                ? settings.model().likelihood(fit.view, fit.modes, sampled, settings.kappa())
-                : settings.model().farReaching(fit.view, fit.modes, fit.noise(fit.view, fit.noiseLevel), sampled,
-                        settings.kappa());
+                ? likelihoods.likelihood(fit.view, fit.modes, sampled, kappa)
+                : likelihoods.farReaching(fit.view, fit.modes, fit.noise(fit.view, fit.noiseLevel), sampled,
+                        kappa);
         boolean shared = fit.view.unknowns() > 0 || fit.belief != null;
-        return new CameraPosterior(chart, likelihood, settings.rotationPrior(), fit.intrinsicsPrior, fit.posePrior,
+        return new CameraPosterior(chart, likelihood, model.rotationPrior(), fit.intrinsicsPrior, fit.posePrior,
                 shared ? new SharedPrior(fit.logNoise) : null);
     }
 }

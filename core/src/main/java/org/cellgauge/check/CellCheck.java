@@ -4,6 +4,7 @@ import io.reactivex.rxjava3.core.Flowable;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 
 /**
@@ -37,7 +38,7 @@ public final class CellCheck {
     public static Flowable<CheckUpdate> stream(Cell cell, Detections detections, CheckSettings settings) {
         return Flowable.defer(() -> {
             QuickLook quickLook = quickLook(cell, detections, settings, null);
-            return Flowable.just(quickLook.update()).concatWith(quickLook.chains(settings::threads));
+            return Flowable.just(quickLook.update()).concatWith(quickLook.chains(settings.sampling()::threads));
         }).onBackpressureLatest();
     }
 

@@ -20,6 +20,11 @@ import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.PosePrior;
 import org.cellgauge.pose.ReferenceNoise;
 import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.InitialEstimate;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ObjectNoise;
 import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
@@ -110,18 +115,18 @@ final class CellModes {
         Cell cell = observed.cell;
         CornerErrors errors = observed.errors;
         // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
-        if (settings.model() != LikelihoodModel.RIGID_MARKER
-                && settings.objectNoise() == CheckSettings.ObjectNoise.NONE) {
+        if (settings.model().likelihood() != LikelihoodModel.RIGID_MARKER
+                && settings.model().objectNoise() == ObjectNoise.NONE) {
             return NoiseFit.untested();
         }
-        return settings.estimate() == CheckSettings.Estimate.FOCAL
+        return settings.model().estimate() == Estimate.FOCAL
                 ? NoiseFit.ofUnknownFocal(cell, errors, camera.intrinsicsPrior)
                 : NoiseFit.of(cell, errors, cell.camera());
     }
 
     /** The camera as it is fitted where corners are noisier than stated, so that no reference is accused for them. */
     private CameraFit atNoise(Map<Integer, Double> inflation) {
-        if (inflation.isEmpty() || observed.settings.model() != LikelihoodModel.RIGID_MARKER) {
+        if (inflation.isEmpty() || observed.settings.model().likelihood() != LikelihoodModel.RIGID_MARKER) {
             return camera;
         }
         CameraFit noisier = camera.with(observed.errors.inflated(inflation));
@@ -172,7 +177,7 @@ final class CellModes {
 
         CellModes found() {
             ReferenceView view = ReferenceView.of(cell.references(), errors);
-            CameraFit camera = withNoise(cameraFit(view, settings.intrinsicsPrior(cell.camera())));
+            CameraFit camera = withNoise(cameraFit(view, IntrinsicsPrior.stated(cell.camera(), settings.model())));
             CameraState atMode = camera.mode().state();
             List<ObjectFit> objects = new ArrayList<>();
             List<Integer> missing = new ArrayList<>();
@@ -213,7 +218,7 @@ final class CellModes {
          * that turn.
          */
         private void warnOfLooseTurns(CameraFit camera) {
-            if (settings.model() != LikelihoodModel.RIGID_MARKER) {
+            if (settings.model().likelihood() != LikelihoodModel.RIGID_MARKER) {
                 return;
             }
             List<Integer> loose = new ArrayList<>();
@@ -314,20 +319,20 @@ final class CellModes {
         }
 
         private CameraFit cameraFitOf(ReferenceView view, IntrinsicsPrior intrinsics) {
-            boolean needsPosePrior = settings.posePriorAllowed() && view.size() <= 2;
+            boolean needsPosePrior = settings.model().posePriorAllowed() && view.size() <= 2;
             if (worldFromCameraStart != null && !needsPosePrior) {
                 CameraFit fromStart = fitFromStart(view, intrinsics);
                 if (fromStart != null) {
                     return fromStart;
                 }
             }
-            RigidTransform initial = settings.initial().estimate(view, cell.camera());
+            RigidTransform initial = InitialPose.of(settings.sampling().initial()).estimate(view, cell.camera());
             if (initial == null) {
                 initial = InitialPose.PNP.estimate(view, cell.camera());
                 if (initial == null) {
                     throw noPose();
                 }
-                warnings.add(Warning.of(CheckWarning.INITIAL_ESTIMATE_FAILED, settings.initial().optionName()));
+                warnings.add(Warning.of(CheckWarning.INITIAL_ESTIMATE_FAILED, settings.sampling().initial().word()));
             }
             PosePrior posePrior = null;
             if (needsPosePrior) {
@@ -337,7 +342,7 @@ final class CellModes {
             CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, posePrior, errors,
                     observed.noiseLevel);
             List<PoseMode> modes = fit.finder(view).modes(initial);
-            if (modes.isEmpty() && settings.initial() != InitialPose.PNP) {
+            if (modes.isEmpty() && settings.sampling().initial() != InitialEstimate.PNP) {
                 modes = fit.finder(view).modes(InitialPose.PNP.estimate(view, cell.camera()));
             }
             if (modes.isEmpty()) {
@@ -381,7 +386,7 @@ final class CellModes {
                 throw new InputRefusedException(detections.imageName() + ": the corners of object " + marker.id()
                         + " are of no square in front of the camera; check the order of its corners");
             }
-            boolean noisy = settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION;
+            boolean noisy = settings.model().objectNoise() == ObjectNoise.DETECTION;
             modes = noisy ? notNegligible(modes) : modes.subList(0, 1);
             return new ObjectFit(marker, errors, atMode, modes);
         }

@@ -13,6 +13,7 @@ import org.cellgauge.sampling.ChainProcess;
 import org.cellgauge.sampling.MetropolisChain;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.StudentTMixture;
+import org.cellgauge.settings.ObjectNoise;
 
 /**
  * One chain of a check: the camera's, and one for each object's pose before the camera, side by side.
@@ -61,7 +62,7 @@ final class CellProcess implements ChainProcess {
             ObjectTarget object = quantities.objects.get(o);
             RandomGenerator random = RandomStreams.of(seed, RandomPaths.OBJECT, chain, object.fit.marker.id());
             objects[o] = new ObjectWalk(object,
-                    fit.settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION, random);
+                    fit.settings.model().objectNoise() == ObjectNoise.DETECTION, random);
             if (intrinsicsUnknown || shared) {
                 objects[o].cameraMoved(state, intrinsicsUnknown, shared);
             }

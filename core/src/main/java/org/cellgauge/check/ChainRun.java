@@ -12,6 +12,9 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.ObjectNoise;
+import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.warning.Warning;
 
 /** One run of the chains of a photo, from its quick look to draws that suffice; for one subscription. */
@@ -49,7 +52,7 @@ final class ChainRun {
         CameraSampler.Tuned tuned = tunedSampler();
         List<CellProcess> processes = new ArrayList<>();
         try {
-            for (int c = 0; c < settings.chains(); c++) {
+            for (int c = 0; c < settings.sampling().chains(); c++) {
                 processes.add(new CellProcess(quantities, tuned, seed, c));
             }
         } catch (IllegalStateException e) {
@@ -57,9 +60,9 @@ final class ChainRun {
                     + e.getMessage() + "; check the references' positions in the cell file or use --initial pnp", e);
         }
         boolean[] judged = quantities.judged();
-        int cap = settings.iterations().orElse(settings.maxIterations());
-        int warmup = settings.toBuilder().sampler(samplerUsed).build().warmup();
-        RunLength length = new RunLength(warmup, settings.iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
+        int cap = settings.sampling().iterations().orElse(settings.sampling().maxIterations());
+        int warmup = settings.sampling().warmup(samplerUsed);
+        RunLength length = new RunLength(warmup, settings.sampling().iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
                 draws -> preciseEnough(diagnosed(draws, judged), settings) && !undecided(), threads);
         return ensemble.stream().map(snapshot -> {
@@ -81,9 +84,9 @@ final class ChainRun {
 
     /** The sampler asked for; where independence fits the posterior too poorly, adaptive Metropolis instead. */
     private CameraSampler.Tuned tunedSampler() {
-        samplerUsed = settings.sampler();
+        samplerUsed = settings.sampling().sampler();
         CameraSampler.Tuned tuned = tuned(samplerUsed);
-        if (tuned.misfit() != null && settings.sampler() == SamplerKind.INDEPENDENCE) {
+        if (tuned.misfit() != null && settings.sampling().sampler() == SamplerKind.INDEPENDENCE) {
             warnings.add(Warning.of(CheckWarning.FAR_FROM_GAUSSIAN, tuned.misfit()));
             samplerUsed = SamplerKind.ADAPTIVE;
             return tuned(samplerUsed);
@@ -92,7 +95,7 @@ final class ChainRun {
     }
 
     private CameraSampler.Tuned tuned(SamplerKind kind) {
-        CameraSampler.Tuned tuned = kind.sampler().tune(new CameraTarget(quickLook.modes.camera),
+        CameraSampler.Tuned tuned = CameraSampler.of(kind).tune(new CameraTarget(quickLook.modes.camera),
                 RandomStreams.of(seed, RandomPaths.TUNING));
         tuningEvaluations += tuned.evaluations();
         return tuned;
@@ -103,7 +106,7 @@ final class ChainRun {
         List<ObjectTarget> out = new ArrayList<>();
         for (ObjectFit fit : quickLook.modes.objects) {
             ObjectTarget object = ObjectTarget.ofModes(fit);
-            out.add(settings.objectNoise() == CheckSettings.ObjectNoise.NONE ? object
+            out.add(settings.model().objectNoise() == ObjectNoise.NONE ? object
                     : object.withProposal(TunedMixture.tune(object.posterior(), TunedMixture.ofModes(fit.modes),
                             RandomStreams.of(seed, RandomPaths.OBJECT_TUNING, fit.marker.id())).proposal()));
         }
@@ -121,7 +124,7 @@ final class ChainRun {
     }
 
     static boolean preciseEnough(Diagnostics found, CheckSettings settings) {
-        return found.converged() && found.mcseStdRelMax() < settings.targetMcseStdRel();
+        return found.converged() && found.mcseStdRelMax() < settings.sampling().targetMcseStdRel();
     }
 
     /** Whether the target lies within the Monte Carlo error of a deviation that could decide on it. */

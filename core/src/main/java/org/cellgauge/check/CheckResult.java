@@ -12,6 +12,9 @@ import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.SamplerKind;
+import org.cellgauge.settings.SettingTable;
 import org.cellgauge.statistics.ParetoTail;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.warning.Decimal;
@@ -44,12 +47,13 @@ public final class CheckResult {
     private final CameraFit camera;
     private final ReferenceCheck referenceCheck;
 
-    private CheckResult(Cell cell, SampledCell sampled, ReferenceCheck referenceCheck, List<Warning> warnings) {
+    private CheckResult(Cell cell, CheckSettings settings, SampledCell sampled, ReferenceCheck referenceCheck,
+            List<Warning> warnings) {
         CellModes modes = sampled.quickLook.modes;
         this.sampled = sampled;
         this.cell = cell;
         this.detections = modes.observed.detections;
-        this.settings = modes.observed.settings;
+        this.settings = settings;
         this.estimate = sampled.estimate;
         this.diagnostics = sampled.diagnostics;
         this.judgement = new Judgement(cell, estimate, diagnostics, referenceCheck);
@@ -89,16 +93,16 @@ public final class CheckResult {
         if (open != null) {
             warnings.add(open);
         }
-        if (diagnostics.converged() && !settings.iterations().isPresent() && !sampled.preciseEnough()) {
+        if (diagnostics.converged() && !settings.sampling().iterations().isPresent() && !sampled.preciseEnough()) {
             warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(sampled.last.iterationsPerChain(), 0),
                     diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
-                    Decimal.shortest(Math.rint(1e11 * settings.targetMcseStdRel()) / 1e9)));
+                    Decimal.shortest(Math.rint(1e11 * settings.sampling().targetMcseStdRel()) / 1e9)));
         }
         if (diagnostics.converged() && diagnostics.heavyTails()) {
             warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter(),
                     Decimal.of(diagnostics.paretoKMax(), 2), Decimal.of(ParetoTail.LARGEST_FOR_STD, 2)));
         }
-        return new CheckResult(modes.observed.cell, sampled, referenceCheck, warnings);
+        return new CheckResult(modes.observed.cell, settings, sampled, referenceCheck, warnings);
     }
 
     /**
@@ -206,7 +210,9 @@ public final class CheckResult {
         if (targetStdMm.equals(cell.targetStdMm())) {
             return this;
         }
-        return new CheckResult(cell.withTarget(targetStdMm), sampled, referenceCheck, warnings);
+        // the cell holds it now
+        CheckSettings others = settings.toBuilder().set(SettingTable.TARGET_STD_MM, OptionalDouble.empty()).build();
+        return new CheckResult(cell.withTarget(targetStdMm), others, sampled, referenceCheck, warnings);
     }
 
     /**
@@ -360,7 +366,7 @@ public final class CheckResult {
      * @return the settings' number for the sampler that was used
      */
     public int warmup() {
-        return settings.toBuilder().sampler(samplerUsed).build().warmup();
+        return settings.sampling().warmup(samplerUsed);
     }
 
     /**

@@ -10,6 +10,7 @@ import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceNoise;
+import org.cellgauge.settings.ObjectNoise;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
@@ -128,7 +129,7 @@ final class LinearModel {
             this.target = target;
             objectMode = target.modes.get(modeIndex);
             object = objectMode.state();
-            noisy = camera.settings.objectNoise() == CheckSettings.ObjectNoise.DETECTION;
+            noisy = camera.settings.model().objectNoise() == ObjectNoise.DETECTION;
             byShared = target.answers(modeIndex, camera.intrinsicsPrior);
         }
 

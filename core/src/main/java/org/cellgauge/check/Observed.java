@@ -9,6 +9,8 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.NoiseBelief;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.Decimal;
@@ -41,13 +43,15 @@ final class Observed {
     /**
      * Looks at what was detected.
      *
-     * @param cell the cell
+     * @param stated the cell; the settings may have another target
      * @param detections markers seen in its photo; ids foreign to the cell are ignored
      * @param settings how the cell is modelled
      * @return the observation
      * @throws InputRefusedException if no reference is in the photo, or its light says nothing of where edges are
      */
-    static Observed of(Cell cell, Detections detections, CheckSettings settings) {
+    static Observed of(Cell stated, Detections detections, CheckSettings settings) {
+        Cell cell = settings.model().targetStdMm().isPresent()
+                ? stated.withTarget(settings.model().targetStdMm()) : stated;
         if (detections.light() != null && detections.light().toneCurveOpen()) {
             throw new InputRefusedException(detections.imageName() + ": whites are clipped, and then nothing in the "
                     + "photo tells its tone curve, without which edges are not where they seem; expose less, or state "
@@ -59,7 +63,7 @@ final class Observed {
         found.setAside().forEach((id, factor) ->
                 warnings.add(Warning.of(CheckWarning.MARKER_SET_ASIDE, id, Decimal.of(factor, factor < 10 ? 1 : 0))));
         double noiseLevel = found.added() == null ? 0 : found.squarenessBelief().ofMeanVariance();
-        boolean rigid = settings.model() == LikelihoodModel.RIGID_MARKER;
+        boolean rigid = settings.model().likelihood() == LikelihoodModel.RIGID_MARKER;
         if (found.fromNothing() && !rigid) {
             warnings.add(noiseWarning(found.squarenessBelief()));
         }
@@ -105,6 +109,6 @@ final class Observed {
                 path[at++] = Double.doubleToLongBits(px);
             }
         }
-        return RandomStreams.of(settings.seed(), path).nextLong();
+        return RandomStreams.of(settings.sampling().seed(), path).nextLong();
     }
 }

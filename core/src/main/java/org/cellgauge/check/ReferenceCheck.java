@@ -10,6 +10,7 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Listing;
 import org.cellgauge.warning.Warning;
@@ -63,7 +64,7 @@ public final class ReferenceCheck {
     static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise) {
         PoseMode mode = camera.modes.get(0);
         // without rigid placements in the likelihood there is nothing stated that a test could hold against them
-        List<DirectionScore> tests = camera.settings.model() == LikelihoodModel.RIGID_MARKER
+        List<DirectionScore> tests = camera.settings.model().likelihood() == LikelihoodModel.RIGID_MARKER
                 ? DirectionScore.of(camera.view, mode) : Collections.emptyList();
         List<MisplacedReference> found = new ArrayList<>();
         List<Integer> leftOut = new ArrayList<>();

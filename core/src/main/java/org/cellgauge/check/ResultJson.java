@@ -14,6 +14,8 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.statistics.Angles;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Ellipse;
@@ -218,37 +220,37 @@ public final class ResultJson {
     private void settings() throws IOException {
         CheckSettings s = result.settings();
         json.beginObject();
-        json.name("model").value(s.model().optionName());
-        number("kappa", s.kappa());
-        json.name("sampler").value(s.sampler().optionName());
-        json.name("sampler_used").value(result.samplerUsed().optionName());
-        json.name("chains").value(s.chains());
-        OptionalInt fixed = s.iterations();
+        json.name("model").value(s.model().likelihood().word());
+        number("kappa", s.model().kappa());
+        json.name("sampler").value(s.sampling().sampler().word());
+        json.name("sampler_used").value(result.samplerUsed().word());
+        json.name("chains").value(s.sampling().chains());
+        OptionalInt fixed = s.sampling().iterations();
         json.name("iterations");
         if (fixed.isPresent()) {
             json.value(fixed.getAsInt());
         } else {
             json.nullValue();
         }
-        number("target_mcse_std_rel", fixed.isPresent() ? Double.NaN : s.targetMcseStdRel());
+        number("target_mcse_std_rel", fixed.isPresent() ? Double.NaN : s.sampling().targetMcseStdRel());
         json.name("max_iterations");
         if (fixed.isPresent()) {
             json.nullValue();
         } else {
-            json.value(s.maxIterations());
+            json.value(s.sampling().maxIterations());
         }
         json.name("iterations_run").value(result.iterationsPerChain());
         json.name("warmup").value(result.warmup());
-        json.name("seed").value(s.seed());
-        json.name("estimate").value(s.estimate().optionName());
-        number("focal_prior_std_px", s.estimate() == CheckSettings.Estimate.FOCAL ? s.focalPriorStdPx() : Double.NaN);
+        json.name("seed").value(s.sampling().seed());
+        json.name("estimate").value(s.model().estimate().word());
+        number("focal_prior_std_px", s.model().estimate() == Estimate.FOCAL ? s.model().focalPriorStdPx() : Double.NaN);
         // none where two focal lengths are independent
-        number("aspect_prior_std", s.estimate() == CheckSettings.Estimate.FOCAL ? s.aspectPriorStd() : Double.NaN);
-        json.name("initial").value(s.initial().optionName());
-        json.name("start").value(word(s.start()));
-        json.name("object_noise").value(s.objectNoise().optionName());
-        json.name("rotation_prior").value(word(s.rotationPrior()));
-        json.name("pose_prior_allowed").value(s.posePriorAllowed());
+        number("aspect_prior_std", s.model().estimate() == Estimate.FOCAL ? s.model().aspectPriorStd() : Double.NaN);
+        json.name("initial").value(s.sampling().initial().word());
+        json.name("start").value(word(s.sampling().start()));
+        json.name("object_noise").value(s.model().objectNoise().word());
+        json.name("rotation_prior").value(word(s.model().rotationPrior()));
+        json.name("pose_prior_allowed").value(s.model().posePriorAllowed());
         json.name("pose_prior").value(result.posePrior());
         number("pixel_std_px", result.pixelStdPx());
         json.name("pixel_std_px_from").value(cell.pixelStdPx().isPresent() ? "cell file" : "photo");
@@ -580,14 +582,14 @@ public final class ResultJson {
         number("mcse_std_rel_max", d.mcseStdRelMax());
         number("pareto_k_max", d.paretoKMax());
         json.name("precision_reached");
-        if (result.settings().iterations().isPresent()) {
+        if (result.settings().sampling().iterations().isPresent()) {
             json.nullValue();
         } else {
-            json.value(d.mcseStdRelMax() < result.settings().targetMcseStdRel() && !d.heavyTails());
+            json.value(d.mcseStdRelMax() < result.settings().sampling().targetMcseStdRel() && !d.heavyTails());
         }
         json.name("camera_evaluations").beginObject();
         json.name("tuning").value(result.tuningEvaluations());
-        json.name("chains").value((long) result.settings().chains() * result.iterationsPerChain());
+        json.name("chains").value((long) result.settings().sampling().chains() * result.iterationsPerChain());
         json.endObject();
         json.name("worst_parameter").value(d.worstParameter().isEmpty() ? null : d.worstParameter());
         json.name("parameters").beginObject();

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
+import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.warning.Warning;
 
 /** The fourth stage of a check: the draws of its chains, and how far they have converged; immutable. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.Angles;
 
 /**
@@ -37,19 +38,19 @@ public final class StanCsv {
         int thin = (draws.count() + MOST_DRAWS - 1) / MOST_DRAWS;
         comment(out, "program = cellgauge");
         comment(out, "program_version = " + version);
-        comment(out, "model = " + settings.model().optionName());
+        comment(out, "model = " + settings.model().likelihood().word());
         comment(out, "method = sample (Default)");
         comment(out, "  sample");
         comment(out, "    num_samples = " + draws.count());
         comment(out, "    num_warmup = " + result.warmup());
         comment(out, "    save_warmup = false (Default)");
         comment(out, "    thin = " + thin + (thin == 1 ? " (Default)" : ""));
-        comment(out, "    algorithm = " + result.samplerUsed().optionName());
+        comment(out, "    algorithm = " + result.samplerUsed().word());
         comment(out, "id = " + chain);
         comment(out, "data");
         comment(out, "  file = " + inputName);
         comment(out, "random");
-        comment(out, "  seed = " + settings.seed());
+        comment(out, "  seed = " + settings.sampling().seed());
         comment(out, "verdict = " + result.verdict().key());
         QuantityLayout layout = result.layout();
         List<String> names = layout.names();

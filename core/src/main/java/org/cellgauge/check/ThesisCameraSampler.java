@@ -5,6 +5,7 @@ import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.sampling.MetropolisChain;
 import org.cellgauge.sampling.StudentTMixture;
 import org.cellgauge.sampling.ThesisMixture;
+import org.cellgauge.settings.ChainStart;
 
 /** The thesis' mixture of steps in position or Euler angles alone. */
 final class ThesisCameraSampler implements CameraSampler {
@@ -15,7 +16,7 @@ final class ThesisCameraSampler implements CameraSampler {
             public CameraChain chain(RandomGenerator chainRandom) {
                 CameraPosterior posterior = target.euler();
                 double[] start;
-                if (target.fit.settings.start() == CheckSettings.Start.INITIAL_ESTIMATE) {
+                if (target.fit.settings.sampling().start() == ChainStart.INITIAL_ESTIMATE) {
                     start = posterior.chart().encode(target.fit.initialState());
                 } else {
                     CameraPosterior centred = target.centred();

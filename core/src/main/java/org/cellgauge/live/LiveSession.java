@@ -22,7 +22,7 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.vision.Detections;
@@ -336,7 +336,7 @@ final class LiveSession {
         chains.set(running);
         // from the initial estimate and not from where the quick look began: the figures are those of this frame alone
         Flowable.defer(() -> CellCheck.quickLook(cell, frame, settings, null)
-                .chains(() -> Math.min(settings.threads(), pace.chainThreads())))
+                .chains(() -> Math.min(settings.sampling().threads(), pace.chainThreads())))
                 .subscribeOn(chainScheduler).subscribe(running);
     }
 

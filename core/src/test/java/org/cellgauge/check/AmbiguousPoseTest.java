@@ -10,6 +10,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.CoverageRegion;
 import org.junit.jupiter.api.Test;
 

@@ -8,6 +8,8 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -87,7 +89,7 @@ class FocalObjectTest {
         ThesisScene scene = ThesisScene.inPlane(4).noObjects().placement(placementMm, 0.003).pixelStd(stdPx)
                 .object(OBJECT, truth);
         CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(), CheckSettings.builder().seed(3)
-                .estimate(CheckSettings.Estimate.FOCAL).targetMcseStdRel(0.02).build());
+                .estimate(Estimate.FOCAL).targetMcseStdRel(0.02).build());
         double[] seenPx = result.detections().find(OBJECT).cornersPx();
         int camera = result.layout().indexOf("camera_x_mm");
         int focal = result.layout().indexOf("fx_px");

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.api.Test;

@@ -19,6 +19,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;

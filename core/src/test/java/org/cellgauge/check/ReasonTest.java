@@ -16,6 +16,8 @@ import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.vision.PhotoLight;
@@ -175,7 +177,7 @@ class ReasonTest {
         Detections photo = new Detections("scene", corners.widthPx(), corners.heightPx(), corners.markers(), List.of(),
                 new PhotoLight(ToneCurve.SRGB, true, 0.7, 1, 100, 0.1));
         CheckResult result = CellCheck.run(cell, photo, CheckSettings.builder()
-                .estimate(CheckSettings.Estimate.FOCAL).iterations(400).warmup(100).build());
+                .estimate(Estimate.FOCAL).iterations(400).warmup(100).build());
         List<Reason.Source> found = new ArrayList<>();
         for (String name : result.estimate().objects().get(0).budget().shares().keySet()) {
             found.add(Reason.sourceOf(name));

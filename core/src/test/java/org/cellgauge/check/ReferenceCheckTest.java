@@ -15,11 +15,14 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.pose.CornerErrors;
-import org.cellgauge.pose.InitialPose;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.InitialEstimate;
+import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.statistics.RankHistogram;
 import org.cellgauge.vision.Detections;
@@ -266,8 +269,8 @@ class ReferenceCheckTest {
     void theThesisLikelihoodKnowsNoMisplacedReferences() {
         ThesisScene scene = scene(4, 5, 0.3).planeObjects().shifted(22, 1, 30);
         CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.3, RandomStreams.of(8), 5, STD_RAD),
-                CheckSettings.builder().model(LikelihoodModel.CORNER_CUBE).initial(InitialPose.PNP).iterations(60)
-                        .build());
+                CheckSettings.builder().likelihood(LikelihoodModel.CORNER_CUBE).initial(InitialEstimate.PNP)
+                        .iterations(60).build());
         assertTrue(result.referenceCheck().misplaced().isEmpty());
         assertFalse(result.referenceCheck().fit(22).tested());
         assertEquals("", result.referenceCheck().noticeable());
@@ -368,7 +371,7 @@ class ReferenceCheckTest {
     void theFitWithoutItHasItsOwnFocalLength() {
         ThesisScene scene = ThesisScene.oneRaised(6).placement(0.5, 0.003).pixelStd(0.05).shifted(22, 10, 10, 10);
         CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.05, RandomStreams.of(12), 0.5, 0.003),
-                CheckSettings.builder().estimate(CheckSettings.Estimate.FOCAL).iterations(200).build());
+                CheckSettings.builder().estimate(Estimate.FOCAL).iterations(200).build());
         WithoutMisplaced without = result.referenceCheck().without();
         assertNotNull(without);
         assertTrue(without.leftOut().contains(22));

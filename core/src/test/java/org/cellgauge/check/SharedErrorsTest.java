@@ -15,6 +15,7 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.statistics.RunningMoments;

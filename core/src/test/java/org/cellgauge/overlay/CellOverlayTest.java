@@ -14,7 +14,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.ObjectEstimate;
 import org.cellgauge.check.ThesisScene;

@@ -21,6 +21,7 @@ import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.ReprojectionFit;
 import org.cellgauge.pose.RigidMarkerNoise;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.RotationPrior;
 import org.ejml.simple.SimpleMatrix;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;

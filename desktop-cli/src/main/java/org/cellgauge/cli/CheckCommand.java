@@ -28,7 +28,7 @@ import org.cellgauge.cell.InputChecks;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.ObjectEstimate;
 import org.cellgauge.check.ResultJson;
 import org.cellgauge.check.StanCsv;

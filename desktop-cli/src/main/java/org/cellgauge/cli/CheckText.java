@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.Diagnostics;
 import org.cellgauge.check.ModeEstimate;
 import org.cellgauge.check.NoiseEstimate;
@@ -344,7 +344,7 @@ final class CheckText {
         CheckSettings s = result.settings();
         String word = d.converged() ? "converged" : "not converged";
         return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective "
-                + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.chains(),
+                + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.sampling().chains(),
                 result.iterationsPerChain(), result.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0),
                 fixed(d.essTailMin(), 0),
                 fixed(100 * d.mcseStdRelMax(), 1)), "        ").stripTrailing();

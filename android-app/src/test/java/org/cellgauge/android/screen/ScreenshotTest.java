@@ -23,7 +23,7 @@ import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.android.state.CameraPermission;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckWarning;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.vision.GreyImage;

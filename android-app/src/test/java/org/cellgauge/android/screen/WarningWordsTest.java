@@ -16,7 +16,7 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckPhrase;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckWarning;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.RigidTransform;

@@ -1,27 +1,21 @@
 package org.cellgauge.check;
 
 import java.util.List;
-import org.cellgauge.pose.CornerCubeNoise;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceNoise;
 import org.cellgauge.pose.ReferenceView;
-import org.cellgauge.pose.RigidMarkerNoise;
 import org.cellgauge.posterior.CameraLikelihood;
 import org.cellgauge.posterior.CornerCubeLikelihood;
 import org.cellgauge.posterior.MovingRigidLikelihood;
 import org.cellgauge.posterior.NearestModeLikelihood;
 import org.cellgauge.posterior.RigidMarkerLikelihood;
+import org.cellgauge.settings.LikelihoodModel;
 
-/** The likelihoods to choose from. */
-public enum LikelihoodModel {
+/** The likelihood of the references seen, by model. */
+enum Likelihoods {
     /** References misplaced rigidly, corners noisy: the default. */
-    RIGID_MARKER("rigid-marker") {
-        @Override
-        ReferenceNoise noise(ReferenceView view, CornerErrors errors, double noise, double kappa) {
-            return new RigidMarkerNoise(view, errors, noise);
-        }
-
+    RIGID_MARKER {
         @Override
         CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors,
                 double kappa) {
@@ -41,12 +35,7 @@ public enum LikelihoodModel {
         }
     },
     /** The thesis' likelihood: every corner on its own, deviations of a projected box. */
-    CORNER_CUBE("corner-cube") {
-        @Override
-        ReferenceNoise noise(ReferenceView view, CornerErrors errors, double noise, double kappa) {
-            return new CornerCubeNoise(view, kappa);
-        }
-
+    CORNER_CUBE {
         @Override
         CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors,
                 double kappa) {
@@ -54,23 +43,15 @@ public enum LikelihoodModel {
         }
     };
 
-    private final String optionName;
-
-    LikelihoodModel(String optionName) {
-        this.optionName = optionName;
-    }
-
     /**
-     * The word of the option {@code --model}.
+     * What belongs to a model.
      *
-     * @return for instance {@code rigid-marker}
+     * @param model as the settings have it
+     * @return its likelihoods
      */
-    public String optionName() {
-        return optionName;
+    static Likelihoods of(LikelihoodModel model) {
+        return model == LikelihoodModel.RIGID_MARKER ? RIGID_MARKER : CORNER_CUBE;
     }
-
-    /** Residual covariances for fits, at an added noise. */
-    abstract ReferenceNoise noise(ReferenceView view, CornerErrors errors, double noise, double kappa);
 
     /**
      * A likelihood of its own for one chain.
