@@ -6,6 +6,16 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.IntSupplier;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.chains.CameraSampler;
+import org.cellgauge.chains.CameraTarget;
+import org.cellgauge.chains.CellProcess;
+import org.cellgauge.chains.CellQuantities;
+import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.chains.ObjectTarget;
+import org.cellgauge.chains.RandomPaths;
+import org.cellgauge.chains.TunedMixture;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.laplace.ObjectFit;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.sampling.ChainEnsemble;
 import org.cellgauge.sampling.Draws;
@@ -15,6 +25,7 @@ import org.cellgauge.sampling.RunLength;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.ObjectNoise;
 import org.cellgauge.settings.SamplerKind;
+import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
 
 /** One run of the chains of a photo, from its quick look to draws that suffice; for one subscription. */

@@ -4,9 +4,18 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.chains.CellQuantities;
+import org.cellgauge.estimate.ImageEllipses;
+import org.cellgauge.estimate.IntrinsicsEstimate;
+import org.cellgauge.estimate.Matrices;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PointEstimate;
+import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
+import org.cellgauge.laplace.ObjectFit;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.RunningSummary;
 

@@ -6,6 +6,12 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.laplace.ObjectFit;
+import org.cellgauge.placement.Misfit;
+import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.statistics.ChainDiagnostics;
 
 /**

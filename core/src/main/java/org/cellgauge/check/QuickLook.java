@@ -5,7 +5,17 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.IntSupplier;
+import org.cellgauge.chains.CellQuantities;
+import org.cellgauge.estimate.ImageEllipses;
+import org.cellgauge.estimate.IntrinsicsEstimate;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PointEstimate;
+import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.laplace.CameraFit;
+import org.cellgauge.laplace.LinearModel;
+import org.cellgauge.laplace.ObjectFit;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.PoseMode;
 

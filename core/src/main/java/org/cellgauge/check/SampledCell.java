@@ -2,6 +2,8 @@ package org.cellgauge.check;
 
 import java.util.Collections;
 import java.util.List;
+import org.cellgauge.chains.CellQuantities;
+import org.cellgauge.chains.Diagnostics;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.settings.SamplerKind;

@@ -11,18 +11,18 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.check.CheckWarning;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
-import org.cellgauge.sampling.RandomStreams;
-import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
 
 /**

@@ -11,6 +11,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;

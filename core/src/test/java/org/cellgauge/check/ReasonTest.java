@@ -13,6 +13,8 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;

@@ -7,16 +7,16 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.check.ModeEstimate;
-import org.cellgauge.check.ObjectEstimate;
-import org.cellgauge.check.PoseEstimate;
-import org.cellgauge.check.ReferenceCheck;
-import org.cellgauge.check.ReferenceFit;
-import org.cellgauge.check.VarianceBudget;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.check.WithoutMisplaced;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.placement.ReferenceFit;
+import org.cellgauge.placement.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.ChainDiagnostics;
 
 /**
