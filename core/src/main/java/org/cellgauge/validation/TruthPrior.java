@@ -143,7 +143,7 @@ public final class TruthPrior {
                 RigidTransform suggested = RigidTransform.of(moved.rotation(),
                         new double[] {p[0] - g[0], p[1] - g[1], p[2] - g[2]});
                 camera = referencesSeen(lens, suggested) ? suggested : null;
-                requireLikely(i, Refusal.of(ValidationRefusal.THE_REFERENCES));
+                refuseIfHopeless(i, Refusal.of(ValidationRefusal.THE_REFERENCES));
             }
         }
         RigidTransform worldFromCamera = camera.inverse();
@@ -154,7 +154,7 @@ public final class TruthPrior {
                 RigidTransform nominal = pose;
                 pose = moved(nominal, random);
                 for (int i = 0; !seen(lens, pose, o.sizeMm()); i++) {
-                    requireLikely(i, Refusal.of(ValidationRefusal.OBJECT, o.id()));
+                    refuseIfHopeless(i, Refusal.of(ValidationRefusal.OBJECT, o.id()));
                     pose = moved(nominal, random);
                 }
             }
@@ -178,7 +178,7 @@ public final class TruthPrior {
         return PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(), intrinsics);
     }
 
-    private static void requireLikely(int attempt, Refusal what) {
+    private static void refuseIfHopeless(int attempt, Refusal what) {
         if (attempt > ATTEMPTS) {
             throw new InputRefusedException(
                     Refusal.of(ValidationRefusal.SPREAD_TOO_WIDE, what, ValidationRefusal.SMALLER_SPREAD));
