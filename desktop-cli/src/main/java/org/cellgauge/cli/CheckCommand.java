@@ -345,8 +345,9 @@ public final class CheckCommand implements Callable<Integer> {
 
         private void files(CheckInput input, Outcome outcome, String text) {
             CheckResult result = outcome.result();
-            // painted while the chains are written, which takes about as long
-            CompletableFuture<Picture> picture = CompletableFuture.supplyAsync(() -> picture(outcome));
+            // painted while the chains are written, which takes about as long, unless one thread is all there may be
+            CompletableFuture<Picture> picture = CompletableFuture.supplyAsync(() -> picture(outcome),
+                    settings.sampling().threads() == 1 ? Runnable::run : Run::besides);
             Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
             for (int i = 1; i <= result.draws().size(); i++) {
                 int chain = i;
@@ -362,6 +363,12 @@ public final class CheckCommand implements Callable<Integer> {
             report.add(input, result, picture.join().jpeg());
             output.deleteChainsFrom(input.name(), result.draws().size() + 1);
             stages.end("files");
+        }
+
+        private static void besides(Runnable task) {
+            Thread thread = new Thread(task, "cellgauge-picture");
+            thread.setDaemon(true);
+            thread.start();
         }
 
         private Picture picture(Outcome outcome) {

@@ -2,7 +2,7 @@ package org.cellgauge.android.files;
 
 import org.cellgauge.warning.RefusalKind;
 
-/** Why the app cannot use a document or a photo, or a part of the sentence that says it. */
+/** Why the app cannot use a document or a photo or keep a result, or a part of the sentence that says it. */
 public enum FileRefusal implements RefusalKind {
     // ---- any document; what it should be is a part
 
@@ -47,6 +47,22 @@ public enum FileRefusal implements RefusalKind {
             + "measurement alike, or check it with the command line"),
     /** The memory does not suffice to check it. */
     MEMORY_FOR_CHECK("the memory of this device does not suffice to check a photo of this size; take a smaller one"),
+
+    // ---- results
+
+    /** No room: what the result takes, what there is, MB. */
+    STORAGE_FULL("the result takes %s MB and %s MB are free; remove what is not needed any more, such as earlier "
+            + "results"),
+    /** The memory does not suffice to write it. */
+    RESULT_MEMORY("the memory of this device does not suffice to write the result"),
+    /** The picture is not encoded. */
+    PICTURE_NOT_WRITTEN("the overlay's picture cannot be written"),
+    /** There is no folder for results. */
+    NO_FOLDER_FOR_RESULTS("the folder for results cannot be made"),
+    /** There is no folder for this one. */
+    NO_FOLDER_FOR_RESULT("the folder for the result cannot be made"),
+    /** It does not get its name. */
+    RESULT_NOT_NAMED("the result cannot be given its name"),
 
     // ---- parts
 

@@ -22,6 +22,7 @@ import org.cellgauge.output.ResultJson;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.overlay.OverlayStyle;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Results in the app's own storage, where they need no permission and outlast everything but the app's removal. The
@@ -86,7 +87,7 @@ public final class FolderArchive implements ResultArchive {
         try {
             return saveWhole(photo, result);
         } catch (OutOfMemoryError e) {
-            throw new IOException("the memory of this device does not suffice to write the result", e);
+            throw new NotSavedException(Refusal.of(FileRefusal.RESULT_MEMORY), e);
         }
     }
 
@@ -115,7 +116,7 @@ public final class FolderArchive implements ResultArchive {
         boolean written = picture.compress(Bitmap.CompressFormat.PNG, BEST, out);
         picture.recycle();
         if (!written) {
-            throw new IOException("the overlay's picture cannot be written");
+            throw new NotSavedException(Refusal.of(FileRefusal.PICTURE_NOT_WRITTEN), null);
         }
         return out.toByteArray();
     }

@@ -10,9 +10,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
+import org.cellgauge.warning.Refusal;
 
 /**
  * A folder with one folder per result, each written whole or not at all: under another name first, on the disk to the
@@ -128,7 +128,7 @@ final class ResultStore {
      */
     void write(String name, Map<String, byte[]> files) throws IOException {
         if (!folder.isDirectory() && !folder.mkdirs()) {
-            throw new IOException("the folder for results cannot be made");
+            throw new NotSavedException(Refusal.of(FileRefusal.NO_FOLDER_FOR_RESULTS), null);
         }
         clearLeftovers();
         long bytes = 0;
@@ -137,13 +137,13 @@ final class ResultStore {
         }
         long free = disk.freeBytes(folder);
         if (free > 0 && free < bytes + MARGIN_BYTES) {
-            throw full(bytes, free);
+            throw new StorageFullException(bytes, free);
         }
         File underWay = new File(folder, UNDER_WAY + name);
         boolean whole = false;
         try {
             if (!underWay.mkdir()) {
-                throw new IOException("the folder for the result cannot be made");
+                throw new NotSavedException(Refusal.of(FileRefusal.NO_FOLDER_FOR_RESULT), null);
             }
             for (Map.Entry<String, byte[]> file : files.entrySet()) {
                 try (Whole out = disk.create(new File(underWay, file.getKey()))) {
@@ -152,21 +152,16 @@ final class ResultStore {
                 }
             }
             if (!underWay.renameTo(new File(folder, name))) {
-                throw new IOException("the result cannot be given its name");
+                throw new NotSavedException(Refusal.of(FileRefusal.RESULT_NOT_NAMED), null);
             }
             whole = true;
         } catch (IOException e) {
-            throw isFull(e) ? full(bytes, disk.freeBytes(folder)) : e;
+            throw isFull(e) ? new StorageFullException(bytes, disk.freeBytes(folder)) : e;
         } finally {
             if (!whole) {
                 remove(underWay);
             }
         }
-    }
-
-    private static StorageFullException full(long bytes, long free) {
-        return new StorageFullException(String.format(Locale.ROOT, "the result takes %.1f MB and %.1f MB are free; "
-                + "remove what is not needed any more, such as earlier results", bytes / 1e6, free / 1e6));
     }
 
     private static boolean isFull(IOException e) {

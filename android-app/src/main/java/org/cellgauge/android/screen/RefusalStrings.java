@@ -315,6 +315,18 @@ final class RefusalStrings {
                 return R.string.refusal_file_pixels;
             case MEMORY_FOR_CHECK:
                 return R.string.refusal_file_memory_for_check;
+            case STORAGE_FULL:
+                return R.string.refusal_file_storage_full;
+            case RESULT_MEMORY:
+                return R.string.refusal_file_result_memory;
+            case PICTURE_NOT_WRITTEN:
+                return R.string.refusal_file_picture_not_written;
+            case NO_FOLDER_FOR_RESULTS:
+                return R.string.refusal_file_no_folder_for_results;
+            case NO_FOLDER_FOR_RESULT:
+                return R.string.refusal_file_no_folder_for_result;
+            case RESULT_NOT_NAMED:
+                return R.string.refusal_file_result_not_named;
             case PHOTO:
                 return R.string.refusal_file_photo;
             case LICENCES:

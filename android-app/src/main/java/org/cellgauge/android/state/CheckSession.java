@@ -23,6 +23,7 @@ import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.FileRefusal;
+import org.cellgauge.android.files.NotSavedException;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
@@ -651,6 +652,9 @@ public final class CheckSession {
         String message = cause.getMessage();
         if (cause instanceof InputRefusedException) {
             return new Problem(kind, ((InputRefusedException) cause).refusal());
+        }
+        if (cause instanceof NotSavedException) {
+            return new Problem(kind, ((NotSavedException) cause).refusal());
         }
         return new Problem(kind, cause instanceof IOException && message != null ? message : cause.toString());
     }

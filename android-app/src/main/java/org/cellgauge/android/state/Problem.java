@@ -14,9 +14,9 @@ public final class Problem {
         PHOTO_SIZE,
         /** The cell has no camera of its own and the device's is not known yet, so no photo can be checked. */
         PHOTO_WITHOUT_CAMERA,
-        /** There is no room for the result: {@link Problem#message()}. */
+        /** There is no room for the result: {@link Problem#refusal()}. */
         STORAGE_FULL,
-        /** The result could not be written: {@link Problem#message()}. */
+        /** The result could not be written: {@link Problem#refusal()} or {@link Problem#message()}. */
         NOT_SAVED,
         /** A fault of the program: {@link Problem#message()}. */
         INTERNAL
@@ -27,7 +27,7 @@ public final class Problem {
     private final String message;
 
     /**
-     * An input that cannot be used.
+     * An input that cannot be used, or a result that is not kept.
      *
      * @param kind what kind of thing
      * @param refusal what, where and what to do
@@ -62,7 +62,7 @@ public final class Problem {
     /**
      * What, where and what to do.
      *
-     * @return null where no input was refused
+     * @return null where only the system or the program knows
      */
     public Refusal refusal() {
         return refusal;

@@ -435,12 +435,12 @@ public class MainActivityTest {
 
     @Test
     public void fullStorageIsSaidAndSavingCanBeTriedAgain() {
-        Screen.app().archive.fault = new StorageFullException("4 MB are missing.");
+        Screen.app().archive.fault = new StorageFullException(6_000_000, 2_000_000);
         try (Screen screen = live()) {
             screen.holdStillUntilResult(FIXTURE);
             screen.tap(R.id.save);
             assertTrue(rows(screen), rows(screen).contains("Not saved: no room on the device"));
-            assertTrue(rows(screen), rows(screen).contains("4 MB are missing."));
+            assertTrue(rows(screen), rows(screen).contains("the result takes 6.0\u00a0MB and 2.0\u00a0MB are free"));
             assertFalse(screen.find(R.id.share).isEnabled());
             Screen.app().archive.fault = null;
             tapRow(screen, "Save again");
@@ -810,8 +810,8 @@ public class MainActivityTest {
             });
             screen.session().chooseCell("content://cells/kitchen");
             screen.settle();
-            assertEquals("kitchen.yaml, line 7, references.944.position_mm: expected 3 numbers, got 2; write [x, y, z] in "
-                    + "mm", screen.text(R.id.message_text));
+            assertEquals("kitchen.yaml, line 7, references.944.position_mm: expected 3 numbers, got 2; write [x, y, z] "
+                    + "in mm", screen.text(R.id.message_text));
             assertTrue(((TextView) screen.find(R.id.message_text)).isTextSelectable());
             assertEquals("Keep lifted-4.yaml", screen.text(R.id.message_second));
             screen.tap(R.id.message_second);

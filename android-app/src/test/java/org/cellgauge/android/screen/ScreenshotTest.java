@@ -281,7 +281,7 @@ public class ScreenshotTest {
             screen.tap(R.id.save);
             screen.keep("frozen-and-saved", null);
         }
-        Screen.app().archive.fault = new StorageFullException("The result takes 2.1 MB, 0.3 MB are free.");
+        Screen.app().archive.fault = new StorageFullException(2_100_000, 300_000);
         try (Screen screen = live(Screen.TABLET_PORTRAIT, FIXTURE.cell())) {
             screen.holdStillUntilResult(FIXTURE);
             screen.tap(R.id.save);
