@@ -22,9 +22,9 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 
 /**

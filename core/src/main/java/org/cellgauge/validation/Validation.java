@@ -7,9 +7,9 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.RankHistogram;
 import org.cellgauge.vision.Detections;
 

@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.Diagnostics;
 import org.cellgauge.check.ModeEstimate;
 import org.cellgauge.check.NoiseEstimate;
@@ -23,6 +22,7 @@ import org.cellgauge.check.Verdict;
 import org.cellgauge.check.WithoutMisplaced;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.PhotoLight;
 import org.cellgauge.warning.Warning;
 
