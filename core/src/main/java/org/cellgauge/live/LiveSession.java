@@ -34,9 +34,9 @@ import org.cellgauge.vision.Detections;
 final class LiveSession {
     /** Share of the tolerance within which a second frame must be for chains to start; to leave takes all of it. */
     private static final double SETTLE_SHARE = 0.5;
-    /** So many frames without a reference, and the key frame is given up. */
+    /** Frames without a reference after which the key frame is given up. */
     private static final int LOST_FRAMES = 3;
-    /** So many frames without a marker of the key frame, and the check restarts without it. */
+    /** Frames without a marker of the key frame after which the check restarts without it. */
     private static final int GONE_FRAMES = 15;
 
     private final FlowableEmitter<LiveState> emitter;

@@ -3,6 +3,7 @@ package org.cellgauge.posterior;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.pose.PosePrior;
+import org.cellgauge.sampling.LogDensity;
 import org.cellgauge.settings.RotationPrior;
 
 /** Posterior of the camera pose and unknown intrinsics in the coordinates of a chart. Not thread-safe. */

@@ -11,7 +11,6 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckWarning;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.RigidTransform;
@@ -23,6 +22,7 @@ import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
 
 /**

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.settings.ObjectNoise;

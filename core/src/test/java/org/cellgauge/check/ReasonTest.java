@@ -13,6 +13,8 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
@@ -180,10 +182,10 @@ class ReasonTest {
                 .estimate(Estimate.FOCAL).iterations(400).warmup(100).build());
         List<Reason.Source> found = new ArrayList<>();
         for (String name : result.estimate().objects().get(0).budget().shares().keySet()) {
-            found.add(VarianceBudget.kindOf(name));
+            found.add(Reason.sourceOf(name));
             assertEquals(name.startsWith("placement"), VarianceBudget.referenceOf(name).isPresent());
         }
         assertTrue(found.containsAll(List.of(Reason.Source.values())), found.toString());
-        assertThrows(IllegalArgumentException.class, () -> VarianceBudget.kindOf("weather"));
+        assertThrows(IllegalArgumentException.class, () -> Reason.sourceOf("weather"));
     }
 }

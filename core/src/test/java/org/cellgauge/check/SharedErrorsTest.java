@@ -12,6 +12,8 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;

@@ -20,6 +20,7 @@ import org.cellgauge.pose.PosePrior;
 import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.ReprojectionFit;
 import org.cellgauge.pose.RigidMarkerNoise;
+import org.cellgauge.sampling.LogDensity;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.RotationPrior;
 import org.ejml.simple.SimpleMatrix;

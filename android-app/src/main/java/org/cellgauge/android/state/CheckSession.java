@@ -26,7 +26,6 @@ import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
 import org.cellgauge.android.files.StorageFullException;
-import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.geometry.PinholeCamera;

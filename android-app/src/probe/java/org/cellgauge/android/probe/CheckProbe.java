@@ -10,7 +10,7 @@ import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.ResultJson;
+import org.cellgauge.output.ResultJson;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.overlay.Shape;
 import org.cellgauge.settings.CheckSettings;

@@ -14,7 +14,7 @@ import org.cellgauge.android.R;
 import org.cellgauge.android.camera.CameraSetup;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.ObjectEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.overlay.Box;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.overlay.Overlay;
