@@ -28,11 +28,11 @@ import org.cellgauge.android.files.SavedResult;
 import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.GreyImage;
 
 /**
