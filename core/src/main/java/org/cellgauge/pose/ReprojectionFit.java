@@ -1,6 +1,7 @@
 package org.cellgauge.pose;
 
 import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.geometry.DampedGaussNewton;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.Projection;
 
@@ -9,9 +10,8 @@ import org.cellgauge.geometry.Projection;
  *
  * <p>Minimises {@code |r|²/2}, r stacking per marker {@code W (projected - observed)} with W the whitening matrix
  * (inverse of the Cholesky factor of the residual covariance), one row per unknown intrinsic, one per unknown that
- * markers share ({@link CornerErrors}: observed corners less their columns count) and six per pose prior.
- * Damping is Marquardt's with Nielsen's update of the factor (Madsen, Nielsen, Tingleff, "Methods for non-linear least
- * squares problems", 2nd ed. 2004, algorithm 3.16).
+ * markers share ({@link CornerErrors}: observed corners less their columns count) and six per pose prior, by
+ * {@link DampedGaussNewton}.
  *
  * <p>Not thread-safe: it holds scratch arrays, so that a fit repeated for many draws allocates nothing.
  */
@@ -33,9 +33,9 @@ public final class ReprojectionFit {
     private final double[] residuals;
     private final double[] jacobian;
     private final double[] information;
-    private final double[] damped;
     private final double[] gradient;
-    private final double[] step;
+    private final DampedGaussNewton solver;
+    private final Chart chart = new Chart();
     private final CameraState candidate = new CameraState();
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
@@ -82,9 +82,8 @@ public final class ReprojectionFit {
         residuals = new double[rows];
         jacobian = new double[rows * columns];
         information = new double[columns * columns];
-        damped = new double[columns * columns];
         gradient = new double[columns];
-        step = new double[columns];
+        solver = new DampedGaussNewton(columns, DampedGaussNewton.Damping.NIELSEN, MAX_STEPS);
         plainJacobian = new double[8 * columns];
     }
 
@@ -164,79 +163,46 @@ public final class ReprojectionFit {
      * @return half the sum of squares at the result, or NaN if a corner of the start is not in front of the camera
      */
     public double fit(CameraState state) {
-        double cost = evaluate(state, true);
-        if (!(cost < Double.POSITIVE_INFINITY)) {
-            return Double.NaN;
+        chart.state = state;
+        double cost = solver.minimise(chart);
+        chart.state = null;
+        return cost < Double.POSITIVE_INFINITY ? cost : Double.NaN;
+    }
+
+    /** The fit as the solver sees it: steps in the chart from the state that it started with. */
+    private final class Chart implements DampedGaussNewton.Problem {
+        private CameraState state;
+
+        @Override
+        public double linearise(double[] toInformation, double[] toGradient) {
+            double cost = evaluate(state, true);
+            System.arraycopy(information, 0, toInformation, 0, information.length);
+            System.arraycopy(gradient, 0, toGradient, 0, gradient.length);
+            return cost;
         }
-        double lambda = 1e-4;
-        double growth = 2;
-        for (int iteration = 0; iteration < MAX_STEPS; iteration++) {
-            System.arraycopy(information, 0, damped, 0, damped.length);
-            for (int i = 0; i < columns; i++) {
-                damped[i * columns + i] += lambda * information[i * columns + i];
-                step[i] = -gradient[i];
+
+        @Override
+        public double at(double[] step) {
+            candidate.setMoved(state, step, 0);
+            for (int i = 0; i < intrinsicsPrior.count(); i++) {
+                candidate.intrinsics[intrinsicsPrior.index(i)] += step[6 + i];
             }
-            if (!Cholesky.factor(damped, columns)) {
-                lambda = Math.max(lambda * growth, 1e-12);
-                growth *= 2;
-                if (lambda > 1e30) {
-                    return cost;
-                }
-                continue;
+            for (int j = 0; j < unknowns; j++) {
+                candidate.unknowns[j] += step[columns - unknowns + j];
             }
-            Cholesky.solveLower(damped, columns, step);
-            double whitenedLength = 0;
-            for (double s : step) {
-                whitenedLength += s * s;
-            }
-            Cholesky.solveUpper(damped, columns, step);
-            move(state);
+            return rows(candidate, false);
+        }
+
+        @Override
+        public void accept() {
+            state.copyFrom(candidate);
+        }
+
+        @Override
+        public boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted) {
             // the length of the step in its own standard deviations decides, so that units do not matter
-            boolean tiny = whitenedLength < STEP_TOLERANCE * STEP_TOLERANCE;
-            double before = cost;
-            double predicted = 0;
-            for (int i = 0; i < columns; i++) {
-                predicted -= step[i] * gradient[i];
-                predicted += 0.5 * lambda * information[i * columns + i] * step[i] * step[i];
-            }
-            predicted *= 0.5;
-            double after = costOnly(candidate);
-            if (after <= before) {
-                state.copyFrom(candidate);
-                cost = evaluate(state, true);
-                double ratio = predicted > 0 ? (before - after) / predicted : 1;
-                double shrink = 2 * ratio - 1;
-                lambda *= Math.max(1.0 / 3, 1 - shrink * shrink * shrink);
-                growth = 2;
-                if (tiny) {
-                    return cost;
-                }
-            } else {
-                if (tiny) {
-                    return cost;
-                }
-                lambda *= growth;
-                growth *= 2;
-                if (lambda > 1e30) {
-                    return cost;
-                }
-            }
+            return squaredStds < STEP_TOLERANCE * STEP_TOLERANCE;
         }
-        return cost;
-    }
-
-    private void move(CameraState from) {
-        candidate.setMoved(from, step, 0);
-        for (int i = 0; i < intrinsicsPrior.count(); i++) {
-            candidate.intrinsics[intrinsicsPrior.index(i)] += step[6 + i];
-        }
-        for (int j = 0; j < unknowns; j++) {
-            candidate.unknowns[j] += step[columns - unknowns + j];
-        }
-    }
-
-    private double costOnly(CameraState state) {
-        return rows(state, false);
     }
 
     /**
