@@ -31,7 +31,6 @@ public final class CameraState {
 
     private final double[] turn = new double[9];
     private final double[] product = new double[9];
-    private final double[] one = new double[9];
 
     /** A state of one view. */
     public CameraState() {
@@ -116,23 +115,31 @@ public final class CameraState {
      * @param at index of the first of the 6 values per view
      */
     public void setMoved(CameraState base, double[] step, int at) {
-        for (int o = 0, a = at; o < offset.length; o += 3, a += StateLayout.POSE) {
-            Rotations.exp(step[a + 3], step[a + 4], step[a + 5], turn);
-            // of one view alone, which is what chains know, nothing is copied to and fro
-            double[] from = base.rotation;
-            if (offset.length > 3) {
-                System.arraycopy(base.rotation, 3 * o, one, 0, 9);
-                from = one;
-            }
-            Rotations.multiply(turn, from, product);
-            System.arraycopy(product, 0, rotation, 3 * o, 9);
+        if (offset.length > 3) {
+            moveEach(base, step, at);
+        } else {
+            Rotations.exp(step[at + 3], step[at + 4], step[at + 5], turn);
+            Rotations.multiply(turn, base.rotation, product);
+            System.arraycopy(product, 0, rotation, 0, 9);
             for (int i = 0; i < 3; i++) {
-                offset[o + i] = base.offset[o + i] + step[a + i];
+                offset[i] = base.offset[i] + step[at + i];
             }
         }
         if (base != this) {
             System.arraycopy(base.intrinsics, 0, intrinsics, 0, PinholeCamera.INTRINSICS);
             copyUnknowns(base);
+        }
+    }
+
+    /** The same of several views; one, which is all that chains know, is moved without copying it to and fro. */
+    private void moveEach(CameraState base, double[] step, int at) {
+        for (int v = 0, a = at; v < views(); v++, a += StateLayout.POSE) {
+            Rotations.exp(step[a + 3], step[a + 4], step[a + 5], turn);
+            Rotations.multiply(turn, ofView(base.rotation, v), product);
+            System.arraycopy(product, 0, rotation, 9 * v, 9);
+            for (int i = 0; i < 3; i++) {
+                offset[3 * v + i] = base.offset[3 * v + i] + step[a + i];
+            }
         }
     }
 

@@ -334,23 +334,33 @@ public final class ReprojectionFit {
         int pose = layout.pose(view);
         int intrinsics = layout.intrinsics();
         double[] r = state.rotation;
-        int o9 = 9 * view;
+        double r0 = r[9 * view];
+        double r1 = r[9 * view + 1];
+        double r2 = r[9 * view + 2];
+        double r3 = r[9 * view + 3];
+        double r4 = r[9 * view + 4];
+        double r5 = r[9 * view + 5];
+        double r6 = r[9 * view + 6];
+        double r7 = r[9 * view + 7];
+        double r8 = r[9 * view + 8];
         double tx = state.offset[3 * view];
         double ty = state.offset[3 * view + 1];
         double tz = state.offset[3 * view + 2];
+        int count = intrinsicsPrior.count();
+        boolean several = layout.views() > 1;
         int points = blocks.points(block);
-        for (int k = 0; k < points; k++) {
-            int at = 3 * (blocks.firstPoint(block) + k);
+        int first = blocks.firstRow(block);
+        int row = 2 * time * points;
+        for (int k = 0, at = 3 * blocks.firstPoint(block); k < points; k++, at += 3, row += 2) {
             double px = this.points[at];
             double py = this.points[at + 1];
             double pz = this.points[at + 2];
-            double ax = r[o9] * px + r[o9 + 1] * py + r[o9 + 2] * pz;
-            double ay = r[o9 + 3] * px + r[o9 + 4] * py + r[o9 + 5] * pz;
-            double az = r[o9 + 6] * px + r[o9 + 7] * py + r[o9 + 8] * pz;
+            double ax = r0 * px + r1 * py + r2 * pz;
+            double ay = r3 * px + r4 * py + r5 * pz;
+            double az = r6 * px + r7 * py + r8 * pz;
             double x = ax + tx;
             double y = ay + ty;
             double z = az + tz;
-            int row = 2 * (time * points + k);
             if (!withDerivatives) {
                 if (!Projection.project(state.intrinsics, x, y, z, uv, 0)) {
                     return false;
@@ -361,13 +371,13 @@ public final class ReprojectionFit {
                 }
                 for (int c = 0; c < 2; c++) {
                     int b = 3 * c;
-                    int first = (row + c) * columns;
-                    int o = first + pose;
+                    int start = (row + c) * columns;
+                    int o = start + pose;
                     double gx = byPoint[b];
                     double gy = byPoint[b + 1];
                     double gz = byPoint[b + 2];
-                    if (layout.views() > 1) {
-                        Arrays.fill(plainJacobian, first, first + intrinsics, 0);
+                    if (several) {
+                        Arrays.fill(plainJacobian, start, start + intrinsics, 0);
                     }
                     plainJacobian[o] = gx;
                     plainJacobian[o + 1] = gy;
@@ -376,13 +386,13 @@ public final class ReprojectionFit {
                     plainJacobian[o + 3] = ay * gz - az * gy;
                     plainJacobian[o + 4] = az * gx - ax * gz;
                     plainJacobian[o + 5] = ax * gy - ay * gx;
-                    for (int i = 0; i < intrinsicsPrior.count(); i++) {
-                        plainJacobian[first + intrinsics + i] =
+                    for (int i = 0; i < count; i++) {
+                        plainJacobian[start + intrinsics + i] =
                                 byIntrinsics[c * PinholeCamera.INTRINSICS + intrinsicsPrior.index(i)];
                     }
                 }
             }
-            int coordinate = blocks.firstRow(block) + row;
+            int coordinate = first + row;
             plainResiduals[row] = uv[0] - observed[coordinate];
             plainResiduals[row + 1] = uv[1] - observed[coordinate + 1];
             for (int c = 0; c < 2; c++) {

@@ -94,17 +94,7 @@ public final class RigidMarkerNoise implements ReferenceNoise {
         int rows = view.blocks().rows(marker);
         Body body = view.bodies().get(marker);
         if (body.isIndependentlyPlaced()) {
-            for (int i = 0; i < rows; i++) {
-                for (int j = 0; j <= i; j++) {
-                    double s = 0;
-                    for (int k = 0; k < 6; k++) {
-                        double std = body.placementRoot(k, k);
-                        s += jacobian[6 * i + k] * jacobian[6 * j + k] * std * std;
-                    }
-                    placementPx2[rows * i + j] = s;
-                    placementPx2[rows * j + i] = s;
-                }
-            }
+            independent(body, rows, placementPx2);
         } else {
             correlated(body, rows, placementPx2);
         }
@@ -117,6 +107,32 @@ public final class RigidMarkerNoise implements ReferenceNoise {
             pixelPx2[(rows + 1) * i] = pixelStdPx * pixelStdPx;
         }
         return true;
+    }
+
+    /** The part by placement whose coordinates are independent; written out, as it is done for every state of a chain. */
+    private void independent(Body body, int rows, double[] placementPx2) {
+        double[] j = jacobian;
+        double s0 = body.placementRoot(0, 0);
+        double s1 = body.placementRoot(1, 1);
+        double s2 = body.placementRoot(2, 2);
+        double s3 = body.placementRoot(3, 3);
+        double s4 = body.placementRoot(4, 4);
+        double s5 = body.placementRoot(5, 5);
+        for (int i = 0; i < rows; i++) {
+            int a = 6 * i;
+            double j0 = j[a];
+            double j1 = j[a + 1];
+            double j2 = j[a + 2];
+            double j3 = j[a + 3];
+            double j4 = j[a + 4];
+            double j5 = j[a + 5];
+            for (int k = 0, b = 0; k <= i; k++, b += 6) {
+                double s = j0 * j[b] * s0 * s0 + j1 * j[b + 1] * s1 * s1 + j2 * j[b + 2] * s2 * s2
+                        + j3 * j[b + 3] * s3 * s3 + j4 * j[b + 4] * s4 * s4 + j5 * j[b + 5] * s5 * s5;
+                placementPx2[rows * i + k] = s;
+                placementPx2[rows * k + i] = s;
+            }
+        }
     }
 
     /** The part by placement as {@code (J L) (J L)^T}, L the root of a covariance that is not diagonal. */
@@ -166,21 +182,29 @@ public final class RigidMarkerNoise implements ReferenceNoise {
         int o = 0;
         for (int time = 0; time < blocks.timesSeen(marker); time++) {
             int v = 3 * blocks.view(marker, time);
-            int o9 = 3 * v;
+            double r0 = r[3 * v];
+            double r1 = r[3 * v + 1];
+            double r2 = r[3 * v + 2];
+            double r3 = r[3 * v + 3];
+            double r4 = r[3 * v + 4];
+            double r5 = r[3 * v + 5];
+            double r6 = r[3 * v + 6];
+            double r7 = r[3 * v + 7];
+            double r8 = r[3 * v + 8];
             for (int at = first; at < end; at += 3) {
                 double x = points[at];
                 double y = points[at + 1];
                 double z = points[at + 2];
                 if (!Projection.projectWithDerivatives(state.intrinsics,
-                        r[o9] * x + r[o9 + 1] * y + r[o9 + 2] * z + state.offset[v],
-                        r[o9 + 3] * x + r[o9 + 4] * y + r[o9 + 5] * z + state.offset[v + 1],
-                        r[o9 + 6] * x + r[o9 + 7] * y + r[o9 + 8] * z + state.offset[v + 2], uv, byPoint, null)) {
+                        r0 * x + r1 * y + r2 * z + state.offset[v],
+                        r3 * x + r4 * y + r5 * z + state.offset[v + 1],
+                        r6 * x + r7 * y + r8 * z + state.offset[v + 2], uv, byPoint, null)) {
                     return false;
                 }
                 for (int b = 0; b < 6; b += 3, o += 6) {
-                    double gx = byPoint[b] * r[o9] + byPoint[b + 1] * r[o9 + 3] + byPoint[b + 2] * r[o9 + 6];
-                    double gy = byPoint[b] * r[o9 + 1] + byPoint[b + 1] * r[o9 + 4] + byPoint[b + 2] * r[o9 + 7];
-                    double gz = byPoint[b] * r[o9 + 2] + byPoint[b + 1] * r[o9 + 5] + byPoint[b + 2] * r[o9 + 8];
+                    double gx = byPoint[b] * r0 + byPoint[b + 1] * r3 + byPoint[b + 2] * r6;
+                    double gy = byPoint[b] * r1 + byPoint[b + 1] * r4 + byPoint[b + 2] * r7;
+                    double gz = byPoint[b] * r2 + byPoint[b + 1] * r5 + byPoint[b + 2] * r8;
                     out[o] = gx;
                     out[o + 1] = gy;
                     out[o + 2] = gz;

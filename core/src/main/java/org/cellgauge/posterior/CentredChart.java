@@ -17,6 +17,7 @@ public final class CentredChart implements CameraChart {
     private final CameraState base;
     private final IntrinsicsPrior intrinsics;
     private final StateLayout layout;
+    private final int poses;
 
     /**
      * A chart.
@@ -39,6 +40,7 @@ public final class CentredChart implements CameraChart {
         this.base = base.copy();
         this.intrinsics = intrinsics;
         layout = StateLayout.of(base.views(), intrinsics, base.unknowns.length).withNoise(noiseUnknown);
+        poses = layout.poses();
     }
 
     @Override
@@ -77,15 +79,17 @@ public final class CentredChart implements CameraChart {
 
     @Override
     public double logMeasure(double[] x) {
-        double sum = 0;
-        for (int w = 3; w < layout.poses(); w += StateLayout.POSE) {
-            double squared = x[w] * x[w] + x[w + 1] * x[w + 1] + x[w + 2] * x[w + 2];
-            // every rotation has one vector of length up to pi; longer ones would count it twice
-            if (squared > Math.PI * Math.PI) {
-                return Double.NEGATIVE_INFINITY;
-            }
-            sum += Rotations.logHaarDensity(x[w], x[w + 1], x[w + 2]);
+        double sum = logMeasure(x, 3);
+        for (int w = StateLayout.POSE + 3; w < poses; w += StateLayout.POSE) {
+            sum += logMeasure(x, w);
         }
         return sum;
+    }
+
+    private static double logMeasure(double[] x, int w) {
+        double squared = x[w] * x[w] + x[w + 1] * x[w + 1] + x[w + 2] * x[w + 2];
+        // every rotation has one vector of length up to pi; longer ones would count it twice
+        return squared > Math.PI * Math.PI ? Double.NEGATIVE_INFINITY
+                : Rotations.logHaarDensity(x[w], x[w + 1], x[w + 2]);
     }
 }
