@@ -94,7 +94,7 @@ public final class ObjectFit {
                     normal[6 * a + b] += j[row * all + a] * j[row * all + b];
                 }
                 for (int f = 0; f < n; f++) {
-                    right[f][a] -= j[row * all + a] * j[row * all + 6 + f];
+                    right[f][a] -= j[row * all + a] * j[row * all + fit.layout().intrinsics() + f];
                 }
             }
         }

@@ -113,7 +113,7 @@ public final class MarkerPoseFinder {
             return null;
         }
         double cost = fit.evaluate(state, true);
-        return PoseMode.of(fit, state, cost, 1);
+        return PoseMode.of(fit, state, cost);
     }
 
     /**
