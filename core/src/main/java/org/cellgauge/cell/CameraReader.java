@@ -3,17 +3,21 @@ package org.cellgauge.cell;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.KannalaBrandtLens;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 import org.cellgauge.light.ToneCurve;
 
 /**
- * Reads and judges BoofCV's calibration files (YAML) of the models {@code pinhole} and
- * {@code pinhole_radial_tangential}; the same keys may stand in a cell file.
+ * Reads and judges BoofCV's calibration files (YAML) of the models {@code pinhole}, {@code pinhole_radial_tangential}
+ * and {@code kannala_brandt} (a fisheye); the same keys may stand in a cell file.
  *
  * <p>A key that BoofCV does not write may stand beside them: {@code tone_curve}, how the camera makes grey values of
  * light ({@code auto}, {@code srgb}, {@code linear} or {@code gamma G}). {@code skew}, the radial coefficients (up to
- * 3) and {@code t1}, {@code t2} are 0 where they are left out.
+ * 3) and {@code t1}, {@code t2} are 0 where they are left out. Of a fisheye, {@code symmetric} holds up to 5
+ * coefficients of the angle's odd powers; the first is taken into the focal lengths and the skew. Its asymmetric part
+ * ({@code radial} and {@code tangent} with their {@code _trig}) is refused where it is not 0.
  */
 public final class CameraReader {
     /** Largest camera file that is read, bytes. */
@@ -29,8 +33,13 @@ public final class CameraReader {
             "pinhole: {fx: 581, fy: 581, cx: 640, cy: 360, width: 1280, height: 720}";
     private static final String EXAMPLE = "the keys of a BoofCV calibration file: model: pinhole_radial_tangential, "
             + PINHOLE_EXAMPLE;
-    private static final String WITH_DISTORTION = "pinhole_radial_tangential";
-    private static final String WITHOUT_DISTORTION = "pinhole";
+    private static final String WITH_DISTORTION = BrownLens.MODEL.modelName();
+    private static final String WITHOUT_DISTORTION = CameraWriter.WITHOUT_DISTORTION;
+    private static final String FISHEYE = KannalaBrandtLens.MODEL.modelName();
+    private static final int MAX_SYMMETRIC = 5;
+    private static final int BORDER_SIDES = 4;
+    private static final String SYMMETRIC = "symmetric";
+    private static final String SYMMETRIC_EXAMPLE = "symmetric: [1, k1, k2, k3, k4]";
     private static final int MAX_SIDE_PX = 30_000;
     // 0.05 image widths is a field of view of 169 degrees, 1000 one of 0.06 degrees: no lens of this model is outside
     private static final double MIN_FOCAL_PER_SIDE = 0.05;
@@ -108,11 +117,16 @@ public final class CameraReader {
         }
         String model = file.required("model", "model: " + WITH_DISTORTION).text("model: " + WITH_DISTORTION);
         boolean distorted = model.equals(WITH_DISTORTION);
-        if (!distorted && !model.equals(WITHOUT_DISTORTION)) {
+        boolean fisheye = model.equals(FISHEYE);
+        if (!distorted && !fisheye && !model.equals(WITHOUT_DISTORTION)) {
             throw file.optional("model").refused("the camera model \"" + model
-                    + "\" cannot be used; calibrate with the model " + WITH_DISTORTION + " or " + WITHOUT_DISTORTION);
+                    + "\" cannot be used; calibrate with the model " + WITH_DISTORTION + " or " + WITHOUT_DISTORTION
+                    + ", a fisheye with " + FISHEYE);
         }
-        file.refuseUnknown(Arrays.asList("model", "pinhole", "radial_tangential", "version", TONE_CURVE));
+        file.refuseUnknown(fisheye
+                ? Arrays.asList("model", "pinhole", SYMMETRIC, "radial", "radial_trig", "tangent", "tangent_trig",
+                        "version", TONE_CURVE)
+                : Arrays.asList("model", "pinhole", "radial_tangential", "version", TONE_CURVE));
         toneCurve(file.optional(TONE_CURVE));
         YamlValue version = file.optional("version");
         if (version != null) {
@@ -121,7 +135,8 @@ public final class CameraReader {
 
         YamlMapping pinhole = file.required("pinhole", PINHOLE_EXAMPLE)
                 .mapping(PINHOLE_EXAMPLE, "fx", "fy", "cx", "cy", "width", "height", "skew");
-        double[] k = new double[PinholeCamera.INTRINSICS];
+        Lens lens = fisheye ? KannalaBrandtLens.MODEL : BrownLens.MODEL;
+        double[] k = new double[lens.parameterCount()];
         k[PinholeCamera.FX] = pinhole.required("fx", "the focal length in px").positive("the focal length in px");
         k[PinholeCamera.FY] = pinhole.required("fy", "the focal length in px").positive("the focal length in px");
         k[PinholeCamera.CX] = pinhole.required("cx", "the principal point in px").number("the principal point in px");
@@ -132,7 +147,15 @@ public final class CameraReader {
                 .whole(1, MAX_SIDE_PX, "the width in px of the images that the camera was calibrated with");
         int height = pinhole.required("height", "the image height in px")
                 .whole(1, MAX_SIDE_PX, "the height in px of the images that the camera was calibrated with");
+        if (fisheye) {
+            readFisheye(file, k);
+        }
         judgePinhole(pinhole, k, width, height);
+        if (fisheye) {
+            PinholeCamera camera = PinholeCamera.of(lens, width, height, k);
+            judgeFisheye(file.optional(SYMMETRIC), camera);
+            return camera;
+        }
 
         YamlValue block = file.optional("radial_tangential");
         if (block != null && !block.isEmpty()) {
@@ -143,7 +166,7 @@ public final class CameraReader {
             readDistortion(block, k);
         }
         PinholeCamera camera = PinholeCamera.of(width, height, k);
-        if (camera.hasDistortion()) {
+        if (camera.isDistorting()) {
             judgeDistortion(block, camera);
         }
         return camera;
@@ -159,13 +182,71 @@ public final class CameraReader {
                         + "; calibrate with 2 or 3 radial coefficients");
             }
             for (int i = 0; i < coefficients.size(); i++) {
-                k[PinholeCamera.K1 + i] = coefficients.get(i).number("a radial coefficient");
+                k[BrownLens.K1 + i] = coefficients.get(i).number("a radial coefficient");
             }
         }
         YamlValue t1 = distortion.optional("t1");
         YamlValue t2 = distortion.optional("t2");
-        k[PinholeCamera.P1] = t1 == null ? 0 : t1.number("a tangential coefficient, mostly 0");
-        k[PinholeCamera.P2] = t2 == null ? 0 : t2.number("a tangential coefficient, mostly 0");
+        k[BrownLens.P1] = t1 == null ? 0 : t1.number("a tangential coefficient, mostly 0");
+        k[BrownLens.P2] = t2 == null ? 0 : t2.number("a tangential coefficient, mostly 0");
+    }
+
+    /** The polynomial of a fisheye; its first coefficient goes into the scale of the image. */
+    private static void readFisheye(YamlMapping file, double[] k) {
+        for (String part : new String[] {"radial", "tangent"}) {
+            if (holdsMoreThanZeros(file.optional(part)) && holdsMoreThanZeros(file.optional(part + "_trig"))) {
+                throw file.optional(part).refused("the asymmetric part of this lens model cannot be used; calibrate "
+                        + "with the symmetric coefficients alone");
+            }
+        }
+        YamlValue symmetric = file.required(SYMMETRIC, SYMMETRIC_EXAMPLE);
+        List<YamlValue> coefficients = symmetric.items();
+        if (coefficients.isEmpty() || coefficients.size() > MAX_SYMMETRIC) {
+            throw symmetric.refused("expected 1 to " + MAX_SYMMETRIC + " coefficients, got " + coefficients.size()
+                    + "; calibrate with at most " + MAX_SYMMETRIC + " symmetric coefficients");
+        }
+        double first = coefficients.get(0).positive("the coefficient of the angle itself, mostly 1");
+        for (int i = 1; i < coefficients.size(); i++) {
+            k[KannalaBrandtLens.K1 + i - 1] = coefficients.get(i).number("a symmetric coefficient") / first;
+        }
+        k[PinholeCamera.FX] *= first;
+        k[PinholeCamera.FY] *= first;
+        k[PinholeCamera.SKEW] *= first;
+    }
+
+    private static boolean holdsMoreThanZeros(YamlValue list) {
+        if (list == null || list.isEmpty()) {
+            return false;
+        }
+        boolean any = false;
+        for (YamlValue value : list.items()) {
+            any |= value.number("a coefficient, mostly 0") != 0;
+        }
+        return any;
+    }
+
+    /**
+     * Refuses a polynomial that turns back within the image before it reaches a right angle. Beyond that it may: a lens
+     * shows a disc there, and the image's corners are black.
+     */
+    private static void judgeFisheye(YamlValue symmetric, PinholeCamera camera) {
+        double[] values = camera.intrinsics();
+        double reach = camera.lens().reachRad(values);
+        if (reach >= Math.PI / 2) {
+            return;
+        }
+        double[] uv = new double[2];
+        for (int i = 0; i < BORDER_SIDES; i++) {
+            double c = Math.cos(i * Math.PI / 2);
+            double s = Math.sin(i * Math.PI / 2);
+            camera.lens().project(values, Math.sin(reach) * c, Math.sin(reach) * s, Math.cos(reach), uv, 0);
+            if (uv[0] >= 0 && uv[1] >= 0 && uv[0] <= camera.widthPx() && uv[1] <= camera.heightPx()) {
+                throw symmetric.refused("with these coefficients the lens shows nothing more than "
+                        + Math.round(Math.toDegrees(reach)) + " degrees off its axis, at pixel (" + Math.round(uv[0])
+                        + ", " + Math.round(uv[1]) + "), so they cannot be right; calibrate again with the target also "
+                        + "near the image's borders, or with fewer coefficients");
+            }
+        }
     }
 
     private static void judgePinhole(YamlMapping pinhole, double[] k, int width, int height) {
@@ -226,7 +307,7 @@ public final class CameraReader {
         double[] d = new double[6];
         for (int i = 1; i <= STEPS_FROM_CENTRE; i++) {
             double s = i / (double) STEPS_FROM_CENTRE;
-            Projection.projectWithDerivatives(camera.intrinsics(), s * point[0], s * point[1], 1, uv, d, null);
+            camera.lens().projectWithDerivatives(camera.intrinsics(), s * point[0], s * point[1], 1, uv, d, null);
             // rows of the 2x3 derivative; at z = 1 the first two columns are those by the normalised point
             if (!(d[0] * d[4] - d[1] * d[3] > 0)) {
                 return true;

@@ -239,7 +239,7 @@ public final class CellReader {
     private static InputRefusedException noCamera(YamlValue value, String name, IOException e) {
         String reason = e instanceof FileNotFoundException || e instanceof NoSuchFileException
                 ? "there is no file \"" + name + "\"; write the camera file's path relative to this file, or make one "
-                        + "with cellgauge calibrate"
+                        + "with BoofCV's camera calibration"
                 : "\"" + name + "\": " + InputFiles.reason(e, "camera file");
         return new InputRefusedException(value.refused(reason).getMessage(), e);
     }

@@ -594,7 +594,7 @@ public final class CellCheck {
             List<String> names = new ArrayList<>();
             double[] mean = new double[camera.intrinsicsPrior.count()];
             for (int i = 0; i < mean.length; i++) {
-                names.add(CellQuantities.intrinsicName(camera.intrinsicsPrior.index(i)));
+                names.add(CellQuantities.intrinsicName(camera, i));
                 mean[i] = state.intrinsics[camera.intrinsicsPrior.index(i)];
             }
             intrinsics = new IntrinsicsEstimate(names, mean, linear.intrinsicsCovariance());

@@ -16,9 +16,6 @@ import org.cellgauge.sampling.QuantityLayout;
  * rotation in world axes in rad.
  */
 final class CellQuantities {
-    private static final String[] INTRINSIC_NAMES = {"fx_px", "fy_px", "cx_px", "cy_px", "skew_px", "k1", "k2", "k3",
-        "p1", "p2"};
-
     /** Shift of the photo's edges into the dark, px. */
     static final String EDGE_SHIFT = "edge_shift_px";
     /** Noise of corners on top of what the detector says, px. */
@@ -45,7 +42,7 @@ final class CellQuantities {
         }
         int[] intrinsics = new int[camera.intrinsicsPrior.count()];
         for (int i = 0; i < intrinsics.length; i++) {
-            intrinsics[i] = b.add(INTRINSIC_NAMES[camera.intrinsicsPrior.index(i)]);
+            intrinsics[i] = b.add(intrinsicName(camera, i));
         }
         if (intrinsics.length > 0) {
             b.group("intrinsics", intrinsics);
@@ -112,8 +109,9 @@ final class CellQuantities {
         return next;
     }
 
-    static String intrinsicName(int index) {
-        return INTRINSIC_NAMES[index];
+    /** Name of the i-th unknown intrinsic. */
+    static String intrinsicName(CameraTarget camera, int i) {
+        return camera.modes.get(0).state().lens.parameterNames().get(camera.intrinsicsPrior.index(i));
     }
 
     private static void addPose(QuantityLayout.Builder b, String name, double[] reference) {

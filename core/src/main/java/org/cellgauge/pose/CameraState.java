@@ -1,5 +1,7 @@
 package org.cellgauge.pose;
 
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
@@ -17,8 +19,10 @@ public final class CameraState {
     public final double[] rotation = new double[9];
     /** Position of the centre of the set in the camera frame, 3 values, mm. */
     public final double[] offset = new double[3];
-    /** Intrinsics in the order of {@link PinholeCamera}. */
-    public final double[] intrinsics = new double[PinholeCamera.INTRINSICS];
+    /** The model of the lens. */
+    public Lens lens = BrownLens.MODEL;
+    /** Values of the lens's parameters. */
+    public double[] intrinsics = new double[BrownLens.PARAMETERS];
     /** Unknowns that markers share, of {@link CornerErrors}, unit-normal beforehand; empty where there are none. */
     public double[] unknowns = NONE;
     /** The u of {@link AddedNoise}; of no account where the noise is stated. */
@@ -38,7 +42,8 @@ public final class CameraState {
         CameraState state = new CameraState();
         System.arraycopy(cameraFromSet.rotation(), 0, state.rotation, 0, 9);
         System.arraycopy(cameraFromSet.translationMm(), 0, state.offset, 0, 3);
-        System.arraycopy(camera.intrinsics(), 0, state.intrinsics, 0, PinholeCamera.INTRINSICS);
+        state.lens = camera.lens();
+        state.intrinsics = camera.intrinsics();
         return state;
     }
 
@@ -51,7 +56,7 @@ public final class CameraState {
     public CameraState copyFrom(CameraState other) {
         System.arraycopy(other.rotation, 0, rotation, 0, 9);
         System.arraycopy(other.offset, 0, offset, 0, 3);
-        System.arraycopy(other.intrinsics, 0, intrinsics, 0, PinholeCamera.INTRINSICS);
+        copyIntrinsics(other);
         copyUnknowns(other);
         return this;
     }
@@ -71,9 +76,23 @@ public final class CameraState {
             offset[i] = base.offset[i] + step[at + i];
         }
         if (base != this) {
-            System.arraycopy(base.intrinsics, 0, intrinsics, 0, PinholeCamera.INTRINSICS);
+            copyIntrinsics(base);
             copyUnknowns(base);
         }
+    }
+
+    /**
+     * Takes over lens and intrinsics of another state.
+     *
+     * @param other the source
+     */
+    public void copyIntrinsics(CameraState other) {
+        lens = other.lens;
+        // as with the unknowns, a length changes once at most
+        if (intrinsics.length != other.intrinsics.length) {
+            intrinsics = new double[other.intrinsics.length];
+        }
+        System.arraycopy(other.intrinsics, 0, intrinsics, 0, intrinsics.length);
     }
 
     private void copyUnknowns(CameraState other) {

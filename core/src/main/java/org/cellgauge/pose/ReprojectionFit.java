@@ -2,7 +2,6 @@ package org.cellgauge.pose;
 
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 
 /**
  * Least squares fit of a pose, and of unknown intrinsics, to image corners: damped Gauss-Newton in the centred chart.
@@ -39,7 +38,7 @@ public final class ReprojectionFit {
     private final CameraState candidate = new CameraState();
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
-    private final double[] byIntrinsics = new double[2 * PinholeCamera.INTRINSICS];
+    private double[] byIntrinsics = {};
     private final double[] plainResiduals = new double[8];
     private final double[] plainJacobian;
 
@@ -331,6 +330,9 @@ public final class ReprojectionFit {
     /** Residuals in px of one marker and their derivative by the chart, not yet whitened. */
     private boolean plainRows(CameraState state, int marker, boolean withDerivatives) {
         double[] r = state.rotation;
+        if (byIntrinsics.length != 2 * state.intrinsics.length) {
+            byIntrinsics = new double[2 * state.intrinsics.length];
+        }
         for (int k = 0; k < 4; k++) {
             int at = 12 * marker + 3 * k;
             double ax = r[0] * points[at] + r[1] * points[at + 1] + r[2] * points[at + 2];
@@ -341,11 +343,11 @@ public final class ReprojectionFit {
             double z = az + state.offset[2];
             int row = 2 * k;
             if (!withDerivatives) {
-                if (!Projection.project(state.intrinsics, x, y, z, uv, 0)) {
+                if (!state.lens.project(state.intrinsics, x, y, z, uv, 0)) {
                     return false;
                 }
             } else {
-                if (!Projection.projectWithDerivatives(state.intrinsics, x, y, z, uv, byPoint, byIntrinsics)) {
+                if (!state.lens.projectWithDerivatives(state.intrinsics, x, y, z, uv, byPoint, byIntrinsics)) {
                     return false;
                 }
                 for (int c = 0; c < 2; c++) {
@@ -363,7 +365,7 @@ public final class ReprojectionFit {
                     plainJacobian[o + 5] = ax * gy - ay * gx;
                     for (int i = 0; i < intrinsicsPrior.count(); i++) {
                         plainJacobian[o + 6 + i] =
-                                byIntrinsics[c * PinholeCamera.INTRINSICS + intrinsicsPrior.index(i)];
+                                byIntrinsics[c * state.intrinsics.length + intrinsicsPrior.index(i)];
                     }
                 }
             }

@@ -2,7 +2,6 @@ package org.cellgauge.pose;
 
 import java.util.Arrays;
 import org.cellgauge.cell.Placement;
-import org.cellgauge.geometry.Projection;
 
 /**
  * Residual covariance of rigidly misplaced references: {@code J S J^T + C}, C the covariance of the corners' own errors
@@ -133,7 +132,7 @@ public final class RigidMarkerNoise implements ReferenceNoise {
             double x = points[at];
             double y = points[at + 1];
             double z = points[at + 2];
-            if (!Projection.projectWithDerivatives(state.intrinsics, r[0] * x + r[1] * y + r[2] * z + state.offset[0],
+            if (!state.lens.projectWithDerivatives(state.intrinsics, r[0] * x + r[1] * y + r[2] * z + state.offset[0],
                     r[3] * x + r[4] * y + r[5] * z + state.offset[1], r[6] * x + r[7] * y + r[8] * z + state.offset[2],
                     uv, byPoint, null)) {
                 return false;

@@ -27,6 +27,7 @@ import java.util.TreeMap;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Decimal;
@@ -130,7 +131,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.familyPatterns = new MarkerPattern(family);
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
         this.squares = family.isSquareBinary() ? squareBinary() : squareHamming(family);
-        if (camera.hasDistortion()) {
+        if (camera.isDistorting() && !camera.lens().isWide()) {
             squares.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), true);
         } else {
             squares.configure(null, camera.widthPx(), camera.heightPx(), false);
@@ -187,8 +188,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         CameraPinholeBrown lens = new CameraPinholeBrown(3);
         lens.fsetK(camera.get(PinholeCamera.FX), camera.get(PinholeCamera.FY), camera.get(PinholeCamera.SKEW),
                 camera.get(PinholeCamera.CX), camera.get(PinholeCamera.CY), camera.widthPx(), camera.heightPx());
-        lens.fsetRadial(camera.get(PinholeCamera.K1), camera.get(PinholeCamera.K2), camera.get(PinholeCamera.K3));
-        lens.fsetTangential(camera.get(PinholeCamera.P1), camera.get(PinholeCamera.P2));
+        lens.fsetRadial(camera.get(BrownLens.K1), camera.get(BrownLens.K2), camera.get(BrownLens.K3));
+        lens.fsetTangential(camera.get(BrownLens.P1), camera.get(BrownLens.P2));
         return LensDistortionFactory.narrow(lens);
     }
 
