@@ -34,12 +34,13 @@ class ArchitectureTest {
 
     /** The path of a photo through the library: each package may use those before it. */
     private static final List<String> ORDER =
-            List.of("warning", "geometry", "light", "cell", "vision", "pose", "posterior", "sampling", "check", "validation",
-                    "live", "overlay");
+            List.of("warning", "geometry", "light", "cell", "settings", "vision", "pose", "estimate", "laplace", "sampling",
+                    "placement", "posterior", "chains", "check", "output", "validation", "live", "overlay");
 
     /** Mathematics alone: uses no other package, and is used only by these. */
     private static final String STATISTICS = BASE + "statistics..";
-    private static final List<String> USERS_OF_STATISTICS = List.of("sampling", "check", "validation", "overlay");
+    private static final List<String> USERS_OF_STATISTICS = List.of("sampling", "estimate", "placement",
+            "chains", "check", "output", "validation", "overlay");
 
     private static final String[] BOOFCV = {"boofcv..", "georegression.."};
     private static final String RXJAVA = "io.reactivex..";

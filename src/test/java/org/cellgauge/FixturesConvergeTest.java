@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
-import org.cellgauge.check.LikelihoodModel;
+import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.cli.Main;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,7 +41,7 @@ class FixturesConvergeTest {
         List<Arguments> all = new ArrayList<>();
         for (Path scene : scenes()) {
             for (LikelihoodModel model : LikelihoodModel.values()) {
-                all.add(Arguments.of(scene, model.optionName()));
+                all.add(Arguments.of(scene, model.word()));
             }
         }
         return all;

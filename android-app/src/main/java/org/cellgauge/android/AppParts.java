@@ -8,7 +8,7 @@ import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.state.SessionThreads;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 
 /** What the screen works with: the device's camera and files, or those of a test. */
 public interface AppParts {

@@ -15,7 +15,7 @@ import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.screen.OverlayPainter;
 import org.cellgauge.android.screen.ScreenWords;
 import org.cellgauge.android.state.SessionThreads;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 
 /** The device's own camera, documents and storage. */
 final class DeviceParts implements AppParts {

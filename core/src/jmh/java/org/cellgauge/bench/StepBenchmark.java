@@ -9,7 +9,7 @@ import org.cellgauge.posterior.CentredChart;
 import org.cellgauge.posterior.CornerCubeLikelihood;
 import org.cellgauge.posterior.EulerChart;
 import org.cellgauge.posterior.RigidMarkerLikelihood;
-import org.cellgauge.posterior.RotationPrior;
+import org.cellgauge.settings.RotationPrior;
 import org.cellgauge.sampling.MetropolisChain;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.StudentTMixture;

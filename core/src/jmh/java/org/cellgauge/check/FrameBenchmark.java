@@ -4,16 +4,19 @@ import boofcv.concurrency.BoofConcurrency;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Function;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.MarkerFamily;
+import org.cellgauge.estimate.ImageEllipses;
+import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.laplace.CameraFit;
+import org.cellgauge.laplace.LinearModel;
+import org.cellgauge.laplace.ObjectFit;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.overlay.ImageOrientation;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.OverlayStyle;
-import org.cellgauge.pose.CameraModeFinder;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.InitialPose;
 import org.cellgauge.pose.IntrinsicsPrior;
@@ -21,6 +24,7 @@ import org.cellgauge.pose.MarkerPoseFinder;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.RigidMarkerNoise;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.Ellipse;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
@@ -60,11 +64,11 @@ public class FrameBenchmark {
     private BoofMarkerDetector detector;
     private Detections detections;
     private ReferenceView view;
-    private Function<ReferenceView, CameraModeFinder> finders;
+    private CameraFit unfitted;
     private RigidTransform initial;
     private RigidTransform lastFrame;
-    private CameraTarget camera;
-    private List<ObjectTarget> objects;
+    private CameraFit camera;
+    private List<ObjectFit> objects;
     private QuickLook quickLook;
 
     /** Draws the frame and does each step once, for the next one to start from. */
@@ -86,17 +90,15 @@ public class FrameBenchmark {
         if (detections.markers().size() != ids.size()) {
             throw new IllegalStateException("only " + detections.markers().size() + " markers were found");
         }
-        view = ReferenceView.of(cell.references(), detections);
-        finders = references -> new CameraModeFinder(references, CAMERA, new RigidMarkerNoise(references, PIXEL_STD),
-                IntrinsicsPrior.KNOWN, null);
+        CornerErrors errors = CornerErrors.of(cell, detections);
+        view = ReferenceView.of(cell.references(), errors);
+        unfitted = new CameraFit(CAMERA, settings, view, IntrinsicsPrior.KNOWN, null, errors, 0);
         initial = initialPose();
         lastFrame = RigidTransform.ofEuler(423, 104, 1072, 3.085, 0.098, 0.023);
-        camera = new CameraTarget(view, settings, IntrinsicsPrior.KNOWN, null, modeFromInitialPose(), initial, finders);
+        camera = unfitted.at(modeFromInitialPose(), initial);
         objects = new ArrayList<>();
-        CornerErrors errors = CornerErrors.of(cell, detections);
         for (List<PoseMode> modes : objectModes()) {
-            objects.add(new ObjectTarget(cell.objects().get(objects.size()), errors, camera.modes.get(0).state(), modes,
-                    null));
+            objects.add(new ObjectFit(cell.objects().get(objects.size()), errors, camera.mode().state(), modes));
         }
         quickLook = quickLookFromLastFrame();
     }
@@ -116,13 +118,13 @@ public class FrameBenchmark {
     /** Mode of the camera pose, placement errors integrated out, from the initial estimate. */
     @Benchmark
     public List<PoseMode> modeFromInitialPose() {
-        return finders.apply(view).modes(initial);
+        return unfitted.finder(view).modes(initial);
     }
 
     /** The same from where the camera was some millimetres ago. */
     @Benchmark
     public List<PoseMode> modeFromLastFrame() {
-        return finders.apply(view).modes(lastFrame);
+        return unfitted.finder(view).modes(lastFrame);
     }
 
     /** Both modes of each of three objects. */
@@ -140,7 +142,7 @@ public class FrameBenchmark {
         LinearModel linear = new LinearModel(camera);
         List<Object> out = new ArrayList<>();
         out.add(linear.cameraPose());
-        for (ObjectTarget object : objects) {
+        for (ObjectFit object : objects) {
             LinearModel.ObjectLink link = linear.new ObjectLink(object, 0);
             out.add(link.poseEstimate());
             out.add(link.budget(null, new RigidMarkerNoise(view, PIXEL_STD)));

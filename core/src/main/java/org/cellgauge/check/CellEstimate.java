@@ -3,6 +3,10 @@ package org.cellgauge.check;
 import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.cellgauge.estimate.IntrinsicsEstimate;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PoseEstimate;
 
 /** Camera, unknown intrinsics and objects with their uncertainties, at whatever stage of a check; immutable. */
 public final class CellEstimate {
@@ -78,7 +82,7 @@ public final class CellEstimate {
      */
     public boolean isAmbiguous(int objectId) {
         ObjectEstimate object = object(objectId);
-        return object != null && (Judgement.ambiguous(cameraModes) || Judgement.ambiguous(object.modes()));
+        return object != null && (ModeEstimate.areAmbiguous(cameraModes) || ModeEstimate.areAmbiguous(object.modes()));
     }
 
     /**

@@ -1,21 +1,35 @@
 package org.cellgauge.check;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.chains.CameraTarget;
+import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.chains.NoiseEstimate;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.laplace.CameraFit;
+import org.cellgauge.placement.NoiseFit;
+import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.SamplerKind;
+import org.cellgauge.settings.SettingTable;
+import org.cellgauge.statistics.ParetoTail;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Warning;
 
 /** What a check found; immutable. */
 public final class CheckResult {
+    private final SampledCell sampled;
     private final Cell cell;
     private final Detections detections;
     private final CheckSettings settings;
@@ -37,37 +51,65 @@ public final class CheckResult {
     private final String posePrior;
     private final SamplerKind samplerUsed;
     private final long tuningEvaluations;
-    private final CameraTarget camera;
+    private final CameraFit camera;
     private final ReferenceCheck referenceCheck;
 
-    CheckResult(Cell cell, Detections detections, CheckSettings settings, CellEstimate estimate,
-            CellEstimate quickLook, List<Integer> referencesUsed, CornerErrors errors, double noiseLevel,
-            Diagnostics diagnostics, List<AcceptanceCount> acceptance, List<Warning> warnings, List<Draws> draws,
-            QuantityLayout layout, int iterationsPerChain, String posePrior, SamplerKind samplerUsed,
-            long tuningEvaluations, CameraTarget camera, ReferenceCheck referenceCheck) {
+    private CheckResult(Cell cell, CheckSettings settings, SampledCell sampled, ReferenceCheck referenceCheck,
+            List<Warning> warnings) {
+        CellModes modes = sampled.quickLook.modes;
+        this.sampled = sampled;
         this.cell = cell;
-        this.detections = detections;
+        this.detections = modes.observed.detections;
         this.settings = settings;
+        this.estimate = sampled.estimate;
+        this.diagnostics = sampled.diagnostics;
         this.judgement = new Judgement(cell, estimate, diagnostics, referenceCheck);
         this.verdict = judgement.verdict();
         this.finding = judgement.finding();
-        this.estimate = estimate;
-        this.quickLook = quickLook;
-        this.referencesUsed = Collections.unmodifiableList(referencesUsed);
-        this.errors = errors;
-        this.noiseLevel = noiseLevel;
+        this.quickLook = sampled.quickLook.estimate();
+        this.camera = modes.camera;
+        this.referencesUsed = Collections.unmodifiableList(CellModes.ids(camera.view));
+        this.errors = modes.observed.errors;
+        this.noiseLevel = camera.noiseLevel;
+        this.draws = sampled.draws;
+        this.layout = sampled.quantities.layout;
         this.noise = NoiseEstimate.of(errors, noiseLevel, draws, layout);
-        this.diagnostics = diagnostics;
-        this.acceptance = Collections.unmodifiableList(acceptance);
+        this.acceptance = Collections.unmodifiableList(sampled.last.acceptance());
         this.warnings = Collections.unmodifiableList(warnings);
-        this.draws = draws;
-        this.layout = layout;
-        this.iterationsPerChain = iterationsPerChain;
-        this.posePrior = posePrior;
-        this.samplerUsed = samplerUsed;
-        this.tuningEvaluations = tuningEvaluations;
-        this.camera = camera;
+        this.iterationsPerChain = sampled.last.iterationsPerChain();
+        this.posePrior = modes.posePriorText();
+        this.samplerUsed = sampled.samplerUsed;
+        this.tuningEvaluations = sampled.tuningEvaluations;
         this.referenceCheck = referenceCheck;
+    }
+
+    /**
+     * The last stage of a check: whether its references fit, and the verdict.
+     *
+     * @param sampled draws and their convergence
+     * @return the result
+     */
+    static CheckResult of(SampledCell sampled) {
+        CellModes modes = sampled.quickLook.modes;
+        CheckSettings settings = modes.observed.settings;
+        Diagnostics diagnostics = sampled.diagnostics;
+        List<Warning> warnings = new ArrayList<>(sampled.warnings);
+        ReferenceCheck referenceCheck = modes.references();
+        warnings.addAll(referenceCheck.warnings());
+        Warning open = modes.directionOpen();
+        if (open != null) {
+            warnings.add(open);
+        }
+        if (diagnostics.converged() && !settings.sampling().iterations().isPresent() && !sampled.preciseEnough()) {
+            warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(sampled.last.iterationsPerChain(), 0),
+                    diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
+                    Decimal.shortest(Math.rint(1e11 * settings.sampling().targetMcseStdRel()) / 1e9)));
+        }
+        if (diagnostics.converged() && diagnostics.heavyTails()) {
+            warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter(),
+                    Decimal.of(diagnostics.paretoKMax(), 2), Decimal.of(ParetoTail.LARGEST_FOR_STD, 2)));
+        }
+        return new CheckResult(modes.observed.cell, settings, sampled, referenceCheck, warnings);
     }
 
     /**
@@ -175,9 +217,9 @@ public final class CheckResult {
         if (targetStdMm.equals(cell.targetStdMm())) {
             return this;
         }
-        return new CheckResult(cell.withTarget(targetStdMm), detections, settings, estimate, quickLook, referencesUsed,
-                errors, noiseLevel, diagnostics, acceptance, warnings, draws, layout, iterationsPerChain, posePrior,
-                samplerUsed, tuningEvaluations, camera, referenceCheck);
+        // the cell holds it now
+        CheckSettings others = settings.toBuilder().set(SettingTable.TARGET_STD_MM, OptionalDouble.empty()).build();
+        return new CheckResult(cell.withTarget(targetStdMm), others, sampled, referenceCheck, warnings);
     }
 
     /**
@@ -331,7 +373,7 @@ public final class CheckResult {
      * @return the settings' number for the sampler that was used
      */
     public int warmup() {
-        return settings.toBuilder().sampler(samplerUsed).build().warmup();
+        return settings.sampling().warmup(samplerUsed);
     }
 
     /**
@@ -353,8 +395,9 @@ public final class CheckResult {
      * @return the logarithm; negative infinity where the posterior has no density
      */
     public double cameraLogDensity(RigidTransform worldFromCamera, double[] intrinsics) {
-        CameraPosterior posterior = samplerUsed == SamplerKind.THESIS_MIXTURE ? camera.euler() : camera.centred();
-        CameraState state = camera.modes.get(0).state();
+        CameraTarget target = new CameraTarget(camera);
+        CameraPosterior posterior = samplerUsed == SamplerKind.THESIS_MIXTURE ? target.euler() : target.centred();
+        CameraState state = camera.mode().state();
         System.arraycopy(intrinsics, 0, state.intrinsics, 0, state.intrinsics.length);
         RigidTransform cameraFromSet = camera.view.cameraFromSet(worldFromCamera);
         System.arraycopy(cameraFromSet.rotation(), 0, state.rotation, 0, 9);

@@ -4,9 +4,18 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.chains.CellQuantities;
+import org.cellgauge.estimate.ImageEllipses;
+import org.cellgauge.estimate.IntrinsicsEstimate;
+import org.cellgauge.estimate.Matrices;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PointEstimate;
+import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
+import org.cellgauge.laplace.ObjectFit;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.RunningSummary;
 
@@ -37,7 +46,7 @@ final class Estimates {
         PinholeCamera lens = ImageEllipses.camera(cell.camera(), quantities.camera.intrinsicsPrior, intrinsics);
         List<ObjectEstimate> objects = new ArrayList<>();
         for (int o = 0; o < quantities.objects.size(); o++) {
-            ObjectTarget target = quantities.objects.get(o);
+            ObjectFit target = quantities.objects.get(o).fit;
             String name = "object_" + target.marker.id();
             double[] reference = quantities.objectReferences[o];
             PoseEstimate pose = pose(summary, name, "object in world", reference);

@@ -6,6 +6,12 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.laplace.ObjectFit;
+import org.cellgauge.placement.Misfit;
+import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.statistics.ChainDiagnostics;
 
 /**
@@ -22,7 +28,7 @@ final class Judgement {
     private final CellEstimate estimate;
     private final Diagnostics diagnostics;
     private final ReferenceCheck references;
-    private final Reason.Misfit misfit;
+    private final Misfit misfit;
     private final OptionalDouble targetStdMm;
     private final List<Integer> missing;
 
@@ -65,11 +71,11 @@ final class Judgement {
         if (!diagnostics.converged()) {
             return Verdict.NOT_CONVERGED;
         }
-        if (ambiguous(estimate.cameraModes())) {
+        if (ModeEstimate.areAmbiguous(estimate.cameraModes())) {
             return Verdict.AMBIGUOUS;
         }
         for (ObjectEstimate object : objects) {
-            if (ambiguous(object.modes())) {
+            if (ModeEstimate.areAmbiguous(object.modes())) {
                 return Verdict.AMBIGUOUS;
             }
         }
@@ -136,9 +142,9 @@ final class Judgement {
      * @param objects the objects seen
      * @param target mm
      */
-    static boolean undecided(Diagnostics diagnostics, List<ObjectTarget> objects, double target) {
+    static boolean undecided(Diagnostics diagnostics, List<ObjectFit> objects, double target) {
         Standing standing = Standing.WITHIN;
-        for (ObjectTarget object : objects) {
+        for (ObjectFit object : objects) {
             standing = worse(standing, standing(diagnostics, object.marker.id(), object.marker.hasGrip(), target));
         }
         return standing == Standing.UNDECIDED;
@@ -193,11 +199,11 @@ final class Judgement {
         if (verdict == Verdict.NOT_CONVERGED) {
             return Reason.notConverged(diagnostics);
         }
-        if (ambiguous(estimate.cameraModes())) {
+        if (ModeEstimate.areAmbiguous(estimate.cameraModes())) {
             return Reason.twoCameraPoses(estimate.cameraModes().get(1).weight());
         }
         for (ObjectEstimate object : objects) {
-            if (ambiguous(object.modes())) {
+            if (ModeEstimate.areAmbiguous(object.modes())) {
                 return Reason.twoObjectPoses(object.id(), object.modes().get(1).weight());
             }
         }
@@ -209,10 +215,5 @@ final class Judgement {
 
     private static List<ObjectEstimate> only(ObjectEstimate object) {
         return object == null ? Collections.emptyList() : Collections.singletonList(object);
-    }
-
-    /** Whether other poses than the first hold too much of the posterior to be left aside. */
-    static boolean ambiguous(List<ModeEstimate> modes) {
-        return modes.size() > 1 && 1 - modes.get(0).weight() > CellCheck.AMBIGUOUS_SHARE;
     }
 }

@@ -1,22 +1,48 @@
 package org.cellgauge.check;
 
 import io.reactivex.rxjava3.core.Flowable;
-import java.util.function.Function;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import java.util.function.IntSupplier;
+import org.cellgauge.estimate.ImageEllipses;
+import org.cellgauge.estimate.IntrinsicsEstimate;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PointEstimate;
+import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.laplace.CameraFit;
+import org.cellgauge.laplace.LinearModel;
+import org.cellgauge.laplace.ObjectFit;
+import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.PoseMode;
 
 /**
- * The first part of a check: the poses that explain a photo best, with Laplace's approximation of their uncertainty;
+ * The third stage of a check: the poses that explain a photo best, with Laplace's approximation of their uncertainty,
  * and the way from there to the chains. Immutable.
  */
 public final class QuickLook {
+    final CellModes modes;
     private final CheckUpdate update;
-    private final double pixelStdPx;
-    private final Function<IntSupplier, Flowable<CheckUpdate>> sampling;
 
-    QuickLook(CheckUpdate update, double pixelStdPx, Function<IntSupplier, Flowable<CheckUpdate>> sampling) {
-        this.update = update;
-        this.pixelStdPx = pixelStdPx;
-        this.sampling = sampling;
+    private QuickLook(CellModes modes, CellEstimate estimate) {
+        this.modes = modes;
+        update = new CheckUpdate(CheckUpdate.Phase.QUICK_LOOK, estimate, 0, null);
+    }
+
+    /**
+     * Laplace's approximation at the modes of a photo.
+     *
+     * @param modes poses that explain it best
+     * @return the quick look
+     */
+    static QuickLook of(CellModes modes) {
+        return new QuickLook(modes, estimate(modes));
+    }
+
+    CellEstimate estimate() {
+        return update.estimate();
     }
 
     /**
@@ -34,7 +60,7 @@ public final class QuickLook {
      * @return px
      */
     public double pixelStdPx() {
-        return pixelStdPx;
+        return modes.observed.errors.usualStdPx(modes.camera.noiseLevel);
     }
 
     /**
@@ -54,6 +80,57 @@ public final class QuickLook {
      * @return updates; each subscription runs the chains anew, with the same draws
      */
     public Flowable<CheckUpdate> chains(IntSupplier threads) {
-        return Flowable.defer(() -> sampling.apply(threads)).onBackpressureLatest();
+        return Flowable.defer(() -> new ChainRun(this).stream(threads)).onBackpressureLatest();
+    }
+
+    private static CellEstimate estimate(CellModes cell) {
+        CameraFit camera = cell.camera;
+        LinearModel linear = new LinearModel(camera);
+        PoseEstimate cameraPose = linear.cameraPose();
+        IntrinsicsEstimate intrinsics = null;
+        CameraState state = camera.mode().state();
+        if (camera.intrinsicsPrior.count() > 0) {
+            List<String> names = new ArrayList<>();
+            double[] mean = new double[camera.intrinsicsPrior.count()];
+            for (int i = 0; i < mean.length; i++) {
+                names.add(state.lens.parameterNames().get(camera.intrinsicsPrior.index(i)));
+                mean[i] = state.intrinsics[camera.intrinsicsPrior.index(i)];
+            }
+            intrinsics = new IntrinsicsEstimate(names, mean, linear.intrinsicsCovariance());
+        }
+        PinholeCamera lens = ImageEllipses.camera(camera.lens, camera.intrinsicsPrior, intrinsics);
+        List<ObjectEstimate> list = new ArrayList<>();
+        for (ObjectFit object : cell.objects) {
+            LinearModel.ObjectLink link = linear.new ObjectLink(object, 0);
+            List<ModeEstimate> modes = new ArrayList<>();
+            double[] weights = weights(object.modes);
+            for (int k = 0; k < weights.length; k++) {
+                modes.add(new ModeEstimate(weights[k], linear.new ObjectLink(object, k).poseEstimate()));
+            }
+            PoseEstimate pose = link.poseEstimate();
+            PointEstimate grip = link.grip();
+            list.add(new ObjectEstimate(object.marker, pose, grip, link.budget(null, cell.noise),
+                    grip == null ? null : link.budget(object.marker.gripMm(), cell.noise),
+                    ImageEllipses.of(lens, cameraPose, pose.meanTransform().translationMm(),
+                            pose.positionCovarianceMm2()),
+                    grip == null ? null
+                            : ImageEllipses.of(lens, cameraPose, grip.meanMm(), grip.covarianceMm2()),
+                    modes));
+        }
+        return new CellEstimate(cameraPose, Collections.singletonList(new ModeEstimate(1, cameraPose)), intrinsics,
+                list);
+    }
+
+    private static double[] weights(List<PoseMode> modes) {
+        double[] weights = new double[modes.size()];
+        double sum = 0;
+        for (int k = 0; k < weights.length; k++) {
+            weights[k] = Math.exp(modes.get(k).logWeight() - modes.get(0).logWeight());
+            sum += weights[k];
+        }
+        for (int k = 0; k < weights.length; k++) {
+            weights[k] /= sum;
+        }
+        return weights;
     }
 }

@@ -7,6 +7,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.placement.Misfit;
+import org.cellgauge.placement.Misplacement;
+import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.warning.Listing;
 
@@ -65,196 +71,6 @@ public final class Reason {
         POSE_PRIOR
     }
 
-    /**
-     * What a misplaced reference adds: figures keep it, and if it is misplaced a stated position has a larger error
-     * than its deviation; immutable.
-     */
-    public static final class Misplacement {
-        private final List<Integer> references;
-        private final boolean targetMet;
-        private final OptionalInt objectId;
-        private final boolean grip;
-        private final int axis;
-        private final double errorMm;
-
-        Misplacement(List<Integer> references, boolean targetMet, OptionalInt objectId, boolean grip, int axis,
-                double errorMm) {
-            this.references = Collections.unmodifiableList(new ArrayList<>(references));
-            this.targetMet = targetMet;
-            this.objectId = objectId;
-            this.grip = grip;
-            this.axis = axis;
-            this.errorMm = errorMm;
-        }
-
-        /**
-         * The references that seem misplaced.
-         *
-         * @return marker ids, the worst first, not empty
-         */
-        public List<Integer> references() {
-            return references;
-        }
-
-        /**
-         * Whether the target is met even so.
-         *
-         * @return false as well where there is no target
-         */
-        public boolean targetMet() {
-            return targetMet;
-        }
-
-        /**
-         * The object whose stated position is the worst if they are misplaced.
-         *
-         * @return its marker id, or empty where no object is in the photo or without them there is no camera pose
-         */
-        public OptionalInt objectId() {
-            return objectId;
-        }
-
-        /**
-         * Whether the object's gripping point is meant and not the object.
-         *
-         * @return true for the gripping point
-         */
-        public boolean grip() {
-            return grip;
-        }
-
-        /**
-         * The world axis of that error.
-         *
-         * @return 0, 1, 2 for x, y, z
-         */
-        public int axis() {
-            return axis;
-        }
-
-        /**
-         * The error: root mean square of what the stated position then is off by.
-         *
-         * @return mm; 0 where no object is in the photo, infinite where without the references there is no camera pose
-         */
-        public double errorMm() {
-            return errorMm;
-        }
-
-        private String english() {
-            String who = "reference " + Listing.and(references) + (references.size() == 1 ? " seems" : " seem")
-                    + " misplaced";
-            String start = targetMet ? " The target is met although " : " But ";
-            if (!objectId.isPresent()) {
-                return start + who + (errorMm == 0 ? "."
-                        : ", and without " + (references.size() == 1 ? "it" : "them") + " there is no camera pose.");
-            }
-            return start + String.format(Locale.ROOT, "%s: if so, the largest error is %.2f mm in %s of %sobject "
-                    + "%d.", who, errorMm, "xyz".charAt(axis), grip ? "the gripping point of " : "",
-                    objectId.getAsInt());
-        }
-    }
-
-    /** What the photo contradicts of what the figures rest on, so that no target counts as met; immutable. */
-    public static final class Misfit {
-        /** What it contradicts. */
-        public enum Kind {
-            /** The stated corner noise, by how square markers are. */
-            NOISE,
-            /** The same of the one marker {@link Misfit#markerId()} alone. */
-            MARKER,
-            /** Stated placements and corner noise together, and no single reference stands out. */
-            REFERENCES
-        }
-
-        private final Kind kind;
-        private final OptionalInt markerId;
-        private final double times;
-        private final double statedStdPx;
-        private final double shownStdPx;
-
-        private Misfit(Kind kind, OptionalInt markerId, double times, double statedStdPx, double shownStdPx) {
-            this.kind = kind;
-            this.markerId = markerId;
-            this.times = times;
-            this.statedStdPx = statedStdPx;
-            this.shownStdPx = shownStdPx;
-        }
-
-        static Misfit ofNoise(double times, double statedStdPx, double shownStdPx) {
-            return new Misfit(Kind.NOISE, OptionalInt.empty(), times, statedStdPx, shownStdPx);
-        }
-
-        static Misfit ofMarker(int markerId, double times, double statedStdPx) {
-            return new Misfit(Kind.MARKER, OptionalInt.of(markerId), times, statedStdPx, Double.NaN);
-        }
-
-        static Misfit ofReferences(double times) {
-            return new Misfit(Kind.REFERENCES, OptionalInt.empty(), times, Double.NaN, Double.NaN);
-        }
-
-        /**
-         * What the photo contradicts.
-         *
-         * @return the kind
-         */
-        public Kind kind() {
-            return kind;
-        }
-
-        /**
-         * The one marker whose corners are worse than stated.
-         *
-         * @return its id; empty but for {@link Kind#MARKER}
-         */
-        public OptionalInt markerId() {
-            return markerId;
-        }
-
-        /**
-         * How many times worse than stated the fit is: root of chi-square by its degrees of freedom.
-         *
-         * @return more than 1
-         */
-        public double times() {
-            return times;
-        }
-
-        /**
-         * The stated noise of corners.
-         *
-         * @return px; NaN for {@link Kind#REFERENCES}
-         */
-        public double statedStdPx() {
-            return statedStdPx;
-        }
-
-        /**
-         * The noise that the photo shows.
-         *
-         * @return px; NaN but for {@link Kind#NOISE}
-         */
-        public double shownStdPx() {
-            return shownStdPx;
-        }
-
-        private String english() {
-            switch (kind) {
-                case NOISE:
-                    return String.format(Locale.ROOT, " But corners are %.1f times noisier than the stated %.3f px: "
-                            + "figures promise too much; state pixel_std_px: %.3f, or leave pixel_std_px out.", times,
-                            statedStdPx, shownStdPx);
-                case MARKER:
-                    return String.format(Locale.ROOT, " But the corners of marker %d are %.1f times noisier than the "
-                            + "stated %.3f px: see whether it is covered, smudged or bent.", markerId.getAsInt(),
-                            times, statedStdPx);
-                default:
-                    return String.format(Locale.ROOT, " But the references together fit %.1f times worse than stated: "
-                            + "measure their positions again.", times);
-            }
-        }
-    }
-
     private final Parts p;
 
     /** The parts, while they are put together. */
@@ -292,6 +108,35 @@ public final class Reason {
         parts.rHat = worst.rHat();
         parts.effectiveDraws = Math.min(worst.essBulk(), worst.essTail());
         return new Reason(parts);
+    }
+
+    /**
+     * What the name of a source stands for.
+     *
+     * @throws IllegalArgumentException if no source has that name
+     */
+    static Source sourceOf(String name) {
+        switch (name) {
+            case VarianceBudget.CORNER_NOISE_OF_REFERENCES:
+                return Source.CORNER_NOISE_OF_REFERENCES;
+            case VarianceBudget.CORNER_NOISE_OF_OBJECT:
+                return Source.CORNER_NOISE_OF_OBJECT;
+            case VarianceBudget.INTRINSICS:
+                return Source.INTRINSICS;
+            case VarianceBudget.FLATNESS_OF_PRINTS:
+                return Source.FLATNESS_OF_PRINTS;
+            case CornerErrors.EDGES:
+                return Source.EDGES;
+            case CornerErrors.SIZES:
+                return Source.SIZE_OF_PRINTS;
+            case VarianceBudget.POSE_PRIOR:
+                return Source.POSE_PRIOR;
+            default:
+                if (name.startsWith(VarianceBudget.PLACEMENT_OF_REFERENCE)) {
+                    return Source.PLACEMENT_OF_REFERENCE;
+                }
+                throw new IllegalArgumentException("no source of variance is called " + name);
+        }
     }
 
     private static Kind kindOf(ChainDiagnostics.Status status) {
@@ -373,7 +218,7 @@ public final class Reason {
                 }
             }
             parts.share = OptionalDouble.of(share);
-            parts.source = VarianceBudget.kindOf(source);
+            parts.source = sourceOf(source);
             parts.sourceReferenceId = VarianceBudget.referenceOf(source);
         }
         return new Reason(parts);

@@ -22,7 +22,7 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.vision.Detections;
@@ -34,9 +34,9 @@ import org.cellgauge.vision.Detections;
 final class LiveSession {
     /** Share of the tolerance within which a second frame must be for chains to start; to leave takes all of it. */
     private static final double SETTLE_SHARE = 0.5;
-    /** So many frames without a reference, and the key frame is given up. */
+    /** Frames without a reference after which the key frame is given up. */
     private static final int LOST_FRAMES = 3;
-    /** So many frames without a marker of the key frame, and the check restarts without it. */
+    /** Frames without a marker of the key frame after which the check restarts without it. */
     private static final int GONE_FRAMES = 15;
 
     private final FlowableEmitter<LiveState> emitter;
@@ -336,7 +336,7 @@ final class LiveSession {
         chains.set(running);
         // from the initial estimate and not from where the quick look began: the figures are those of this frame alone
         Flowable.defer(() -> CellCheck.quickLook(cell, frame, settings, null)
-                .chains(() -> Math.min(settings.threads(), pace.chainThreads())))
+                .chains(() -> Math.min(settings.sampling().threads(), pace.chainThreads())))
                 .subscribeOn(chainScheduler).subscribe(running);
     }
 

@@ -7,15 +7,14 @@ import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CellEstimate;
-import org.cellgauge.check.IntrinsicsEstimate;
-import org.cellgauge.check.ModeEstimate;
-import org.cellgauge.check.ObjectEstimate;
-import org.cellgauge.check.ReferenceCheck;
+import org.cellgauge.estimate.IntrinsicsEstimate;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.statistics.Ellipse;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
@@ -271,7 +270,7 @@ final class CellDrawing {
                     r.sizeMm());
         }
         List<ModeEstimate> modes = estimate.cameraModes();
-        for (int k = 1; ambiguous(modes) && k < modes.size(); k++) {
+        for (int k = 1; ModeEstimate.areAmbiguous(modes) && k < modes.size(); k++) {
             WorldView mean = view;
             view = new WorldView(camera(), modes.get(k).pose().meanTransform(), orientation);
             for (Reference r : cell.references()) {
@@ -279,10 +278,6 @@ final class CellDrawing {
             }
             view = mean;
         }
-    }
-
-    private static boolean ambiguous(List<ModeEstimate> modes) {
-        return modes.size() > 1 && 1 - modes.get(0).weight() > CellCheck.AMBIGUOUS_SHARE;
     }
 
     private void outline(Role role, Status status, double strokeU, boolean dashed, RigidTransform worldFromMarker,
@@ -360,7 +355,7 @@ final class CellDrawing {
         if (stage == Stage.NOT_CONVERGED) {
             return Status.NOT_CONVERGED;
         }
-        if (ambiguous(object.modes()) || ambiguous(estimate.cameraModes())) {
+        if (ModeEstimate.areAmbiguous(object.modes()) || ModeEstimate.areAmbiguous(estimate.cameraModes())) {
             return Status.AMBIGUOUS;
         }
         if (stage == Stage.PRELIMINARY || !cell.targetStdMm().isPresent()) {
@@ -391,7 +386,7 @@ final class CellDrawing {
         Status status = status(object.id());
         boolean unsure = stage != Stage.FINAL || status == Status.AMBIGUOUS;
         double size = object.marker().sizeMm();
-        if (ambiguous(object.modes())) {
+        if (ModeEstimate.areAmbiguous(object.modes())) {
             for (int k = object.modes().size() - 1; k >= 0; k--) {
                 mode(object.modes().get(k), k > 0, size);
             }
@@ -717,7 +712,7 @@ final class CellDrawing {
             lines.add(words.notConverged(id));
         } else if (status(id) == Status.AMBIGUOUS) {
             lines.add(words.ambiguous(id,
-                    ambiguous(object.modes()) ? shares(object.modes()) : Collections.emptyList()));
+                    ModeEstimate.areAmbiguous(object.modes()) ? shares(object.modes()) : Collections.emptyList()));
         } else {
             lines.add(words.deviations(id, object.pose().std()));
             if (object.grip() != null) {

@@ -6,9 +6,9 @@ public final class OverlayStyle {
     public static final OverlayStyle PHOTO =
             new OverlayStyle(ImageOrientation.IDENTITY, true, LabelWords.ENGLISH, LegendWords.ENGLISH, 1);
 
-    /** So many letters' heights the image is wide at least, so that figures of an object fit into a line. */
+    /** Least width of the image in heights of a letter: the figures of an object then fit on one line. */
     private static final double LEAST_WIDTH_IN_CAPS = 24;
-    /** So many the image is high at least, so that labels of a few objects leave something of it to be seen. */
+    /** Least height of the image in heights of a letter: labels of a few objects leave some of it to be seen. */
     private static final double LEAST_HEIGHT_IN_CAPS = 26;
 
     private final ImageOrientation orientation;

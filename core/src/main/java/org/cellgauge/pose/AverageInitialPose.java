@@ -7,11 +7,6 @@ import org.cellgauge.geometry.RigidTransform;
 /** Mean position and mean direction of each Euler angle over the camera poses that each reference gives alone. */
 final class AverageInitialPose implements InitialPose {
     @Override
-    public String optionName() {
-        return "average";
-    }
-
-    @Override
     public RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
         double[] position = new double[3];
         double[] sine = new double[3];

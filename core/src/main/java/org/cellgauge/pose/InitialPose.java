@@ -2,6 +2,7 @@ package org.cellgauge.pose;
 
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.settings.InitialEstimate;
 
 /** A first estimate of the camera pose, from which fits and chains start. */
 public interface InitialPose {
@@ -13,11 +14,21 @@ public interface InitialPose {
     InitialPose PNP = new PnpInitialPose();
 
     /**
-     * The name of the option {@code --initial}.
+     * The estimator of a first estimate.
      *
-     * @return {@code average}, {@code ransac} or {@code pnp}
+     * @param estimate as the settings have it
+     * @return one of the above
      */
-    String optionName();
+    static InitialPose of(InitialEstimate estimate) {
+        switch (estimate) {
+            case AVERAGE:
+                return AVERAGE;
+            case RANSAC:
+                return RANSAC;
+            default:
+                return PNP;
+        }
+    }
 
     /**
      * Estimates the camera pose.

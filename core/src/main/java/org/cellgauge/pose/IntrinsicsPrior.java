@@ -1,6 +1,8 @@
 package org.cellgauge.pose;
 
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.ModelSettings;
 
 /**
  * Which intrinsics are unknown and what is known of them beforehand: a Gaussian; immutable.
@@ -35,6 +37,21 @@ public final class IntrinsicsPrior {
         this.stds = stds;
         this.slopes = slopes;
         this.ownStds = ownStds;
+    }
+
+    /**
+     * What is known beforehand of a camera's intrinsics.
+     *
+     * @param camera as the camera file has it
+     * @param model which are unknown, and how well they are known
+     * @return the prior
+     */
+    public static IntrinsicsPrior stated(PinholeCamera camera, ModelSettings model) {
+        if (model.estimate() != Estimate.FOCAL) {
+            return KNOWN;
+        }
+        return Double.isInfinite(model.aspectPriorStd()) ? focal(camera, model.focalPriorStdPx())
+                : focalAndAspect(camera, model.focalPriorStdPx(), model.aspectPriorStd());
     }
 
     /**

@@ -15,11 +15,6 @@ final class PnpInitialPose implements InitialPose {
     private static final double OUTLIER_PX = 30;
 
     @Override
-    public String optionName() {
-        return "pnp";
-    }
-
-    @Override
     public RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
         List<RigidTransform> candidates = new ArrayList<>();
         RigidTransform joint = TargetPnp.general(camera, view.points(), view.observed());

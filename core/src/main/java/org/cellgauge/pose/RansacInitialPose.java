@@ -11,11 +11,6 @@ final class RansacInitialPose implements InitialPose {
     private static final long SAMPLING_SEED = 4096;
 
     @Override
-    public String optionName() {
-        return "ransac";
-    }
-
-    @Override
     public RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
         RigidTransform cameraFromSet = TargetPnp.ransac(camera, view.points(), view.observed(), THRESHOLD_PX,
                 SAMPLING_SEED);

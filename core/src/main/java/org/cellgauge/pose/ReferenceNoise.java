@@ -1,10 +1,27 @@
 package org.cellgauge.pose;
 
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ModelSettings;
+
 /**
  * How far the eight image coordinates of a reference's corners may be from where the pose puts them: the covariance of
  * their residuals, split by what causes it.
  */
 public interface ReferenceNoise {
+    /**
+     * The noise of a model.
+     *
+     * @param model how placement errors move corners
+     * @param view the references
+     * @param errors errors of their corners
+     * @param noise the added noise to evaluate at: the u of {@link AddedNoise}
+     * @return its covariances
+     */
+    static ReferenceNoise of(ModelSettings model, ReferenceView view, CornerErrors errors, double noise) {
+        return model.likelihood() == LikelihoodModel.CORNER_CUBE ? new CornerCubeNoise(view, model.kappa())
+                : new RigidMarkerNoise(view, errors, noise);
+    }
+
     /**
      * Covariance of the residuals of one reference at a pose.
      *

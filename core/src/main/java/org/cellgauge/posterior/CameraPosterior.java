@@ -3,6 +3,8 @@ package org.cellgauge.posterior;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.pose.PosePrior;
+import org.cellgauge.sampling.LogDensity;
+import org.cellgauge.settings.RotationPrior;
 
 /** Posterior of the camera pose and unknown intrinsics in the coordinates of a chart. Not thread-safe. */
 public final class CameraPosterior implements LogDensity {
@@ -62,7 +64,7 @@ public final class CameraPosterior implements LogDensity {
             return Double.NEGATIVE_INFINITY;
         }
         chart.decode(x, state);
-        prior += rotationPrior.logDensity(state) + intrinsicsPrior.logDensity(state.intrinsics);
+        prior += logDensity(rotationPrior, state) + intrinsicsPrior.logDensity(state.intrinsics);
         if (sharedPrior != null) {
             prior += sharedPrior.logDensity(state);
         }
@@ -74,6 +76,22 @@ public final class CameraPosterior implements LogDensity {
         }
         double value = prior + likelihood.at(state);
         return value == value ? value : Double.NEGATIVE_INFINITY;
+    }
+
+    /**
+     * Log density of a prior over rotations, by the uniform measure over them.
+     *
+     * @param prior the prior
+     * @param state pose of the references in the camera frame
+     * @return up to a constant
+     */
+    public static double logDensity(RotationPrior prior, CameraState state) {
+        if (prior == RotationPrior.UNIFORM) {
+            return 0;
+        }
+        // sin(theta) is minus the element (3, 1) of worldFromCamera, which is (1, 3) of its transpose
+        double sine = state.rotation[2];
+        return -0.5 * Math.log(Math.max(1 - sine * sine, Double.MIN_NORMAL));
     }
 
     /**

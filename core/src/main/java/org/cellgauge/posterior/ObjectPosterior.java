@@ -6,6 +6,7 @@ import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.AddedNoise;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.sampling.LogDensity;
 
 /**
  * Posterior of an object marker's pose in the camera frame given its own corners: Gaussian corner noise, flat position,

@@ -5,7 +5,6 @@ import java.util.Collections;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.special.Gamma;
 import org.cellgauge.geometry.Cholesky;
-import org.cellgauge.posterior.LogDensity;
 
 /**
  * Fits a t mixture to a target by adaptive importance sampling (Cappé, Douc, Guillin, Marin, Robert, "Adaptive

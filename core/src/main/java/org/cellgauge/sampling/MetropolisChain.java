@@ -2,7 +2,6 @@ package org.cellgauge.sampling;
 
 import java.util.List;
 import org.apache.commons.math3.random.RandomGenerator;
-import org.cellgauge.posterior.LogDensity;
 
 /**
  * A Metropolis-Hastings chain (Hastings 1970): one of its proposals, each as likely as the others, suggests a point

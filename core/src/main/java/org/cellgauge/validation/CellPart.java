@@ -8,12 +8,13 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.statistics.RankHistogram;
 
@@ -156,7 +157,7 @@ final class CellPart {
                 if (!prior.isPoint()) {
                     System.arraycopy(cameraFromWorld[i].rotation(), 0, state.rotation, 0, 9);
                     logWeights[i] = prior.logCamera(lenses[i], pose)
-                            - result.settings().rotationPrior().logDensity(state);
+                            - CameraPosterior.logDensity(result.settings().model().rotationPrior(), state);
                 }
             }
         }
@@ -166,7 +167,7 @@ final class CellPart {
         PinholeCamera stated = result.cell().camera();
         PinholeCamera[] lenses = new PinholeCamera[n];
         Arrays.fill(lenses, stated);
-        if (result.settings().estimate() == CheckSettings.Estimate.FOCAL) {
+        if (result.settings().model().estimate() == Estimate.FOCAL) {
             double[] fx = column(result, FOCAL.get(0));
             double[] fy = column(result, FOCAL.get(1));
             for (int i = 0; i < n; i++) {

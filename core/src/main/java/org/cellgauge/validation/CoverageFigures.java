@@ -412,7 +412,7 @@ public final class CoverageFigures {
 
     /**
      * Photos whose corners do not fit the stated noise, be it because of one marker or of all
-     * ({@link org.cellgauge.check.NoiseFit}).
+     * ({@link org.cellgauge.placement.NoiseFit}).
      *
      * @return count; honest: at most 2 in 1000 where a noise is stated, none where it is not
      */

@@ -11,18 +11,18 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
-import org.cellgauge.check.CheckWarning;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
-import org.cellgauge.sampling.RandomStreams;
-import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
 
 /**
@@ -174,12 +174,12 @@ public final class CoverageStudy {
 
     private Outcome simulate(int index) {
         Outcome outcome = new Outcome();
-        SimulatedCell simulated = cells.cell(check.seed(), index);
+        SimulatedCell simulated = cells.cell(check.sampling().seed(), index);
         Cell cell = simulated.cell();
         outcome.markers = cell.references().size() + cell.objects().size();
         CheckSettings own = check.toBuilder().threads(1)
-                .seed(RandomStreams.of(check.seed(), Validation.STREAM_CHECK, index).nextLong()).build();
-        Detections seen = see(simulated, detections, check.seed(), index, outcome);
+                .seed(RandomStreams.of(check.sampling().seed(), Validation.STREAM_CHECK, index).nextLong()).build();
+        Detections seen = see(simulated, detections, check.sampling().seed(), index, outcome);
         if (seen == null) {
             return outcome;
         }

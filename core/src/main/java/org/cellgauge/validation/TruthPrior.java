@@ -141,7 +141,7 @@ public final class TruthPrior {
                 RigidTransform suggested = RigidTransform.of(moved.rotation(),
                         new double[] {p[0] - g[0], p[1] - g[1], p[2] - g[2]});
                 camera = referencesSeen(lens, suggested) ? suggested : null;
-                requireHope(i, "the references");
+                refuseIfHopeless(i, "the references");
             }
         }
         RigidTransform worldFromCamera = camera.inverse();
@@ -152,7 +152,7 @@ public final class TruthPrior {
                 RigidTransform nominal = pose;
                 pose = moved(nominal, random);
                 for (int i = 0; !seen(lens, pose, o.sizeMm()); i++) {
-                    requireHope(i, "object " + o.id());
+                    refuseIfHopeless(i, "object " + o.id());
                     pose = moved(nominal, random);
                 }
             }
@@ -176,7 +176,7 @@ public final class TruthPrior {
         return cell.camera().withIntrinsics(intrinsics);
     }
 
-    private static void requireHope(int attempt, String what) {
+    private static void refuseIfHopeless(int attempt, String what) {
         if (attempt > ATTEMPTS) {
             throw new InputRefusedException("true poses spread so wide hardly ever have " + what
                     + " in the image; give a smaller --spread");

@@ -7,7 +7,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.statistics.RankHistogram;
@@ -99,7 +99,7 @@ public final class Validation {
 
     private Outcome simulate(int index) {
         Cell cell = prior.cell();
-        long seed = settings.check().seed();
+        long seed = settings.check().sampling().seed();
         CellTruth truth = prior.draw(RandomStreams.of(seed, STREAM_TRUTH, index));
         Detections detections = SimulatedPhoto.of(cell, truth, settings.pixelStdPx(),
                 RandomStreams.of(seed, STREAM_PLACEMENT, index), RandomStreams.of(seed, STREAM_NOISE, index));

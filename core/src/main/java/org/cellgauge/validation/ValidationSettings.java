@@ -1,6 +1,6 @@
 package org.cellgauge.validation;
 
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 
 /** How many cells are simulated, with what noise, and how each is checked; immutable. */
 public final class ValidationSettings {

@@ -6,10 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Locale;
 import org.apache.commons.math3.random.RandomGenerator;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.CoverageRegion;
 import org.junit.jupiter.api.Test;
 

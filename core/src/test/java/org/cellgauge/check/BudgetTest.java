@@ -7,7 +7,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.apache.commons.math3.random.RandomGenerator;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.ObjectNoise;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -59,7 +64,7 @@ class BudgetTest {
             scene.placementOf(exactReference, 1e-5, 1e-8);
         }
         ObjectEstimate object = CellCheck.stream(scene.cell(), scene.exactDetections(), CheckSettings.builder()
-                .objectNoise(objectNoise ? CheckSettings.ObjectNoise.DETECTION : CheckSettings.ObjectNoise.NONE).build())
+                .objectNoise(objectNoise ? ObjectNoise.DETECTION : ObjectNoise.NONE).build())
                 .blockingFirst().estimate().object(20);
         return new double[][] {java.util.Arrays.copyOf(object.pose().std(), 3), object.grip().stdMm()};
     }
@@ -104,7 +109,7 @@ class BudgetTest {
     @Test
     void sharesAddToOneOnEveryAxisAndInAll() {
         ThesisScene scene = ThesisScene.oneRaised(4).placement(5, 0.01).pixelStd(0.3).grip(20, 10, 20, 100);
-        for (CheckSettings.Estimate estimate : CheckSettings.Estimate.values()) {
+        for (Estimate estimate : Estimate.values()) {
             CellEstimate found = CellCheck.stream(scene.cell(), scene.exactDetections(),
                     CheckSettings.builder().estimate(estimate).build()).blockingFirst().estimate();
             for (ObjectEstimate object : found.objects()) {

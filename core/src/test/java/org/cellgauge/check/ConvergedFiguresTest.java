@@ -6,6 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ObjectNoise;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -45,7 +49,7 @@ class ConvergedFiguresTest {
     }
 
     private static CheckSettings.Builder cameraPart(LikelihoodModel model) {
-        return CheckSettings.builder().model(model).kappa(0.5).objectNoise(CheckSettings.ObjectNoise.NONE).threads(2);
+        return CheckSettings.builder().likelihood(model).kappa(0.5).objectNoise(ObjectNoise.NONE).threads(2);
     }
 
     /** Root mean square over the objects: of the worst axis, and of the worst lateral axis. */

@@ -7,7 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.output.ResultJson;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ObjectNoise;
+import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.statistics.Convergence;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -53,7 +60,7 @@ class ConvergenceTest {
             long errors = 100 * number + 10 * (long) stdMm + seed;
             CheckResult result = CellCheck.run(scene.cell(),
                     scene.detections(0.3, RandomStreams.of(errors), stdMm, 0.01),
-                    CheckSettings.builder().model(model).seed(seed).maxIterations(hard ? 8200 : 50_000).build());
+                    CheckSettings.builder().likelihood(model).seed(seed).maxIterations(hard ? 8200 : 50_000).build());
             Diagnostics found = result.diagnostics();
             assertEquals(Convergence.CONVERGED, found.convergence(), "seed " + seed + ": " + found.worstParameter());
             assertNotEquals(Verdict.NOT_CONVERGED, result.verdict());
@@ -71,7 +78,7 @@ class ConvergenceTest {
             for (double stdMm : new double[] {1, 5, 20}) {
                 ThesisScene scene = ThesisScene.inPlane(2).placement(stdMm, 0.01);
                 CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
-                        CheckSettings.builder().model(model).maxIterations(4200).build());
+                        CheckSettings.builder().likelihood(model).maxIterations(4200).build());
                 String json = ResultJson.of(result, "scene", null, "test");
                 assertEquals("N(initial estimate, 1000 mm, 0.7 rad)", result.posePrior());
                 assertTrue(json.contains("\"pose_prior\": \"N(initial estimate, 1000 mm, 0.7 rad)\""));
@@ -98,7 +105,7 @@ class ConvergenceTest {
     @MethodSource("seeds")
     void posteriorFarFromGaussianIsLeftToAdaptiveMetropolisAndSaysSo(long seed) {
         ThesisScene scene = ThesisScene.inPlane(1).placement(0.1, 0.001).pixelStd(1);
-        CheckSettings.Builder settings = CheckSettings.builder().estimate(CheckSettings.Estimate.FOCAL).seed(seed)
+        CheckSettings.Builder settings = CheckSettings.builder().estimate(Estimate.FOCAL).seed(seed)
                 .aspectPriorStd(Double.POSITIVE_INFINITY).iterations(2000);
         CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(), settings.build());
         assertEquals(SamplerKind.ADAPTIVE, result.samplerUsed());
@@ -146,7 +153,7 @@ class ConvergenceTest {
         int before = 0;
         for (double share : new double[] {0.1, 0.02, 0.005}) {
             CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
-                    CheckSettings.builder().targetMcseStdRel(share).objectNoise(CheckSettings.ObjectNoise.NONE)
+                    CheckSettings.builder().targetMcseStdRel(share).objectNoise(ObjectNoise.NONE)
                             .build());
             assertTrue(result.diagnostics().mcseStdRelMax() < share);
             assertTrue(result.iterationsPerChain() >= before);

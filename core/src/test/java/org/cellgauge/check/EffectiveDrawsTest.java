@@ -4,6 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ObjectNoise;
+import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -17,9 +21,9 @@ class EffectiveDrawsTest {
 
     private static CheckResult run(LikelihoodModel model, double stdMm, SamplerKind sampler, int steps, long seed) {
         ThesisScene scene = ThesisScene.inPlane(3).placement(stdMm, 0.01);
-        CheckSettings.Builder settings = CheckSettings.builder().model(model).kappa(0.5).sampler(sampler).seed(seed)
-                .objectNoise(CheckSettings.ObjectNoise.NONE);
-        int warmup = settings.iterations(steps).build().warmup();
+        CheckSettings.Builder settings = CheckSettings.builder().likelihood(model).kappa(0.5).sampler(sampler)
+                .seed(seed).objectNoise(ObjectNoise.NONE);
+        int warmup = settings.iterations(steps).build().sampling().warmup();
         CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
                 settings.iterations(steps + warmup).warmup(warmup).build());
         assertEquals(sampler, result.samplerUsed());

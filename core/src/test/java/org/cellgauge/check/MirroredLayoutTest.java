@@ -11,12 +11,14 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.api.Test;
@@ -120,7 +122,7 @@ class MirroredLayoutTest {
                 }
             }
             double weight = modes.get(0).weight();
-            boolean several = 1 - weight > CellCheck.AMBIGUOUS_SHARE;
+            boolean several = 1 - weight > ModeEstimate.AMBIGUOUS_SHARE;
             assertEquals(several, result.verdict() == Verdict.AMBIGUOUS, "photo " + p);
             ambiguous += several ? 1 : 0;
             expected += weight;

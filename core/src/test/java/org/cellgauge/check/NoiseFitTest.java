@@ -16,9 +16,13 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.placement.Misfit;
+import org.cellgauge.placement.NoiseFit;
+import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
@@ -39,7 +43,7 @@ class NoiseFitTest {
     }
 
     private static ReferenceCheck references(Cell cell, Detections detections) {
-        return CellCheck.references(cell, detections, CheckSettings.builder().build());
+        return CellModes.of(Observed.of(cell, detections, CheckSettings.builder().build()), null).references();
     }
 
     private static String warnings(CheckResult result) {
@@ -137,7 +141,7 @@ class NoiseFitTest {
         assertTrue(result.decided());
         assertEquals(Verdict.FAIL, result.verdict(20));
         assertFalse(result.referenceCheck().meets(result.estimate().object(20), 100));
-        assertEquals(Reason.Misfit.Kind.NOISE, result.finding().misfit().kind());
+        assertEquals(Misfit.Kind.NOISE, result.finding().misfit().kind());
         NoiseFit fit = result.noiseFit();
         assertTrue(result.reason().matches("Largest deviation: .* against a target of 100 mm; .* But corners are "
                 + "[0-9.]+ times noisier than the stated 0\\.100 px: figures promise too much; state pixel_std_px: [0-9.]+, "
@@ -229,7 +233,7 @@ class NoiseFitTest {
         CheckResult result = CellCheck.run(scene.cell(), silent,
                 CheckSettings.builder().seed(3).targetMcseStdRel(0.05).build());
         assertEquals(Verdict.FAIL, result.verdict(), result.reason());
-        assertEquals(Reason.Misfit.Kind.REFERENCES, result.finding().misfit().kind());
+        assertEquals(Misfit.Kind.REFERENCES, result.finding().misfit().kind());
         assertTrue(result.noiseFit().holds());
         assertTrue(result.reason().contains("But the references together fit "), result.reason());
         assertTrue(warnings(result).contains(" times worse than their stated precision and corner noise let expect "

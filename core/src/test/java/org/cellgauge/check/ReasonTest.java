@@ -13,9 +13,13 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.vision.PhotoLight;
@@ -175,13 +179,13 @@ class ReasonTest {
         Detections photo = new Detections("scene", corners.widthPx(), corners.heightPx(), corners.markers(), List.of(),
                 new PhotoLight(ToneCurve.SRGB, true, 0.7, 1, 100, 0.1));
         CheckResult result = CellCheck.run(cell, photo, CheckSettings.builder()
-                .estimate(CheckSettings.Estimate.FOCAL).iterations(400).warmup(100).build());
+                .estimate(Estimate.FOCAL).iterations(400).warmup(100).build());
         List<Reason.Source> found = new ArrayList<>();
         for (String name : result.estimate().objects().get(0).budget().shares().keySet()) {
-            found.add(VarianceBudget.kindOf(name));
+            found.add(Reason.sourceOf(name));
             assertEquals(name.startsWith("placement"), VarianceBudget.referenceOf(name).isPresent());
         }
         assertTrue(found.containsAll(List.of(Reason.Source.values())), found.toString());
-        assertThrows(IllegalArgumentException.class, () -> VarianceBudget.kindOf("weather"));
+        assertThrows(IllegalArgumentException.class, () -> Reason.sourceOf("weather"));
     }
 }

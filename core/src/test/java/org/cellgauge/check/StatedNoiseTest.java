@@ -5,7 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
+import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.SamplerKind;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -44,7 +48,7 @@ class StatedNoiseTest {
     void bothWaysLeadToTheSameFigures() {
         require(ThesisScene.inPlane(4).placement(1, 0.003), CheckSettings.builder(), 1);
         require(ThesisScene.oneRaised(3).placement(1, 0.003),
-                CheckSettings.builder().estimate(CheckSettings.Estimate.FOCAL), 2);
+                CheckSettings.builder().estimate(Estimate.FOCAL), 2);
         require(ThesisScene.oneRaised(4).placement(1, 0.003).grip(20, 0, 0, 100),
                 CheckSettings.builder().sampler(SamplerKind.ADAPTIVE), 3);
     }

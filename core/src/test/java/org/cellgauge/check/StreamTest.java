@@ -13,6 +13,9 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.vision.Detections;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -57,7 +60,7 @@ class StreamTest {
 
     @Test
     void figuresOfARunOfOpenLengthDoNotDependOnTheNumberOfThreads() {
-        CheckSettings.Builder settings = CheckSettings.builder().seed(6).estimate(CheckSettings.Estimate.FOCAL);
+        CheckSettings.Builder settings = CheckSettings.builder().seed(6).estimate(Estimate.FOCAL);
         CheckResult one = run(settings.threads(1));
         CheckResult four = run(settings.threads(4));
         assertEquals(one.iterationsPerChain(), four.iterationsPerChain());

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -13,7 +15,7 @@ import org.junit.jupiter.api.Test;
  */
 class ThesisReproductionTest {
     /** Accepted of each proposal, by seed; objects have no part in it and are left out. */
-    private static long[][] accepted(CheckSettings.Estimate estimate, int seeds, String... proposals) {
+    private static long[][] accepted(Estimate estimate, int seeds, String... proposals) {
         ThesisScene scene = ThesisScene.inPlane(3).placement(20, 0.01).noObjects();
         long[][] accepted = new long[seeds][];
         for (int s = 0; s < seeds; s++) {
@@ -43,7 +45,7 @@ class ThesisReproductionTest {
 
     @Test
     void acceptedStepsAndTheirSplitAreThoseOfTheReferenceImplementation() {
-        long[][] accepted = accepted(CheckSettings.Estimate.NONE, 24, "rotation 0.1 rad", "translation 10 mm",
+        long[][] accepted = accepted(Estimate.NONE, 24, "rotation 0.1 rad", "translation 10 mm",
                 "translation 1 mm", "rotation 0.01 rad");
         // both sides are medians that scatter by about 0.5 %; the rest is for the start, which may be read in two ways
         assertEquals(2858, medianTotal(accepted), 0.04 * 2858);
@@ -59,7 +61,7 @@ class ThesisReproductionTest {
 
     @Test
     void focalLengthAsFifthProposalAcceptsAsManyAsTheReferenceImplementation() {
-        long[][] accepted = accepted(CheckSettings.Estimate.FOCAL, 12, "rotation 0.1 rad", "translation 10 mm",
+        long[][] accepted = accepted(Estimate.FOCAL, 12, "rotation 0.1 rad", "translation 10 mm",
                 "translation 1 mm", "rotation 0.01 rad", "focal length 15 px");
         assertEquals(2991, medianTotal(accepted), 0.04 * 2991);
     }

@@ -24,7 +24,7 @@ import java.util.function.Predicate;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.geometry.RigidTransform;

@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.ThesisScene;
 import org.junit.jupiter.api.Test;
 

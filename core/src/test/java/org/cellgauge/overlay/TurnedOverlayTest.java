@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.geometry.BrownLens;

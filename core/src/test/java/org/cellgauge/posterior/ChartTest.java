@@ -14,7 +14,9 @@ import org.cellgauge.pose.PosePrior;
 import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.ReprojectionFit;
 import org.cellgauge.pose.RigidMarkerNoise;
+import org.cellgauge.sampling.LogDensity;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.RotationPrior;
 import org.ejml.simple.SimpleMatrix;
 import org.junit.jupiter.api.Test;
 

@@ -20,6 +20,7 @@ import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceView;
 import org.cellgauge.pose.RigidMarkerNoise;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.RotationPrior;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;

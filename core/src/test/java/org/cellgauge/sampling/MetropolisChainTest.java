@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.random.RandomGenerator;
-import org.cellgauge.posterior.LogDensity;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.junit.jupiter.api.Test;
 

@@ -19,7 +19,7 @@ import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.Cholesky;

@@ -10,13 +10,14 @@ import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CellEstimate;
-import org.cellgauge.check.CheckSettings;
-import org.cellgauge.check.LikelihoodModel;
-import org.cellgauge.check.PoseEstimate;
 import org.cellgauge.check.ThesisScene;
+import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.statistics.RunningMoments;
 import org.cellgauge.vision.Detections;
@@ -33,7 +34,7 @@ class CoverageTest {
     private static final double PIXEL_STD_PX = 0.05;
 
     private static CheckSettings settings(LikelihoodModel model, double kappa) {
-        return CheckSettings.builder().model(model).kappa(kappa).seed(11).targetMcseStdRel(0.1).build();
+        return CheckSettings.builder().likelihood(model).kappa(kappa).seed(11).targetMcseStdRel(0.1).build();
     }
 
     private static ValidationResult validate(ThesisScene scene, double spreadMm, double spreadDeg, double simulatedPx,
@@ -109,7 +110,7 @@ class CoverageTest {
         TruthPrior prior = new TruthPrior(scene.cell(), new CellTruth(scene.worldFromCamera(), scene.objects()), 300,
                 Math.toRadians(3), IntrinsicsPrior.focalAndAspect(scene.cell().camera(), 100, 1e-9));
         CheckSettings check = settings(LikelihoodModel.RIGID_MARKER, 0.5).toBuilder()
-                .estimate(CheckSettings.Estimate.FOCAL).focalPriorStdPx(100).build();
+                .estimate(Estimate.FOCAL).focalPriorStdPx(100).build();
         ValidationResult result = Validation.run(prior, new ValidationSettings(simulations, check, PIXEL_STD_PX, 2),
                 done -> { });
         assertTrue(result.withoutFigure() <= 0.03, "not converged: " + result.notConverged());

@@ -4,13 +4,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import org.cellgauge.check.CheckSettings;
-import org.cellgauge.check.LikelihoodModel;
-import org.cellgauge.check.SamplerKind;
-import org.cellgauge.pose.InitialPose;
-import picocli.CommandLine;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.InitialEstimate;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ObjectNoise;
+import org.cellgauge.settings.SamplerKind;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine;
 
 /** Options common to the commands that sample. What is not given stays as the preset or the default has it. */
 final class CheckOptions {
@@ -102,28 +104,28 @@ final class CheckOptions {
             b = CheckSettings.thesis();
         }
         if (model != null) {
-            b.model(choose(command, "--model", model, Arrays.asList(LikelihoodModel.values()),
-                    LikelihoodModel::optionName));
+            b.likelihood(choose(command, "--model", model, Arrays.asList(LikelihoodModel.values()),
+                    LikelihoodModel::word));
         }
         if (sampler != null) {
             b.sampler(choose(command, "--sampler", sampler, Arrays.asList(SamplerKind.values()),
-                    SamplerKind::optionName));
+                    SamplerKind::word));
         }
         if (estimate != null) {
             if (estimate.equals("intrinsics")) {
                 throw new ParameterException(command, "--estimate: this version estimates no intrinsics but the focal "
                         + "length; use --estimate focal, or calibrate the camera beforehand");
             }
-            b.estimate(choose(command, "--estimate", estimate, Arrays.asList(CheckSettings.Estimate.values()),
-                    CheckSettings.Estimate::optionName));
+            b.estimate(choose(command, "--estimate", estimate, Arrays.asList(Estimate.values()),
+                    Estimate::word));
         }
         if (initial != null) {
             b.initial(choose(command, "--initial", initial,
-                    List.of(InitialPose.AVERAGE, InitialPose.RANSAC, InitialPose.PNP), InitialPose::optionName));
+                    Arrays.asList(InitialEstimate.values()), InitialEstimate::word));
         }
         if (objectNoise != null) {
             b.objectNoise(choose(command, "--object-noise", objectNoise,
-                    Arrays.asList(CheckSettings.ObjectNoise.values()), CheckSettings.ObjectNoise::optionName));
+                    Arrays.asList(ObjectNoise.values()), ObjectNoise::word));
         }
         if (kappa != null) {
             b.kappa(kappa);

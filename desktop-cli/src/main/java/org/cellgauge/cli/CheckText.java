@@ -7,22 +7,22 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.chains.NoiseEstimate;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
-import org.cellgauge.check.Diagnostics;
-import org.cellgauge.check.ModeEstimate;
-import org.cellgauge.check.NoiseEstimate;
-import org.cellgauge.check.NoiseFit;
-import org.cellgauge.check.ObjectEstimate;
-import org.cellgauge.check.PointEstimate;
-import org.cellgauge.check.PoseEstimate;
-import org.cellgauge.check.ReferenceCheck;
-import org.cellgauge.check.ReferenceFit;
-import org.cellgauge.check.VarianceBudget;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.check.WithoutMisplaced;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PointEstimate;
+import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.light.ToneCurve;
+import org.cellgauge.placement.NoiseFit;
+import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.placement.ReferenceFit;
+import org.cellgauge.placement.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.PhotoLight;
 import org.cellgauge.warning.Warning;
 
@@ -344,7 +344,7 @@ final class CheckText {
         CheckSettings s = result.settings();
         String word = d.converged() ? "converged" : "not converged";
         return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective "
-                + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.chains(),
+                + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.sampling().chains(),
                 result.iterationsPerChain(), result.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0),
                 fixed(d.essTailMin(), 0),
                 fixed(100 * d.mcseStdRelMax(), 1)), "        ").stripTrailing();

@@ -20,11 +20,12 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.check.CheckSettings;
 import org.cellgauge.cli.render.RenderedPhotos;
 import org.cellgauge.cli.render.Sensor;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.validation.CellSource;
 import org.cellgauge.validation.CellTruth;
 import org.cellgauge.validation.CoverageFigures;
@@ -35,8 +36,8 @@ import org.cellgauge.validation.OneCell;
 import org.cellgauge.validation.RandomLayouts;
 import org.cellgauge.validation.TruthPrior;
 import org.cellgauge.vision.BoofThreads;
-import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine;
 
 /** {@code validate} with {@code --photos} or {@code --random-layouts}. */
 final class CoverageStudyRun {
@@ -88,13 +89,13 @@ final class CoverageStudyRun {
         addSensor(settings, sensor);
         return print(figures, settings, json, String.format(Locale.ROOT, "photos with %s, blur %s px, light times %s, "
                 + "markers of %.1f px, seed %d", sensor.toneCurve().words(), CheckText.plain(sensor.blurPx()),
-                CheckText.plain(sensor.exposure()), meanSidePx(cell, seen), check.seed()));
+                CheckText.plain(sensor.exposure()), meanSidePx(cell, seen), check.sampling().seed()));
     }
 
     // ---- random layouts
 
     int randomLayouts(boolean json, Double pixelStdPx, IntConsumer progress) {
-        if (check.estimate() != CheckSettings.Estimate.NONE) {
+        if (check.model().estimate() != Estimate.NONE) {
             throw new ParameterException(command, "--random-layouts draws cameras that the check knows; leave out "
                     + "--estimate, or give a --cell");
         }
@@ -118,7 +119,7 @@ final class CoverageStudyRun {
             detections = DrawnCorners.asStated();
             what = "a layout for each, corners drawn with the stated noise";
         }
-        return print(run(cells, detections, progress), settings, json, what + ", seed " + check.seed());
+        return print(run(cells, detections, progress), settings, json, what + ", seed " + check.sampling().seed());
     }
 
     // ---- grid
@@ -243,8 +244,9 @@ final class CoverageStudyRun {
 
     private CoverageFigures run(CellSource cells, DetectionSource detections, IntConsumer progress) {
         return options.cornersOnly()
-                ? CoverageStudy.runCornersOnly(cells, detections, check.seed(), simulations, check.threads(), progress)
-                : CoverageStudy.run(cells, detections, check, simulations, check.threads(), progress);
+                ? CoverageStudy.runCornersOnly(cells, detections, check.sampling().seed(), simulations,
+                        check.sampling().threads(), progress)
+                : CoverageStudy.run(cells, detections, check, simulations, check.sampling().threads(), progress);
     }
 
     /** Whether all regions held, where there is any to hold. */
@@ -267,9 +269,9 @@ final class CoverageStudyRun {
     private Map<String, Object> settings() {
         Map<String, Object> settings = new LinkedHashMap<>();
         settings.put("simulations", simulations);
-        settings.put("seed", check.seed());
-        settings.put("model", check.model().optionName());
-        settings.put("estimate", check.estimate().optionName());
+        settings.put("seed", check.sampling().seed());
+        settings.put("model", check.model().likelihood().word());
+        settings.put("estimate", check.model().estimate().word());
         settings.put("photos", options.photos());
         settings.put("corners_only", options.cornersOnly());
         return settings;

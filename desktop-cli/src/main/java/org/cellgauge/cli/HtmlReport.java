@@ -7,16 +7,16 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
-import org.cellgauge.check.ModeEstimate;
-import org.cellgauge.check.ObjectEstimate;
-import org.cellgauge.check.PoseEstimate;
-import org.cellgauge.check.ReferenceCheck;
-import org.cellgauge.check.ReferenceFit;
-import org.cellgauge.check.VarianceBudget;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.check.WithoutMisplaced;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.placement.ReferenceFit;
+import org.cellgauge.placement.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.ChainDiagnostics;
 
 /**
@@ -331,19 +331,19 @@ final class HtmlReport {
     private void settings(CheckResult result) {
         CheckSettings s = result.settings();
         Map<String, String> values = new LinkedHashMap<>();
-        values.put("model", s.model().optionName());
-        values.put("kappa", CheckText.plain(s.kappa()));
-        values.put("sampler", s.sampler().optionName());
-        values.put("chains", String.valueOf(s.chains()));
-        values.put("iterations", s.iterations().isPresent() ? String.valueOf(s.iterations().getAsInt())
-                : "until the Monte Carlo error of every std is below " + CheckText.plain(100 * s.targetMcseStdRel())
-                        + " %, at most " + s.maxIterations());
+        values.put("model", s.model().likelihood().word());
+        values.put("kappa", CheckText.plain(s.model().kappa()));
+        values.put("sampler", s.sampling().sampler().word());
+        values.put("chains", String.valueOf(s.sampling().chains()));
+        values.put("iterations", s.sampling().iterations().isPresent() ? String.valueOf(s.sampling().iterations().getAsInt())
+                : "until the Monte Carlo error of every std is below " + CheckText.plain(100 * s.sampling().targetMcseStdRel())
+                        + " %, at most " + s.sampling().maxIterations());
         values.put("warm-up", String.valueOf(result.warmup()));
-        values.put("seed", String.valueOf(s.seed()));
-        values.put("estimated intrinsics", s.estimate().optionName());
-        values.put("initial estimate", s.initial().optionName());
-        values.put("object noise", s.objectNoise().optionName());
-        values.put("rotation prior", s.rotationPrior().name().toLowerCase(Locale.ROOT).replace('_', ' '));
+        values.put("seed", String.valueOf(s.sampling().seed()));
+        values.put("estimated intrinsics", s.model().estimate().word());
+        values.put("initial estimate", s.sampling().initial().word());
+        values.put("object noise", s.model().objectNoise().word());
+        values.put("rotation prior", s.model().rotationPrior().name().toLowerCase(Locale.ROOT).replace('_', ' '));
         values.put("prior on the camera pose", result.posePrior() == null ? "none" : result.posePrior());
         values.put("pixel std", CheckText.fixed(result.pixelStdPx(), 4) + " px"
                 + (result.cell().pixelStdPx().isPresent() ? "" : " (learned from the photo)"));

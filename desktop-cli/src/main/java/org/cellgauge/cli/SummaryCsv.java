@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.ObjectEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
 
 /** The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is unknown is left empty. */
 final class SummaryCsv {

@@ -10,9 +10,10 @@ import java.util.concurrent.Callable;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
-import org.cellgauge.check.CheckSettings;
 import org.cellgauge.cli.render.CellSimulation;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.validation.CellTruth;
 import org.cellgauge.validation.TruthPrior;
 import org.cellgauge.validation.Validation;
@@ -174,7 +175,8 @@ public final class ValidateCommand implements Callable<Integer> {
 
     private TruthPrior prior(Cell cell, CellTruth nominal, ParsedSpread spreads, CheckSettings check) {
         try {
-            return new TruthPrior(cell, nominal, spreads.mm(), spreads.rad(), check.intrinsicsPrior(cell.camera()));
+            return new TruthPrior(cell, nominal, spreads.mm(), spreads.rad(),
+                    IntrinsicsPrior.stated(cell.camera(), check.model()));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), "--spread: " + e.getMessage());
         }
@@ -187,7 +189,7 @@ public final class ValidateCommand implements Callable<Integer> {
         }
         double pixels = pixelStdPx != null ? pixelStdPx : cell.pixelStdPx().getAsDouble();
         try {
-            return new ValidationSettings(simulations, lessPrecise(check), pixels, check.threads());
+            return new ValidationSettings(simulations, lessPrecise(check), pixels, check.sampling().threads());
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());
         }

@@ -14,9 +14,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Predicate;
-import org.cellgauge.check.CheckSettings;
-import org.cellgauge.check.LikelihoodModel;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.validation.RankedQuantity;
 import org.cellgauge.validation.RegionCoverage;
@@ -54,7 +55,7 @@ final class ValidationText {
         StringBuilder text = new StringBuilder();
         CheckSettings check = settings.check();
         text.append(CheckText.wrap(String.format(Locale.ROOT, "%d simulated cells, %s, seed %d; %s. %d not converged, "
-                + "%d refused, %d ambiguous%s.", result.simulations(), model(check), check.seed(), truth(),
+                + "%d refused, %d ambiguous%s.", result.simulations(), model(check), check.sampling().seed(), truth(),
                 result.notConverged(), result.refused(), result.ambiguous(), falseAlarms(check)), ""));
         int stated = result.simulations() - result.notConverged() - result.refused();
         if (stated == 0) {
@@ -83,15 +84,15 @@ final class ValidationText {
 
     /** Only where placement is tested at all. */
     private String falseAlarms(CheckSettings check) {
-        return check.model() == LikelihoodModel.RIGID_MARKER
+        return check.model().likelihood() == LikelihoodModel.RIGID_MARKER
                 ? "; in " + result.falseAlarms() + " a reference was called misplaced although none was, in "
                 + result.noiseMisfits() + " corners do not fit the stated noise, in " + result.referenceMisfits()
                 + " the references together do not fit" : "";
     }
 
     private static String model(CheckSettings check) {
-        return check.model().optionName() + (check.model() == LikelihoodModel.CORNER_CUBE
-                ? " with kappa " + CheckText.plain(check.kappa()) : "");
+        return check.model().likelihood().word() + (check.model().likelihood() == LikelihoodModel.CORNER_CUBE
+                ? " with kappa " + CheckText.plain(check.model().kappa()) : "");
     }
 
     private String truth() {
@@ -222,17 +223,17 @@ final class ValidationText {
         root.addProperty("covers_95", result.covers(JUDGED));
         JsonObject used = new JsonObject();
         used.addProperty("simulations", result.simulations());
-        used.addProperty("model", check.model().optionName());
-        used.addProperty("kappa", check.kappa());
-        used.addProperty("sampler", check.sampler().optionName());
-        used.addProperty("seed", check.seed());
+        used.addProperty("model", check.model().likelihood().word());
+        used.addProperty("kappa", check.model().kappa());
+        used.addProperty("sampler", check.sampling().sampler().word());
+        used.addProperty("seed", check.sampling().seed());
         used.addProperty("simulated_pixel_std_px", settings.pixelStdPx());
         used.addProperty("spread_mm", prior.stdMm());
         used.addProperty("spread_rad", prior.stdRad());
-        used.addProperty("estimate", check.estimate().optionName());
-        boolean focal = check.estimate() == CheckSettings.Estimate.FOCAL;
-        used.add("focal_prior_std_px", focal ? number(check.focalPriorStdPx()) : JsonNull.INSTANCE);
-        used.add("aspect_prior_std", focal ? number(check.aspectPriorStd()) : JsonNull.INSTANCE);
+        used.addProperty("estimate", check.model().estimate().word());
+        boolean focal = check.model().estimate() == Estimate.FOCAL;
+        used.add("focal_prior_std_px", focal ? number(check.model().focalPriorStdPx()) : JsonNull.INSTANCE);
+        used.add("aspect_prior_std", focal ? number(check.model().aspectPriorStd()) : JsonNull.INSTANCE);
         used.add("camera_pose", pose(prior.nominal().worldFromCamera()));
         JsonObject objects = new JsonObject();
         prior.nominal().worldFromObjects().forEach((id, p) -> objects.add(String.valueOf(id), pose(p)));

@@ -18,7 +18,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.cellgauge.cell.CellWriter;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.ResultJson;
+import org.cellgauge.output.ResultJson;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.overlay.OverlayStyle;
 import org.cellgauge.vision.GreyImage;

@@ -6,7 +6,6 @@ import android.content.ActivityNotFoundException;
 import android.content.ClipData;
 import android.content.Intent;
 import android.content.pm.PackageManager;
-import android.content.res.ColorStateList;
 import android.graphics.SurfaceTexture;
 import android.hardware.display.DisplayManager;
 import android.net.Uri;
@@ -99,7 +98,7 @@ public final class MainActivity extends Activity {
             session = kept.session;
             feed = kept.feed;
         } else {
-            SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().seed())
+            SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().sampling().seed())
                     : SessionMemory.read(saved);
             session = new CheckSession(parts.cellLibrary(), parts.resultArchive(),
                     new FrozenFrameFile(parts.cacheFolder()), parts.settings(), parts.sessionThreads(), memory);

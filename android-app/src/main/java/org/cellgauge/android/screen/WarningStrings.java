@@ -1,9 +1,9 @@
 package org.cellgauge.android.screen;
 
 import org.cellgauge.android.R;
-import org.cellgauge.check.CheckPhrase;
-import org.cellgauge.check.CheckWarning;
 import org.cellgauge.vision.DetectionWarning;
+import org.cellgauge.warning.CheckPhrase;
+import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.WarningKind;
 
 /** The strings that say in the user's language what core warns of. Their arguments are those of the kind, as texts. */

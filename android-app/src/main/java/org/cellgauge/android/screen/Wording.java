@@ -12,6 +12,8 @@ import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.check.Reason;
 import org.cellgauge.overlay.LabelWords;
 import org.cellgauge.overlay.LegendWords;
+import org.cellgauge.placement.Misfit;
+import org.cellgauge.placement.Misplacement;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Listing;
@@ -174,7 +176,7 @@ final class Wording {
 
     /** What the photo contradicts, after what stands before it; empty where it contradicts nothing. */
     String misfit(Reason reason, String before) {
-        Reason.Misfit m = reason == null ? null : reason.misfit();
+        Misfit m = reason == null ? null : reason.misfit();
         if (m == null) {
             return "";
         }
@@ -192,7 +194,7 @@ final class Wording {
 
     /** What misplaced references add, after what stands before it; empty where none seems misplaced. */
     String misplacement(Reason reason, String before) {
-        Reason.Misplacement m = reason == null ? null : reason.misplacement();
+        Misplacement m = reason == null ? null : reason.misplacement();
         if (m == null) {
             return "";
         }

@@ -9,10 +9,11 @@ import java.util.Arrays;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.check.CheckSettings;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
@@ -64,7 +65,7 @@ final class CheckRun {
     void start(CheckSettings general, Flowable<LivePace> pace, SessionThreads threads, Consumer<LiveState> states,
             Consumer<Throwable> faults) {
         CheckSettings settings = general.toBuilder()
-                .estimate(focalEstimated ? CheckSettings.Estimate.FOCAL : CheckSettings.Estimate.NONE).build();
+                .estimate(focalEstimated ? Estimate.FOCAL : Estimate.NONE).build();
         Flowable<Detections> input = photo == null ? frames
                 : Flowable.just(detector.detect(photo.luminance(), photo.name()));
         subscription.set(threads.check(input, cell, settings, pace).subscribe(states, faults));

@@ -10,10 +10,11 @@ import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
-import org.cellgauge.check.ResultJson;
+import org.cellgauge.output.ResultJson;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.overlay.Shape;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.BoofThreads;
 import org.cellgauge.vision.Detections;
@@ -69,7 +70,7 @@ public final class CheckProbe implements Function<Map<String, Object>, String> {
             case "default":
                 return CheckSettings.builder().build();
             case "focal":
-                return CheckSettings.builder().estimate(CheckSettings.Estimate.FOCAL).build();
+                return CheckSettings.builder().estimate(Estimate.FOCAL).build();
             case "thesis":
                 return CheckSettings.thesis().build();
             default:

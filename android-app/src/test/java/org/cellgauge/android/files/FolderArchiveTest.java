@@ -34,20 +34,25 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.Reason;
-import org.cellgauge.check.ResultJson;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.cli.ImageFiles;
 import org.cellgauge.live.LiveCheck;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
+import org.cellgauge.output.ResultJson;
 import org.cellgauge.overlay.LabelWords;
 import org.cellgauge.overlay.LegendWords;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.Role;
 import org.cellgauge.overlay.Shape;
 import org.cellgauge.overlay.TextShape;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.InitialEstimate;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ObjectNoise;
+import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.GreyImage;
 import org.junit.Before;
@@ -221,7 +226,7 @@ public class FolderArchiveTest {
     public void theCommandLineMakesTheSameFiguresOfALiveCheck() throws IOException {
         Photo photo = photo();
         Cell cell = CellReader.read(Fixtures.path("lifted-4/cell.yaml"));
-        CheckSettings settings = CheckSettings.builder().seed(-7).estimate(CheckSettings.Estimate.FOCAL).build();
+        CheckSettings settings = CheckSettings.builder().seed(-7).estimate(Estimate.FOCAL).build();
         LiveState last = LiveCheck.states(
                 Flowable.just(BoofMarkerDetector.forCell(cell).detect(photo.luminance(), photo.name())), cell, settings,
                 Flowable.just(LivePace.FULL)).blockingLast();
@@ -297,20 +302,20 @@ public class FolderArchiveTest {
 
     @Test
     public void theCommandNamesEveryOptionThatIsNotTheUsual() {
-        assertEquals("cellgauge check --cell n.cell.yaml --seed 1 n.png",
+        assertEquals("cellgauge check --cell n.cell.yaml n.png",
                 DesktopCommand.of("n", CheckSettings.builder().build()));
         assertEquals("cellgauge check --cell n.cell.yaml --seed -5 --estimate focal --focal-prior-std 120.5 n.png",
-                DesktopCommand.of("n", CheckSettings.builder().seed(-5).estimate(CheckSettings.Estimate.FOCAL)
+                DesktopCommand.of("n", CheckSettings.builder().seed(-5).estimate(Estimate.FOCAL)
                         .focalPriorStdPx(120.5).build()));
-        assertEquals("cellgauge check --cell n.cell.yaml --seed 1 --estimate focal --aspect-prior-std independent "
+        assertEquals("cellgauge check --cell n.cell.yaml --estimate focal --aspect-prior-std independent "
                 + "n.png",
-                DesktopCommand.of("n", CheckSettings.builder().estimate(CheckSettings.Estimate.FOCAL)
+                DesktopCommand.of("n", CheckSettings.builder().estimate(Estimate.FOCAL)
                         .aspectPriorStd(Double.POSITIVE_INFINITY).build()));
-        assertEquals("cellgauge check --cell n.cell.yaml --seed 1 --model corner-cube --kappa 0.7 --sampler adaptive "
+        assertEquals("cellgauge check --cell n.cell.yaml --model corner-cube --kappa 0.7 --sampler adaptive "
                 + "--chains 2 --iterations 9000 --warmup 100 --initial ransac --object-noise none n.png",
-                DesktopCommand.of("n", CheckSettings.builder().model(org.cellgauge.check.LikelihoodModel.CORNER_CUBE)
-                        .kappa(0.7).sampler(org.cellgauge.check.SamplerKind.ADAPTIVE).chains(2).iterations(9000)
-                        .warmup(100).initial(org.cellgauge.pose.InitialPose.RANSAC)
-                        .objectNoise(CheckSettings.ObjectNoise.NONE).build()));
+                DesktopCommand.of("n", CheckSettings.builder().likelihood(LikelihoodModel.CORNER_CUBE)
+                        .kappa(0.7).sampler(SamplerKind.ADAPTIVE).chains(2).iterations(9000)
+                        .warmup(100).initial(InitialEstimate.RANSAC)
+                        .objectNoise(ObjectNoise.NONE).build()));
     }
 }

@@ -17,7 +17,7 @@ import org.cellgauge.android.files.Photo;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.Role;
 import org.cellgauge.overlay.Shape;

@@ -57,7 +57,6 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
 import org.cellgauge.check.Reason;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.RigidTransform;
@@ -68,6 +67,8 @@ import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.Role;
 import org.cellgauge.overlay.Shape;
 import org.cellgauge.overlay.TextShape;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
@@ -600,7 +601,7 @@ public class MainActivityTest {
             assertEquals("lifted-4.png", screen.state().still().name());
             assertEquals(OptionalDouble.of(0.3), screen.state().targetStdMm());
             assertEquals("Target missed", screen.text(R.id.banner_headline));
-            assertEquals(CheckSettings.Estimate.NONE, screen.state().result().settings().estimate());
+            assertEquals(Estimate.NONE, screen.state().result().settings().model().estimate());
         }
     }
 
@@ -633,10 +634,10 @@ public class MainActivityTest {
             feed().opened(FIXTURE.cell().camera(), CameraModelSource.FIELD_OF_VIEW, 90, false);
             screen.settle();
             screen.holdStillUntilResult(FIXTURE);
-            assertEquals(CheckSettings.Estimate.FOCAL, screen.state().result().settings().estimate());
+            assertEquals(Estimate.FOCAL, screen.state().result().settings().model().estimate());
             screen.openPhoto(FIXTURE.photo());
             screen.until("result", () -> screen.state().verdict() != null);
-            assertEquals(CheckSettings.Estimate.FOCAL, screen.state().result().settings().estimate());
+            assertEquals(Estimate.FOCAL, screen.state().result().settings().model().estimate());
         }
     }
 

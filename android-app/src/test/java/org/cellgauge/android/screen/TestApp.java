@@ -29,7 +29,7 @@ import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
 import org.cellgauge.android.state.SessionThreads;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.CheckSettings;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.vision.GreyImage;
 

@@ -1,0 +1,40 @@
+package org.cellgauge.chains;
+
+import org.apache.commons.math3.random.RandomGenerator;
+import org.cellgauge.posterior.CameraPosterior;
+import org.cellgauge.sampling.MetropolisChain;
+import org.cellgauge.sampling.StudentTMixture;
+import org.cellgauge.sampling.ThesisMixture;
+import org.cellgauge.settings.ChainStart;
+
+/** The thesis' mixture of steps in position or Euler angles alone. */
+final class ThesisCameraSampler implements CameraSampler {
+    @Override
+    public Tuned tune(CameraTarget target, RandomGenerator random) {
+        return new Tuned() {
+            @Override
+            public CameraChain chain(RandomGenerator chainRandom) {
+                CameraPosterior posterior = target.euler();
+                double[] start;
+                if (target.fit.settings.sampling().start() == ChainStart.INITIAL_ESTIMATE) {
+                    start = posterior.chart().encode(target.fit.initialState());
+                } else {
+                    CameraPosterior centred = target.centred();
+                    StudentTMixture around = target.mixture();
+                    org.cellgauge.pose.CameraState state = new org.cellgauge.pose.CameraState();
+                    centred.chart().decode(TunedMixture.start(around, centred, chainRandom), state);
+                    start = posterior.chart().encode(state);
+                }
+                return new CameraChain(new MetropolisChain(posterior,
+                        ThesisMixture.proposals(target.fit.intrinsicsPrior.count(),
+                                posterior.dimension() - 6 - target.fit.intrinsicsPrior.count()), start, chainRandom),
+                        posterior.chart(), () -> { });
+            }
+
+            @Override
+            public long evaluations() {
+                return 0;
+            }
+        };
+    }
+}

@@ -1,0 +1,401 @@
+package org.cellgauge.check;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.laplace.CameraFit;
+import org.cellgauge.laplace.LinearModel;
+import org.cellgauge.laplace.ObjectFit;
+import org.cellgauge.placement.NoiseFit;
+import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.pose.AddedNoise;
+import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.pose.InitialPose;
+import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.NoiseBelief;
+import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.PosePrior;
+import org.cellgauge.pose.ReferenceNoise;
+import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.InitialEstimate;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ObjectNoise;
+import org.cellgauge.statistics.CoverageRegion;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.CheckPhrase;
+import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Warning;
+
+/**
+ * The second stage of a check: the poses of camera and objects that explain the photo best; immutable.
+ */
+final class CellModes {
+    /** A mode with less than this share by Laplace's method is not followed. */
+    private static final double NEGLIGIBLE_SHARE = 1e-4;
+    /**
+     * Mean square of whitened residuals (8 per reference) beyond which a reference is no misplaced one but a wrong one.
+     */
+    private static final double FOREIGN_MEAN_SQUARE = 50;
+    /** Nodes of the grid of the added noise from one fit of the camera pose to the next. */
+    private static final int NOISE_STRIDE = 5;
+    /** Logarithm of the mass, against the most, at which the noise is followed no further. */
+    private static final double NEGLIGIBLE_LOG_NOISE = 12;
+    private static final double PRIOR_STD_MM = 1000;
+    private static final double PRIOR_STD_RAD = 0.7;
+    /** Quantile of chi-square within which the residuals at a mode must be for a given start to count as a good one. */
+    private static final double EXPLAINED = 0.999;
+    private static final double SMALLEST_SIDE_PX = 25;
+    private static final double ADVISED_SIDE_PX = 32;
+    /**
+     * Side in px times squared deviation of the turn in rad over corner noise in px: simulated cells of four references
+     * cover as stated to 22, and no longer at 60.
+     */
+    private static final double LARGEST_BEND = 20;
+    /** Share of the pose prior in any direction above which the result is said to lean on it. */
+    private static final double LEANING_SHARE = 0.01;
+
+    final Observed observed;
+    final CameraFit camera;
+    /** How far the corners of references may be off, where the modes are. */
+    final ReferenceNoise noise;
+    /** The objects seen, in the order of the cell. */
+    final List<ObjectFit> objects;
+    /** All warnings so far. */
+    final List<Warning> warnings;
+
+    private CellModes(Observed observed, CameraFit camera, List<ObjectFit> objects, List<Warning> warnings) {
+        this.observed = observed;
+        this.camera = camera;
+        this.noise = camera.noise(camera.view, camera.noiseLevel);
+        this.objects = Collections.unmodifiableList(objects);
+        this.warnings = Collections.unmodifiableList(warnings);
+    }
+
+    /**
+     * Finds the modes.
+     *
+     * @param observed what the photo shows
+     * @param worldFromCameraStart where to look first; null for the initial estimate of the settings
+     * @return the modes
+     * @throws InputRefusedException if no pose explains the corners
+     */
+    static CellModes of(Observed observed, RigidTransform worldFromCameraStart) {
+        return new Search(observed, worldFromCameraStart).found();
+    }
+
+    /** What the weak prior of the camera pose is called; null where there is none. */
+    String posePriorText() {
+        return camera.posePrior == null ? null : weakPrior().toString();
+    }
+
+    /** What is said where the result leans on the weak prior of the camera pose; null where it does not. */
+    Warning directionOpen() {
+        if (camera.posePrior == null) {
+            return null;
+        }
+        double share = LinearModel.priorShare(camera.mode(), PRIOR_STD_MM, PRIOR_STD_RAD);
+        return share < LEANING_SHARE ? null
+                : Warning.of(CheckWarning.DIRECTION_OPEN, Decimal.of(100 * share, 0), weakPrior());
+    }
+
+    /** Tests whether references and corners are as stated; no chains are needed for it. */
+    ReferenceCheck references() {
+        NoiseFit noiseFit = noiseFit();
+        return ReferenceCheck.of(atNoise(noiseFit.inflation()), objects, noiseFit);
+    }
+
+    private NoiseFit noiseFit() {
+        CheckSettings settings = observed.settings;
+        Cell cell = observed.cell;
+        CornerErrors errors = observed.errors;
+        // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
+        if (settings.model().likelihood() != LikelihoodModel.RIGID_MARKER
+                && settings.model().objectNoise() == ObjectNoise.NONE) {
+            return NoiseFit.untested();
+        }
+        return settings.model().estimate() == Estimate.FOCAL
+                ? NoiseFit.ofUnknownFocal(cell, errors, camera.intrinsicsPrior)
+                : NoiseFit.of(cell, errors, cell.camera());
+    }
+
+    /** The camera as it is fitted where corners are noisier than stated, so that no reference is accused for them. */
+    private CameraFit atNoise(Map<Integer, Double> inflation) {
+        if (inflation.isEmpty() || observed.settings.model().likelihood() != LikelihoodModel.RIGID_MARKER) {
+            return camera;
+        }
+        CameraFit noisier = camera.with(observed.errors.inflated(inflation));
+        List<PoseMode> modes = noisier.finder(camera.view).refined(camera.modes);
+        return modes.isEmpty() ? camera : noisier.at(modes, camera.initialWorldFromCamera);
+    }
+
+    private static Warning weakPrior() {
+        return Warning.of(CheckPhrase.WEAK_PRIOR, Decimal.of(PRIOR_STD_MM, 0), Decimal.of(PRIOR_STD_RAD, 1));
+    }
+
+    /** The ids of some references. */
+    static List<Integer> ids(ReferenceView view) {
+        List<Integer> ids = new ArrayList<>();
+        view.references().forEach(r -> ids.add(r.id()));
+        return ids;
+    }
+
+    private static List<PoseMode> notNegligible(List<PoseMode> modes) {
+        List<PoseMode> kept = new ArrayList<>();
+        for (PoseMode mode : modes) {
+            if (Math.exp(mode.logWeight() - modes.get(0).logWeight()) > NEGLIGIBLE_SHARE) {
+                kept.add(mode);
+            }
+        }
+        return kept;
+    }
+
+    /** The search for the modes of one photo. */
+    private static final class Search {
+        private final Observed observed;
+        private final Cell cell;
+        private final Detections detections;
+        private final CheckSettings settings;
+        private final CornerErrors errors;
+        private final RigidTransform worldFromCameraStart;
+        private final List<Warning> warnings;
+
+        Search(Observed observed, RigidTransform worldFromCameraStart) {
+            this.observed = observed;
+            this.worldFromCameraStart = worldFromCameraStart;
+            cell = observed.cell;
+            detections = observed.detections;
+            settings = observed.settings;
+            errors = observed.errors;
+            warnings = new ArrayList<>(observed.warnings);
+        }
+
+        CellModes found() {
+            ReferenceView view = ReferenceView.of(cell.references(), errors);
+            CameraFit camera = withNoise(cameraFit(view, IntrinsicsPrior.stated(cell.camera(), settings.model())));
+            CameraState atMode = camera.mode().state();
+            List<ObjectFit> objects = new ArrayList<>();
+            List<Integer> missing = new ArrayList<>();
+            for (ObjectMarker marker : cell.objects()) {
+                if (errors.has(marker.id())) {
+                    objects.add(objectFit(marker, atMode));
+                } else {
+                    missing.add(marker.id());
+                }
+            }
+            if (!missing.isEmpty()) {
+                warnings.add(Warning.of(CheckWarning.OBJECTS_NOT_SEEN, Listing.and(missing)));
+            }
+            warnOfSmallMarkers();
+            warnOfLooseTurns(camera);
+            return new CellModes(observed, camera, objects, warnings);
+        }
+
+        /** One warning for all markers of the cell that the image shows too small. */
+        private void warnOfSmallMarkers() {
+            List<Warning> small = new ArrayList<>();
+            for (MarkerObservation m : detections.markers()) {
+                boolean ofCell = cell.references().stream().anyMatch(r -> r.id() == m.id())
+                        || cell.objects().stream().anyMatch(o -> o.id() == m.id());
+                if (ofCell && m.shortestSidePx() < SMALLEST_SIDE_PX) {
+                    small.add(Warning.of(CheckPhrase.SMALL_MARKER, m.id(), Decimal.of(m.shortestSidePx(), 1)));
+                }
+            }
+            if (!small.isEmpty()) {
+                warnings.add(Warning.of(CheckWarning.SMALL_MARKERS, Listing.comma(small),
+                        Decimal.of(SMALLEST_SIDE_PX, 0), Decimal.of(ADVISED_SIDE_PX, 0)));
+            }
+        }
+
+        /**
+         * A reference turned by r shortens one side of its image by about {@code side r² / 2}: what no linear model of
+         * the turn sees. Linearised at the turn that the photo shows, the rest of it is what the photo leaves open of
+         * that turn.
+         */
+        private void warnOfLooseTurns(CameraFit camera) {
+            if (settings.model().likelihood() != LikelihoodModel.RIGID_MARKER) {
+                return;
+            }
+            List<Integer> loose = new ArrayList<>();
+            double most = 0;
+            for (Reference reference : camera.view.references()) {
+                double std = reference.placement().stdRad();
+                double bend = detections.find(reference.id()).shortestSidePx() * std * std
+                        / Math.sqrt(errors.meanVariancePx2(reference.id(), camera.noiseLevel));
+                if (bend > LARGEST_BEND) {
+                    loose.add(reference.id());
+                    most = Math.max(most, bend);
+                }
+            }
+            if (!loose.isEmpty()) {
+                warnings.add(Warning.of(CheckWarning.TURNS_TOO_LOOSE, Listing.and(loose), Decimal.of(most, 0),
+                        Decimal.of(LARGEST_BEND, 0)));
+            }
+        }
+
+        /** The camera with what squareness and references say of the added noise, its modes at the mean of that. */
+        private CameraFit withNoise(CameraFit fit) {
+            if (errors.added() == null) {
+                return fit;
+            }
+            List<Integer> others = errors.ids();
+            // references that stay speak through their likelihood
+            others.removeAll(ids(fit.view));
+            double[] logNoise = errors.logNoise(others);
+            int middle = AddedNoise.node(fit.noiseLevel);
+            int count = AddedNoise.NODES;
+            double[] log = new double[count];
+            Arrays.fill(log, Double.NEGATIVE_INFINITY);
+            log[middle] = logNoise[middle] + logMass(fit, middle);
+            double most = log[middle];
+            for (int direction = -1; direction <= 1; direction += 2) {
+                int last = middle;
+                double mass = log[middle] - logNoise[middle];
+                for (int node = middle + direction * NOISE_STRIDE; node >= 0 && node < count;
+                        node += direction * NOISE_STRIDE) {
+                    if (!errors.isNegligible(AddedNoise.atNode(node))) {
+                        mass = logMass(fit, node);
+                    }
+                    for (int k = 1; k <= NOISE_STRIDE; k++) {
+                        // what references say is smooth in the noise; what is cheap to know is not interpolated
+                        int between = last + direction * k;
+                        double share = (double) k / NOISE_STRIDE;
+                        log[between] = logNoise[between] + (1 - share) * (log[last] - logNoise[last]) + share * mass;
+                    }
+                    most = Math.max(most, log[node]);
+                    last = node;
+                    if (log[node] < most - NEGLIGIBLE_LOG_NOISE) {
+                        break;
+                    }
+                }
+            }
+            NoiseBelief belief = new NoiseBelief(errors.added(), log);
+            CameraFit noisy = fit.with(belief, belief.ofMeanVariance(), logNoise);
+            List<PoseMode> modes = noisy.finder(fit.view).modes(fit.worldFromCamera());
+            if (errors.fromNothing()) {
+                warnings.add(Observed.noiseWarning(belief));
+            }
+            return noisy.at(notNegligible(modes.isEmpty() ? fit.modes : modes), fit.initialWorldFromCamera);
+        }
+
+        /**
+         * Logarithm of the mass of the camera's posterior at an added noise, by Laplace's method: about the modes known
+         * already, since the noise moves modes and weighs them and hardly makes any.
+         */
+        private static double logMass(CameraFit fit, int node) {
+            List<PoseMode> modes = fit.finder(fit.view, AddedNoise.atNode(node)).refined(fit.modes);
+            if (modes.isEmpty()) {
+                return Double.NEGATIVE_INFINITY;
+            }
+            double sum = 0;
+            for (PoseMode mode : modes) {
+                sum += Math.exp(mode.logWeight() - modes.get(0).logWeight());
+            }
+            return modes.get(0).logWeight() + Math.log(sum);
+        }
+
+        private CameraFit cameraFit(ReferenceView all, IntrinsicsPrior intrinsics) {
+            ReferenceView view = all;
+            while (true) {
+                CameraFit fit = cameraFitOf(view, intrinsics);
+                int foreign = foreignReference(fit);
+                if (foreign < 0 || view.size() < 3) {
+                    return fit;
+                }
+                warnings.add(Warning.of(CheckWarning.REFERENCE_LEFT_OUT, view.references().get(foreign).id()));
+                List<Integer> kept = new ArrayList<>();
+                for (int m = 0; m < view.size(); m++) {
+                    if (m != foreign) {
+                        kept.add(m);
+                    }
+                }
+                view = view.only(kept);
+            }
+        }
+
+        private CameraFit cameraFitOf(ReferenceView view, IntrinsicsPrior intrinsics) {
+            boolean needsPosePrior = settings.model().posePriorAllowed() && view.size() <= 2;
+            if (worldFromCameraStart != null && !needsPosePrior) {
+                CameraFit fromStart = fitFromStart(view, intrinsics);
+                if (fromStart != null) {
+                    return fromStart;
+                }
+            }
+            RigidTransform initial = InitialPose.of(settings.sampling().initial()).estimate(view, cell.camera());
+            if (initial == null) {
+                initial = InitialPose.PNP.estimate(view, cell.camera());
+                if (initial == null) {
+                    throw noPose();
+                }
+                warnings.add(Warning.of(CheckWarning.INITIAL_ESTIMATE_FAILED, settings.sampling().initial().word()));
+            }
+            PosePrior posePrior = null;
+            if (needsPosePrior) {
+                posePrior = new PosePrior(CameraState.of(view.cameraFromSet(initial), cell.camera()), PRIOR_STD_MM,
+                        PRIOR_STD_RAD);
+            }
+            CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, posePrior, errors,
+                    observed.noiseLevel);
+            List<PoseMode> modes = fit.finder(view).modes(initial);
+            if (modes.isEmpty() && settings.sampling().initial() != InitialEstimate.PNP) {
+                modes = fit.finder(view).modes(InitialPose.PNP.estimate(view, cell.camera()));
+            }
+            if (modes.isEmpty()) {
+                throw noPose();
+            }
+            return fit.at(notNegligible(modes), initial);
+        }
+
+        /** The camera at the modes that the start leads to; null where they leave more unexplained than noise would. */
+        private CameraFit fitFromStart(ReferenceView view, IntrinsicsPrior intrinsics) {
+            CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, null, errors, observed.noiseLevel);
+            List<PoseMode> modes = fit.finder(view).modes(worldFromCameraStart);
+            if (modes.isEmpty() || 2 * modes.get(0).halfChiSquare()
+                    > CoverageRegion.chiSquareQuantile(EXPLAINED, 8 * view.size() - 6)) {
+                return null;
+            }
+            return fit.at(notNegligible(modes), worldFromCameraStart);
+        }
+
+        private InputRefusedException noPose() {
+            return new InputRefusedException(detections.imageName() + ": no camera pose explains the corners of the "
+                    + "references; check their ids, positions and sizes in the cell file");
+        }
+
+        private static int foreignReference(CameraFit fit) {
+            PoseMode mode = fit.mode();
+            int worst = -1;
+            double most = 8 * FOREIGN_MEAN_SQUARE;
+            for (int m = 0; m < fit.view.size(); m++) {
+                if (mode.chiSquareOf(m) > most) {
+                    most = mode.chiSquareOf(m);
+                    worst = m;
+                }
+            }
+            return worst;
+        }
+
+        private ObjectFit objectFit(ObjectMarker marker, CameraState atMode) {
+            List<PoseMode> modes = ObjectFit.modes(marker, errors, atMode);
+            if (modes.isEmpty()) {
+                throw new InputRefusedException(detections.imageName() + ": the corners of object " + marker.id()
+                        + " are of no square in front of the camera; check the order of its corners");
+            }
+            boolean noisy = settings.model().objectNoise() == ObjectNoise.DETECTION;
+            modes = noisy ? notNegligible(modes) : modes.subList(0, 1);
+            return new ObjectFit(marker, errors, atMode, modes);
+        }
+    }
+}

@@ -1,0 +1,160 @@
+package org.cellgauge.check;
+
+import io.reactivex.rxjava3.core.Flowable;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.IntSupplier;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.chains.CameraSampler;
+import org.cellgauge.chains.CameraTarget;
+import org.cellgauge.chains.CellProcess;
+import org.cellgauge.chains.CellQuantities;
+import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.chains.ObjectTarget;
+import org.cellgauge.chains.RandomPaths;
+import org.cellgauge.chains.TunedMixture;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.laplace.ObjectFit;
+import org.cellgauge.pose.PoseMode;
+import org.cellgauge.sampling.ChainEnsemble;
+import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.EnsembleSnapshot;
+import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.sampling.RunLength;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.ObjectNoise;
+import org.cellgauge.settings.SamplerKind;
+import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Warning;
+
+/** One run of the chains of a photo, from its quick look to draws that suffice; for one subscription. */
+final class ChainRun {
+    private static final int FIRST_ROUND = 1000;
+
+    private final QuickLook quickLook;
+    private final Observed observed;
+    private final CheckSettings settings;
+    private final long seed;
+    private final List<Warning> warnings;
+    private final CellQuantities quantities;
+    private SamplerKind samplerUsed;
+    private long tuningEvaluations;
+    private Diagnostics diagnostics;
+    private int diagnosedDraws;
+
+    ChainRun(QuickLook quickLook) {
+        this.quickLook = quickLook;
+        observed = quickLook.modes.observed;
+        settings = observed.settings;
+        seed = observed.photoSeed();
+        warnings = new ArrayList<>(quickLook.modes.warnings);
+        quantities = new CellQuantities(quickLook.modes.camera, tunedObjects());
+    }
+
+    /**
+     * Runs the chains.
+     *
+     * @param threads how many threads to step them on; asked again and again
+     * @return running statistics, the result last
+     */
+    Flowable<CheckUpdate> stream(IntSupplier threads) {
+        Estimates estimates = new Estimates(observed.cell, quantities, quickLook.estimate());
+        CameraSampler.Tuned tuned = tunedSampler();
+        List<CellProcess> processes = new ArrayList<>();
+        try {
+            for (int c = 0; c < settings.sampling().chains(); c++) {
+                processes.add(new CellProcess(quantities, tuned, seed, c));
+            }
+        } catch (IllegalStateException e) {
+            throw new InputRefusedException(observed.detections.imageName() + ": the chains cannot start, "
+                    + e.getMessage() + "; check the references' positions in the cell file or use --initial pnp", e);
+        }
+        boolean[] judged = quantities.judged();
+        int cap = settings.sampling().iterations().orElse(settings.sampling().maxIterations());
+        int warmup = settings.sampling().warmup(samplerUsed);
+        RunLength length = new RunLength(warmup, settings.sampling().iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
+        ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
+                draws -> preciseEnough(diagnosed(draws, judged), settings) && !undecided(), threads);
+        return ensemble.stream().map(snapshot -> {
+            CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null)
+                    : quickLook.estimate();
+            if (!snapshot.last()) {
+                return new CheckUpdate(CheckUpdate.Phase.SAMPLING, running, snapshot.iterationsPerChain(), null);
+            }
+            CheckResult result = CheckResult.of(sampled(estimates, judged, ensemble.draws(), snapshot));
+            return new CheckUpdate(CheckUpdate.Phase.RESULT, result.estimate(), snapshot.iterationsPerChain(), result);
+        });
+    }
+
+    private SampledCell sampled(Estimates estimates, boolean[] judged, List<Draws> draws, EnsembleSnapshot last) {
+        Diagnostics all = diagnosed(draws, judged).withTails();
+        return new SampledCell(quickLook, quantities, estimates.of(last.summary(), draws), draws, last, all,
+                samplerUsed, tuningEvaluations, warnings);
+    }
+
+    /** The sampler asked for; where independence fits the posterior too poorly, adaptive Metropolis instead. */
+    private CameraSampler.Tuned tunedSampler() {
+        samplerUsed = settings.sampling().sampler();
+        CameraSampler.Tuned tuned = tuned(samplerUsed);
+        if (tuned.misfit() != null && settings.sampling().sampler() == SamplerKind.INDEPENDENCE) {
+            warnings.add(Warning.of(CheckWarning.FAR_FROM_GAUSSIAN, tuned.misfit()));
+            samplerUsed = SamplerKind.ADAPTIVE;
+            return tuned(samplerUsed);
+        }
+        return tuned;
+    }
+
+    private CameraSampler.Tuned tuned(SamplerKind kind) {
+        CameraSampler.Tuned tuned = CameraSampler.of(kind).tune(new CameraTarget(quickLook.modes.camera),
+                RandomStreams.of(seed, RandomPaths.TUNING));
+        tuningEvaluations += tuned.evaluations();
+        return tuned;
+    }
+
+    /** The objects, each with a proposal fitted to its posterior. */
+    private List<ObjectTarget> tunedObjects() {
+        List<ObjectTarget> out = new ArrayList<>();
+        for (ObjectFit fit : quickLook.modes.objects) {
+            ObjectTarget object = ObjectTarget.ofModes(fit);
+            out.add(settings.model().objectNoise() == ObjectNoise.NONE ? object
+                    : object.withProposal(TunedMixture.tune(object.posterior(), TunedMixture.ofModes(fit.modes),
+                            RandomStreams.of(seed, RandomPaths.OBJECT_TUNING, fit.marker.id())).proposal()));
+        }
+        return out;
+    }
+
+    /** Diagnostics of draws, kept: the draws that suffice are those of the result. */
+    private Diagnostics diagnosed(List<Draws> draws, boolean[] judged) {
+        int count = draws.get(0).count();
+        if (diagnostics == null || diagnosedDraws != count) {
+            diagnostics = Diagnostics.of(draws, quantities.layout, judged, quantities.measured());
+            diagnosedDraws = count;
+        }
+        return diagnostics;
+    }
+
+    static boolean preciseEnough(Diagnostics found, CheckSettings settings) {
+        return found.converged() && found.mcseStdRelMax() < settings.sampling().targetMcseStdRel();
+    }
+
+    /** Whether the target lies within the Monte Carlo error of a deviation that could decide on it. */
+    private boolean undecided() {
+        OptionalDouble target = observed.cell.targetStdMm();
+        CellModes modes = quickLook.modes;
+        if (!target.isPresent() || !Judgement.undecided(diagnostics, modes.objects, target.getAsDouble())) {
+            return false;
+        }
+        // no target is held against two poses
+        return !twoPoses("camera", modes.camera.modes) && modes.objects.stream()
+                .noneMatch(object -> twoPoses("object_" + object.marker.id(), object.modes));
+    }
+
+    private boolean twoPoses(String name, List<PoseMode> modes) {
+        if (modes.size() < 2) {
+            return false;
+        }
+        double mean = diagnostics.parameters().get(name + "_mode").mean();
+        return mean > ModeEstimate.AMBIGUOUS_SHARE && mean < 1 - ModeEstimate.AMBIGUOUS_SHARE;
+    }
+}

@@ -1,0 +1,116 @@
+package org.cellgauge.check;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.chains.RandomPaths;
+import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.pose.NoiseBelief;
+import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Warning;
+
+/**
+ * The first stage of a check: what the photo shows of the cell, and how far its corners may be off; immutable.
+ */
+final class Observed {
+    final Cell cell;
+    final Detections detections;
+    final CheckSettings settings;
+    /** What is known of the corners' errors, in the terms that the model knows. */
+    final CornerErrors errors;
+    /** The added noise by the squareness of markers alone: the u of {@link org.cellgauge.pose.AddedNoise}. */
+    final double noiseLevel;
+    final List<Warning> warnings;
+
+    private Observed(Cell cell, Detections detections, CheckSettings settings, CornerErrors errors, double noiseLevel,
+            List<Warning> warnings) {
+        this.cell = cell;
+        this.detections = detections;
+        this.settings = settings;
+        this.errors = errors;
+        this.noiseLevel = noiseLevel;
+        this.warnings = Collections.unmodifiableList(warnings);
+    }
+
+    /**
+     * Looks at what was detected.
+     *
+     * @param stated the cell; the settings may have another target
+     * @param detections markers seen in its photo; ids foreign to the cell are ignored
+     * @param settings how the cell is modelled
+     * @return the observation
+     * @throws InputRefusedException if no reference is in the photo, or its light says nothing of where edges are
+     */
+    static Observed of(Cell stated, Detections detections, CheckSettings settings) {
+        Cell cell = settings.model().targetStdMm().isPresent()
+                ? stated.withTarget(settings.model().targetStdMm()) : stated;
+        if (detections.light() != null && detections.light().toneCurveOpen()) {
+            throw new InputRefusedException(detections.imageName() + ": whites are clipped, and then nothing in the "
+                    + "photo tells its tone curve, without which edges are not where they seem; expose less, or state "
+                    + "tone_curve in the cell file");
+        }
+        List<Warning> warnings = new ArrayList<>(detections.warnings());
+        warnOfReferencesNotSeen(cell, detections, warnings);
+        CornerErrors found = CornerErrors.of(cell, detections).withOutliersSetAside();
+        found.setAside().forEach((id, factor) ->
+                warnings.add(Warning.of(CheckWarning.MARKER_SET_ASIDE, id, Decimal.of(factor, factor < 10 ? 1 : 0))));
+        double noiseLevel = found.added() == null ? 0 : found.squarenessBelief().ofMeanVariance();
+        boolean rigid = settings.model().likelihood() == LikelihoodModel.RIGID_MARKER;
+        if (found.fromNothing() && !rigid) {
+            warnings.add(noiseWarning(found.squarenessBelief()));
+        }
+        // the thesis' likelihood has no corner noise for shared errors to be a part of
+        CornerErrors errors = found.isPlain() || rigid ? found : found.fixedAt(noiseLevel);
+        return new Observed(cell, detections, settings, errors, noiseLevel, warnings);
+    }
+
+    private static void warnOfReferencesNotSeen(Cell cell, Detections detections, List<Warning> warnings) {
+        List<Integer> unseen = new ArrayList<>();
+        for (Reference r : cell.references()) {
+            if (detections.find(r.id()) == null) {
+                unseen.add(r.id());
+            }
+        }
+        if (unseen.size() == cell.references().size()) {
+            throw new InputRefusedException(detections.imageName() + ": none of the references " + Listing.and(unseen)
+                    + " is in the photo; check the marker family of the cell file, the light and the focus");
+        }
+        if (!unseen.isEmpty()) {
+            warnings.add(Warning.of(CheckWarning.REFERENCES_NOT_SEEN, Listing.and(unseen)));
+        }
+    }
+
+    /** What is said of a noise that nobody states. */
+    static Warning noiseWarning(NoiseBelief belief) {
+        return Warning.of(CheckWarning.CORNER_NOISE_ESTIMATED, Decimal.of(belief.quantileStdPx(0.5), 3),
+                Decimal.of(belief.quantileStdPx(0.025), 3), Decimal.of(belief.quantileStdPx(0.975), 3));
+    }
+
+    /**
+     * What names the random streams of this photo: the seed and the corners of its markers, so that photos of a batch
+     * do not share their random numbers, and a photo has the same figures alone, in a batch and under another name.
+     */
+    long photoSeed() {
+        List<MarkerObservation> markers = detections.markers();
+        long[] path = new long[1 + 9 * markers.size()];
+        int at = 0;
+        path[at++] = RandomPaths.PHOTO;
+        for (MarkerObservation marker : markers) {
+            path[at++] = marker.id();
+            for (double px : marker.cornersPx()) {
+                path[at++] = Double.doubleToLongBits(px);
+            }
+        }
+        return RandomStreams.of(settings.sampling().seed(), path).nextLong();
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * Estimates of poses, points and intrinsics, each with its covariance, the covariance's order and frame, and what its
+ * variance comes from.
+ */
+package org.cellgauge.estimate;

@@ -1,0 +1,184 @@
+package org.cellgauge.placement;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.apache.commons.math3.distribution.NormalDistribution;
+import org.cellgauge.cell.Placement;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.statistics.SharedLevel;
+
+/**
+ * The test of one direction of one reference's placement: is the reference off along it by more than its stated
+ * precision allows? Immutable.
+ *
+ * <p>Tried are shifts along each world axis, shifts half-way between two axes, and turns about each axis. The limits
+ * are such that a cell as stated raises any alarm with the chance {@link #LEVEL}. The level is shared by the chance
+ * that each test would find what it looks for, five stated deviations along its direction (weights fixed by the layout
+ * alone keep the level: Genovese, Roeder and Wasserman, "False discovery control with p-value weighting", Biometrika
+ * 2006): a test of what the pose absorbs anyway must not cost the others their sharpness.
+ */
+final class DirectionScore {
+    /** Chance of a false alarm per cell by the linear model; 1 in 100 less what large placement errors may add. */
+    static final double LEVEL = 0.0075;
+    /** Chance of being found that {@link #detectable()} is about. */
+    static final double POWER = 0.95;
+    /** How far off a reference is, in stated deviations, that the tests are made to find. */
+    static final double LOOKED_FOR = 5;
+    /** What share of the level a direction gets: places are stated, and measured, along axes. */
+    private static final double[] WEIGHTS = {1, 0.2, 0.05};
+    /** About where the limits will be: it sets the weights, not the level. */
+    private static final double TYPICAL_LIMIT = 3.3;
+    private static final double HALF = Math.sqrt(0.5);
+    /** Shifts along an axis, shifts between two, turns; by coordinate of the placement in stated deviations. */
+    private static final double[][][] DIRECTIONS = {
+        {{1, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}, {0, 0, 1, 0, 0, 0}},
+        {{HALF, HALF, 0, 0, 0, 0}, {HALF, -HALF, 0, 0, 0, 0}, {HALF, 0, HALF, 0, 0, 0}, {HALF, 0, -HALF, 0, 0, 0},
+            {0, HALF, HALF, 0, 0, 0}, {0, HALF, -HALF, 0, 0, 0}},
+        {{0, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 1, 0}, {0, 0, 0, 0, 0, 1}}};
+    /** Limits depend on layout and pose alone, not on the seed of a run. */
+    private static final long SEED = 20_250_117;
+
+    final int index;
+    final Reference reference;
+    private final double[] direction;
+    private final double score;
+    private final double sensitivity;
+    private final double weight;
+    private final double limit;
+
+    private DirectionScore(int index, Reference reference, double[] direction, double score, double sensitivity,
+            double weight, double limit) {
+        this.index = index;
+        this.reference = reference;
+        this.direction = direction;
+        this.score = score;
+        this.sensitivity = sensitivity;
+        this.weight = weight;
+        this.limit = limit;
+    }
+
+    private DirectionScore withLimit(double found) {
+        return new DirectionScore(index, reference, direction, score, sensitivity, weight, found);
+    }
+
+    /** All tests of a fit; none of a direction that the pose absorbs entirely. */
+    static List<DirectionScore> of(ReferenceView view, PoseMode mode) {
+        PlacementScores scores = new PlacementScores(view, mode);
+        List<DirectionScore> tests = new ArrayList<>();
+        for (int m = 0; m < view.size(); m++) {
+            for (int kind = 0; kind < DIRECTIONS.length; kind++) {
+                for (double[] direction : DIRECTIONS[kind]) {
+                    double sensitivity = Math.sqrt(scores.variance(m, direction));
+                    if (sensitivity > 0) {
+                        tests.add(new DirectionScore(m, view.references().get(m), direction, scores.score(m, direction),
+                                sensitivity, WEIGHTS[kind] * chance(LOOKED_FOR, sensitivity, TYPICAL_LIMIT),
+                                Double.NaN));
+                    }
+                }
+            }
+        }
+        return tests.isEmpty() ? tests : withLimits(tests, scores.factor());
+    }
+
+    private static List<DirectionScore> withLimits(List<DirectionScore> tests, double[] factor) {
+        int width = (int) Math.round(Math.sqrt(factor.length));
+        double[][] rows = new double[tests.size()][width];
+        double[] weights = new double[rows.length];
+        for (int t = 0; t < rows.length; t++) {
+            DirectionScore test = tests.get(t);
+            weights[t] = test.weight;
+            double squares = 0;
+            for (int k = 0; k < width; k++) {
+                for (int c = 0; c < PlacementScores.COORDINATES; c++) {
+                    rows[t][k] += test.direction[c]
+                            * factor[(PlacementScores.COORDINATES * test.index + c) * width + k];
+                }
+                squares += rows[t][k] * rows[t][k];
+            }
+            for (int k = 0; k < width; k++) {
+                rows[t][k] /= Math.sqrt(squares);
+            }
+        }
+        double[] limits = SharedLevel.limits(rows, weights, LEVEL, RandomStreams.of(SEED));
+        List<DirectionScore> out = new ArrayList<>();
+        for (int t = 0; t < rows.length; t++) {
+            out.add(tests.get(t).withLimit(limits[t]));
+        }
+        return out;
+    }
+
+    /**
+     * Chance that a reference off by so many stated deviations is beyond the limit: the offset stands in the place of
+     * the random error that is part of the statistic's variance.
+     */
+    private static double chance(double deviations, double sensitivity, double limit) {
+        double left = Math.sqrt(Math.max(1e-12, 1 - sensitivity * sensitivity));
+        return new NormalDistribution(null, 0, 1)
+                .cumulativeProbability((deviations * sensitivity - limit) / left);
+    }
+
+    /** Standard normal if the reference stands as stated; the sign is that of the shift or turn. */
+    double statistic() {
+        return score / sensitivity;
+    }
+
+    /** Size of the statistic beyond which the reference is off. */
+    double limit() {
+        return limit;
+    }
+
+    boolean raisesAlarm() {
+        return Math.abs(statistic()) > limit;
+    }
+
+    /**
+     * How much speaks for this test's shift rather than another's: twice the logarithm of the likelihood ratio at the
+     * best size of the shift, and of the weight.
+     */
+    double evidence() {
+        return statistic() * statistic() + 2 * Math.log(weight);
+    }
+
+    /** The size of shift or turn that fits best if only this one is off, by coordinate: mm, then rad. */
+    double[] offset() {
+        return scaled(score / (sensitivity * sensitivity));
+    }
+
+    /** Standard deviation of that size, by coordinate: mm, then rad. */
+    double[] offsetStd() {
+        return scaled(1 / sensitivity);
+    }
+
+    /**
+     * The smallest shift or turn along this direction that is beyond the limit with the chance {@link #POWER}: Baarda's
+     * minimal detectable bias ("A testing procedure for use in geodetic networks", 1968), by coordinate: mm, then rad.
+     */
+    double[] detectable() {
+        double quantile = new NormalDistribution(null, 0, 1).inverseCumulativeProbability(POWER);
+        return scaled((limit + quantile * Math.sqrt(Math.max(0, 1 - sensitivity * sensitivity))) / sensitivity);
+    }
+
+    private double[] scaled(double deviations) {
+        Placement placement = reference.placement();
+        double[] out = new double[PlacementScores.COORDINATES];
+        for (int c = 0; c < out.length; c++) {
+            if (direction[c] != 0) {
+                out[c] = deviations * direction[c] * (c < 3 ? placement.stdMm(c) : placement.stdRad());
+            }
+        }
+        return out;
+    }
+
+    /** The coordinate tested where it is a single one; -1 for a direction between two. */
+    int coordinate() {
+        for (int c = 0; c < direction.length; c++) {
+            if (direction[c] == 1) {
+                return c;
+            }
+        }
+        return -1;
+    }
+}

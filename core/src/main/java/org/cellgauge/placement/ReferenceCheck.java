@@ -1,0 +1,452 @@
+package org.cellgauge.placement;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalInt;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.laplace.CameraFit;
+import org.cellgauge.laplace.ObjectFit;
+import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.warning.CheckPhrase;
+import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Warning;
+
+/**
+ * Whether the references fit together, which of them does not, and what hangs on it; immutable.
+ *
+ * <p>Every direction of every reference has its {@link DirectionScore} (a mean-shift outlier test; data snooping in
+ * photogrammetry: Baarda, "A testing procedure for use in geodetic networks", 1968). The reference for which most
+ * speaks is named and left out, the pose fitted again, and the rest tested anew, until nothing raises an alarm.
+ *
+ * <p>What the camera pose can absorb cannot be noticed: two references, or three in a plane, determine it with next to
+ * nothing to spare.
+ */
+public final class ReferenceCheck {
+    /** Twice the logarithm of 20: another reference for which this much less speaks may be the one instead. */
+    private static final double DOUBT = 2 * Math.log(20);
+    /**
+     * A reference that has to be off by more than this share of its distance from the camera to be noticed is said not
+     * to be noticed: no linear model holds that far, and nobody reads anything off such a number.
+     */
+    private static final double SENSIBLE_SHARE = 0.25;
+    /** Chance that references as stated fail to fit together without any being named. */
+    public static final double LEVEL_TOGETHER = 0.001;
+
+    private final List<ReferenceFit> fits;
+    private final List<MisplacedReference> misplaced;
+    private final WithoutMisplaced without;
+    private final double chiSquare;
+    private final int degreesOfFreedom;
+
+    private final NoiseFit noise;
+
+    private ReferenceCheck(List<ReferenceFit> fits, List<MisplacedReference> misplaced, WithoutMisplaced without,
+            double chiSquare, int degreesOfFreedom, NoiseFit noise) {
+        this.noise = noise;
+        this.chiSquare = chiSquare;
+        this.degreesOfFreedom = degreesOfFreedom;
+        this.fits = Collections.unmodifiableList(fits);
+        this.misplaced = Collections.unmodifiableList(misplaced);
+        this.without = without;
+    }
+
+    /**
+     * Checks the references of a photo.
+     *
+     * @param camera the camera from all of them, at a corner noise that the photo does not contradict
+     * @param objects the objects seen
+     * @param noise whether corners are as precise as stated
+     */
+    public static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise) {
+        PoseMode mode = camera.modes.get(0);
+        // without rigid placements in the likelihood there is nothing stated that a test could hold against them
+        List<DirectionScore> tests = camera.settings.model().likelihood() == LikelihoodModel.RIGID_MARKER
+                ? DirectionScore.of(camera.view, mode) : Collections.emptyList();
+        List<MisplacedReference> found = new ArrayList<>();
+        List<Integer> leftOut = new ArrayList<>();
+        CameraFit rest = camera;
+        List<DirectionScore> testsOfRest = tests;
+        while (rest != null && rest.view.size() >= 2) {
+            DirectionScore worst = worst(testsOfRest, Collections.emptyList(), true);
+            if (worst == null) {
+                break;
+            }
+            found.add(new MisplacedReference(worst, orInstead(testsOfRest, worst)));
+            leftOut.add(worst.reference.id());
+            rest = without(rest, worst.index);
+            testsOfRest = rest == null || rest.view.size() < 2 ? Collections.emptyList()
+                    : DirectionScore.of(rest.view, rest.modes.get(0));
+        }
+        PlacementScores scores = new PlacementScores(camera.view, mode);
+        double[] position = camera.view.worldFromCamera(mode.state().cameraFromSet()).translationMm();
+        List<ReferenceFit> fits = new ArrayList<>();
+        for (int m = 0; m < camera.view.size(); m++) {
+            Reference reference = camera.view.references().get(m);
+            fits.add(new ReferenceFit(reference,
+                    distance(position, reference.worldFromMarker().translationMm()), scores.chiSquare(m),
+                    leftOut.contains(reference.id()), tests));
+        }
+        boolean together = rest != null && rest.view.size() >= 2 && !tests.isEmpty();
+        return new ReferenceCheck(fits, found,
+                found.isEmpty() || rest == null ? null : WithoutMisplaced.of(leftOut, camera, rest, objects),
+                together ? ofPlacements(rest.modes.get(0)) : Double.NaN, together ? 6 * rest.view.size() - 6 : 0,
+                noise);
+    }
+
+    /**
+     * Chi-square of a fit but for what no placement explains (how square markers are has its own test,
+     * {@link NoiseFit}): the two are independent, and one of them says nothing of placements.
+     */
+    private static double ofPlacements(PoseMode mode) {
+        double sum = 2 * mode.halfChiSquare();
+        for (int m = 0; m < mode.markers(); m++) {
+            sum -= mode.squareChiSquare(m);
+        }
+        return Math.max(0, sum);
+    }
+
+    /** The test for which most speaks, of references that are not excepted. */
+    private static DirectionScore worst(List<DirectionScore> tests, List<Integer> excepted, boolean alarmsOnly) {
+        DirectionScore worst = null;
+        for (DirectionScore test : tests) {
+            if ((test.raisesAlarm() || !alarmsOnly) && !excepted.contains(test.reference.id())
+                    && (worst == null || test.evidence() > worst.evidence())) {
+                worst = test;
+            }
+        }
+        return worst;
+    }
+
+    private static List<Integer> orInstead(List<DirectionScore> tests, DirectionScore worst) {
+        List<Integer> excepted = new ArrayList<>();
+        excepted.add(worst.reference.id());
+        List<Integer> others = new ArrayList<>();
+        while (true) {
+            DirectionScore next = worst(tests, excepted, false);
+            if (next == null || next.evidence() < worst.evidence() - DOUBT) {
+                return others;
+            }
+            others.add(next.reference.id());
+            excepted.add(next.reference.id());
+        }
+    }
+
+    /** The camera from all references of a target but one; null if they lead to no pose. */
+    private static CameraFit without(CameraFit target, int leftOut) {
+        List<Integer> kept = new ArrayList<>();
+        for (int m = 0; m < target.view.size(); m++) {
+            if (m != leftOut) {
+                kept.add(m);
+            }
+        }
+        ReferenceView view = target.view.only(kept);
+        RigidTransform start = target.view.worldFromCamera(target.modes.get(0).state().cameraFromSet());
+        List<PoseMode> modes = target.finder(view).modes(start);
+        return modes.isEmpty() ? null : target.with(view, modes);
+    }
+
+    /**
+     * How each reference fits the others.
+     *
+     * @return those that the camera pose rests on, in the order of the cell
+     */
+    public List<ReferenceFit> fits() {
+        return fits;
+    }
+
+    /**
+     * How one reference fits the others.
+     *
+     * @param id marker id
+     * @return its figures, or null where the camera pose does not rest on it
+     */
+    public ReferenceFit fit(int id) {
+        for (ReferenceFit fit : fits) {
+            if (fit.id() == id) {
+                return fit;
+            }
+        }
+        return null;
+    }
+
+    /**
+     * References that stand farther off than their stated precision allows.
+     *
+     * @return the worst first, each after those before it were left out; mostly none
+     */
+    public List<MisplacedReference> misplaced() {
+        return misplaced;
+    }
+
+    /**
+     * Misfit of all references together that are not named as misplaced, but for how square they are.
+     *
+     * @return chi-square distributed with {@link #degreesOfFreedom()} if placement and corner noise are as stated; NaN
+     *     where there are fewer than two, or references are not tested
+     */
+    public double chiSquare() {
+        return chiSquare;
+    }
+
+    /**
+     * Six per reference, less the six of the camera pose.
+     *
+     * @return 0 where there is no {@link #chiSquare()}
+     */
+    public int degreesOfFreedom() {
+        return degreesOfFreedom;
+    }
+
+    /**
+     * Chance of a misfit as large as this if the cell is as stated.
+     *
+     * @return between 0 and 1; NaN where there is none
+     */
+    public double pValue() {
+        return degreesOfFreedom == 0 || !Double.isFinite(chiSquare) ? Double.NaN
+                : 1 - new ChiSquaredDistribution(null, degreesOfFreedom).cumulativeProbability(chiSquare);
+    }
+
+    /**
+     * Whether the references, but for misplaced ones, fit together as stated.
+     *
+     * @return true as well where that is not tested
+     */
+    public boolean fitTogether() {
+        return !(pValue() < LEVEL_TOGETHER);
+    }
+
+    /** How many times worse than stated they fit. */
+    private double timesWorse() {
+        return Math.sqrt(chiSquare / degreesOfFreedom);
+    }
+
+    /**
+     * Whether the photo contradicts what all figures rest on, so that none of them can meet a target: corners are
+     * noisier than stated, or the references together fit worse than stated.
+     *
+     * @return mostly false
+     */
+    public boolean contradicted() {
+        return !noise.holds() || !fitTogether();
+    }
+
+    /** What that adds to a reason, the noise first; null where nothing is contradicted. */
+    public Misfit misfit() {
+        return !noise.holds() ? noise.misfit() : fitTogether() ? null : Misfit.ofReferences(timesWorse());
+    }
+
+    /**
+     * Whether corners are as precise as stated.
+     *
+     * @return how square markers are, in stated deviations; nothing where the noise is not stated
+     */
+    public NoiseFit noise() {
+        return noise;
+    }
+
+    /**
+     * Camera and objects without them.
+     *
+     * @return null where no reference is misplaced, or the others lead to no pose
+     */
+    public WithoutMisplaced without() {
+        return without;
+    }
+
+    /**
+     * What the target is held against at an object's position.
+     *
+     * @param object as the chains have it
+     * @return its largest deviation; where a reference is misplaced, the error the position has without it if larger;
+     *     infinite where the figures are {@link #contradicted()}
+     */
+    public double judgedMm(ObjectEstimate object) {
+        return judged(WithoutMisplaced.largest(object.pose().std()),
+                without == null ? null : without.object(object.id()).errorMm());
+    }
+
+    /**
+     * What the target is held against at an object's gripping point.
+     *
+     * @param object as the chains have it
+     * @return the same of the gripping point; 0 if it has none
+     */
+    public double gripJudgedMm(ObjectEstimate object) {
+        return object.grip() == null ? 0 : judged(WithoutMisplaced.largest(object.grip().stdMm()),
+                without == null ? null : without.object(object.id()).gripErrorMm());
+    }
+
+    /** The largest error of an object's position and gripping point if references are misplaced; 0 where none is. */
+    public double errorMm(ObjectEstimate object) {
+        if (misplaced.isEmpty()) {
+            return 0;
+        }
+        return without == null ? Double.POSITIVE_INFINITY : without.object(object.id()).worstErrorMm();
+    }
+
+    private double judged(double stdMm, double[] errorMm) {
+        if (contradicted()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (misplaced.isEmpty()) {
+            return stdMm;
+        }
+        return errorMm == null ? Double.POSITIVE_INFINITY : Math.max(stdMm, WithoutMisplaced.largest(errorMm));
+    }
+
+    /**
+     * Whether an object and its gripping point meet a target, misplaced references kept or left out.
+     *
+     * @param object as the chains have it
+     * @param targetStdMm largest deviation allowed on any axis, mm
+     * @return true if both do
+     */
+    public boolean meets(ObjectEstimate object, double targetStdMm) {
+        return judgedMm(object) <= targetStdMm && gripJudgedMm(object) <= targetStdMm;
+    }
+
+    /**
+     * How far off a reference would have to be to be noticed, for people.
+     *
+     * @return a sentence or two with full stops; empty where references are not tested
+     */
+    public String noticeable() {
+        double[] worstMm = new double[3];
+        double most = 0;
+        boolean tested = false;
+        for (ReferenceFit fit : fits) {
+            tested |= fit.tested();
+            for (int axis = 0; axis < 3; axis++) {
+                double mm = fit.detectable()[axis];
+                boolean sensible = mm <= SENSIBLE_SHARE * fit.distanceMm();
+                worstMm[axis] = Math.max(worstMm[axis], sensible ? mm : Double.POSITIVE_INFINITY);
+                most = Math.max(most, sensible ? mm / fit.statedStdMm(axis) : 0);
+            }
+        }
+        if (!tested) {
+            return "";
+        }
+        List<String> sizes = new ArrayList<>();
+        List<String> never = new ArrayList<>();
+        for (int axis = 0; axis < 3; axis++) {
+            String name = "xyz".substring(axis, axis + 1);
+            if (Double.isInfinite(worstMm[axis])) {
+                never.add(name);
+            } else {
+                sizes.add(String.format(Locale.ROOT, worstMm[axis] < 100 ? "%.1f mm in %s" : "%.0f mm in %s",
+                        worstMm[axis], name));
+            }
+        }
+        String text = sizes.isEmpty() ? ""
+                : "To be noticed in 19 of 20 photos a reference would have to be off by up to "
+                + Listing.or(sizes) + ".";
+        text += never.isEmpty() ? "" : (text.isEmpty() ? "" : " ") + "A reference that is off in "
+                + Listing.or(never) + " would not be noticed.";
+        if (most > DirectionScore.LOOKED_FOR) {
+            text += String.format(Locale.ROOT, never.isEmpty() ? " That is more than %.0f times what is stated: more "
+                    + "references would show less."
+                    : " More references would show less than %.0f times what is stated.", DirectionScore.LOOKED_FOR);
+        } else if (!never.isEmpty()) {
+            text += " More references would show it.";
+        }
+        return text;
+    }
+
+    /** Warnings to the user. */
+    public List<Warning> warnings() {
+        List<Warning> warnings = noise.warnings();
+        for (MisplacedReference reference : misplaced) {
+            warnings.add(reference.warning());
+        }
+        if (!misplaced.isEmpty()) {
+            warnings.add(whatRestsOnThem());
+        }
+        if (!fitTogether()) {
+            warnings.add(Warning.of(CheckWarning.REFERENCES_DO_NOT_FIT, Decimal.of(timesWorse(), 1),
+                    Decimal.of(chiSquare, 0), degreesOfFreedom));
+        }
+        return warnings;
+    }
+
+    /** What leaving out the misplaced references changes, largest change first. */
+    private Warning whatRestsOnThem() {
+        boolean one = misplaced.size() == 1;
+        if (without == null) {
+            return Warning.of(one ? CheckWarning.NO_POSE_WITHOUT_IT : CheckWarning.NO_POSE_WITHOUT_THEM);
+        }
+        Warning moved = Warning.of(CheckPhrase.CAMERA);
+        double[] move = without.cameraMoveMm();
+        double most = -1;
+        for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+            if (length(object.moveMm()) > most) {
+                most = length(object.moveMm());
+                move = object.moveMm();
+                moved = Warning.of(CheckPhrase.OBJECT, object.id());
+            }
+            if (object.grip() != null && length(object.gripMoveMm()) > most) {
+                most = length(object.gripMoveMm());
+                move = object.gripMoveMm();
+                moved = Warning.of(CheckPhrase.GRIP, object.id());
+            }
+        }
+        List<Integer> ids = new ArrayList<>();
+        misplaced.forEach(reference -> ids.add(reference.id()));
+        return Warning.of(one ? CheckWarning.FIGURES_REST_ON_IT : CheckWarning.FIGURES_REST_ON_THEM, Listing.and(ids),
+                moved, Decimal.of(move[0], 1), Decimal.of(move[1], 1), Decimal.of(move[2], 1),
+                without.objects().size() > 1 ? Warning.of(CheckPhrase.MORE_THAN_ANY_OTHER) : "",
+                without.objects().isEmpty() ? "" : Warning.of(CheckPhrase.LARGEST_DEVIATION,
+                        Decimal.of(without.worstStdMm(), 2), Decimal.of(without.worstStdWithAllMm(), 2)));
+    }
+
+    private static double distance(double[] a, double[] b) {
+        return length(new double[] {a[0] - b[0], a[1] - b[1], a[2] - b[2]});
+    }
+
+    private static double length(double[] v) {
+        return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+
+    /**
+     * What misplaced references add to a reason.
+     *
+     * @param targetMet whether the verdict is that the target is met
+     * @param of the objects that the reason is about
+     * @return the largest error that a stated position of these has if they are misplaced; null where none is
+     */
+    public Misplacement misplacement(boolean targetMet, List<ObjectEstimate> of) {
+        if (misplaced.isEmpty()) {
+            return null;
+        }
+        List<Integer> ids = new ArrayList<>();
+        misplaced.forEach(reference -> ids.add(reference.id()));
+        Misplacement worst = new Misplacement(ids, targetMet, OptionalInt.empty(), false, 0,
+                without == null ? Double.POSITIVE_INFINITY : 0);
+        if (without == null) {
+            return worst;
+        }
+        for (ObjectEstimate estimate : of) {
+            WithoutMisplaced.ObjectWithout object = without.object(estimate.id());
+            for (int i = 0; i < 3; i++) {
+                if (object.errorMm()[i] > worst.errorMm()) {
+                    worst = new Misplacement(ids, targetMet, OptionalInt.of(object.id()), false, i,
+                            object.errorMm()[i]);
+                }
+                if (object.grip() != null && object.gripErrorMm()[i] > worst.errorMm()) {
+                    worst = new Misplacement(ids, targetMet, OptionalInt.of(object.id()), true, i,
+                            object.gripErrorMm()[i]);
+                }
+            }
+        }
+        return worst;
+    }
+}

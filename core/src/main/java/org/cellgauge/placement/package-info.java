@@ -1,0 +1,2 @@
+/** Tests of what is stated: whether references stand where they should, and corners are as precise as they should be. */
+package org.cellgauge.placement;

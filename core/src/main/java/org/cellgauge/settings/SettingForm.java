@@ -1,0 +1,151 @@
+package org.cellgauge.settings;
+
+import java.math.BigDecimal;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/**
+ * How values of one type are written and read back; immutable.
+ *
+ * @param <T> the values' type
+ */
+public final class SettingForm<T> {
+    private final String placeholder;
+    private final List<String> words;
+    private final Function<String, T> reader;
+    private final Function<T, Object> plain;
+    private final T open;
+
+    private SettingForm(String placeholder, List<String> words, Function<String, T> reader, Function<T, Object> plain,
+            T open) {
+        this.placeholder = placeholder;
+        this.words = words;
+        this.reader = reader;
+        this.plain = plain;
+        this.open = open;
+    }
+
+    /** One of the constants of an enum, by its word. */
+    static <E extends Enum<E> & Word> SettingForm<E> choice(Class<E> type) {
+        List<E> all = Arrays.asList(type.getEnumConstants());
+        List<String> words = all.stream().map(Word::word).collect(Collectors.toList());
+        return new SettingForm<>(String.join("|", words), words, text -> {
+            int at = words.indexOf(text);
+            if (at < 0) {
+                throw new IllegalArgumentException("'" + text + "' is not known; write "
+                        + String.join(" or ", words));
+            }
+            return all.get(at);
+        }, Word::word, null);
+    }
+
+    /** Yes or no. */
+    static SettingForm<Boolean> yesOrNo() {
+        List<String> words = List.of("true", "false");
+        return new SettingForm<>("true|false", words, text -> {
+            if (!words.contains(text)) {
+                throw new IllegalArgumentException("'" + text + "' is not known; write true or false");
+            }
+            return Boolean.valueOf(text);
+        }, value -> value, null);
+    }
+
+    /** A whole number of 32 bits. */
+    static SettingForm<Integer> whole(String placeholder) {
+        return new SettingForm<>(placeholder, List.of(), SettingForm::readInt, value -> value, null);
+    }
+
+    /** A whole number of 32 bits, or none. */
+    static SettingForm<OptionalInt> wholeOrOpen(String placeholder) {
+        return new SettingForm<>(placeholder, List.of(), text -> OptionalInt.of(readInt(text)),
+                value -> value.isPresent() ? value.getAsInt() : null, OptionalInt.empty());
+    }
+
+    /** A whole number of 64 bits. */
+    static SettingForm<Long> longWhole(String placeholder) {
+        return new SettingForm<>(placeholder, List.of(), text -> {
+            try {
+                return Long.valueOf(text.trim());
+            } catch (NumberFormatException e) {
+                throw notWhole(text);
+            }
+        }, value -> value, null);
+    }
+
+    /** A number. */
+    static SettingForm<Double> number(String placeholder) {
+        return new SettingForm<>(placeholder, List.of(), SettingForm::readDouble, value -> value, null);
+    }
+
+    /** A number, or none. */
+    static SettingForm<OptionalDouble> numberOrOpen(String placeholder) {
+        return new SettingForm<>(placeholder, List.of(), text -> OptionalDouble.of(readDouble(text)),
+                value -> value.isPresent() ? value.getAsDouble() : null, OptionalDouble.empty());
+    }
+
+    /** A number, or a word for +infinity. */
+    static SettingForm<Double> numberOr(String placeholder, String infinity) {
+        return new SettingForm<>(placeholder + "|" + infinity, List.of(infinity),
+                text -> text.equals(infinity) ? Double.POSITIVE_INFINITY : readDouble(text),
+                value -> Double.isInfinite(value) ? null : value, Double.POSITIVE_INFINITY);
+    }
+
+    private static int readInt(String text) {
+        try {
+            return Integer.parseInt(text.trim());
+        } catch (NumberFormatException e) {
+            throw notWhole(text);
+        }
+    }
+
+    private static IllegalArgumentException notWhole(String text) {
+        return new IllegalArgumentException("'" + text + "' is no whole number, or too large");
+    }
+
+    private static double readDouble(String text) {
+        try {
+            return Double.parseDouble(text.trim());
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("'" + text + "' is no number");
+        }
+    }
+
+    /**
+     * What stands for a value where none is given.
+     *
+     * @return the words to choose from with bars between, or for instance {@code N}
+     */
+    public String placeholder() {
+        return placeholder;
+    }
+
+    /** Value of a text; its refusal names the text alone, not the setting. */
+    T read(String text) {
+        return reader.apply(text);
+    }
+
+    /** Value as files hold it: a String, a Number, a Boolean, or null for what {@link #open} stands for. */
+    Object plain(T value) {
+        return plain.apply(value);
+    }
+
+    /** What a file's null means; null where it means nothing. */
+    T open() {
+        return open;
+    }
+
+    /** Text that {@link #read} makes the same value of; empty where nothing is to be written. */
+    String text(T value) {
+        Object written = plain(value);
+        if (written == null) {
+            return words.isEmpty() ? "" : words.get(words.size() - 1);
+        }
+        // every digit it takes, never with an exponent
+        return written instanceof Double && Double.isFinite((Double) written)
+                ? BigDecimal.valueOf((Double) written).stripTrailingZeros().toPlainString() : written.toString();
+    }
+}

@@ -1,0 +1,149 @@
+package org.cellgauge.settings;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.function.Predicate;
+import org.cellgauge.settings.Setting.Part;
+
+/**
+ * All settings of a check, in the order in which files hold them. Options, ranges, files, reports and the command that
+ * repeats a result are made from these rows: a new setting is a row here and whoever asks for its value.
+ */
+public final class SettingTable {
+    /** Likelihood of the references' corners. */
+    public static final Setting<LikelihoodModel> MODEL = Setting.of(Part.MODEL, "model",
+            SettingForm.choice(LikelihoodModel.class), LikelihoodModel.RIGID_MARKER,
+            "How placement errors move corners: each reference as a rigid whole, or every corner on its own as in the "
+                    + "thesis");
+
+    /** Half extent of corner-cube's box in placement deviations. */
+    public static final Setting<Double> KAPPA = Setting.of(Part.MODEL, "kappa", SettingForm.number("K"), 0.5,
+            "Half extent of corner-cube's box in standard deviations")
+            .within(positive(), "kappa must be positive");
+
+    /** How the camera pose is sampled. */
+    public static final Setting<SamplerKind> SAMPLER = Setting.of(Part.SAMPLING, "sampler",
+            SettingForm.choice(SamplerKind.class), SamplerKind.INDEPENDENCE, "How the camera pose is sampled");
+
+    /** Number of chains. */
+    public static final Setting<Integer> CHAINS = Setting.of(Part.SAMPLING, "chains", SettingForm.whole("N"), 4,
+            "Number of chains")
+            .within(n -> n >= 1 && n <= 1000, "chains must be between 1 and 1000");
+
+    /** Iterations of each chain, warm-up included, where they are fixed. */
+    public static final Setting<OptionalInt> ITERATIONS = Setting.of(Part.SAMPLING, "iterations",
+            SettingForm.wholeOrOpen("N"), OptionalInt.empty(),
+            "Iterations of each chain, warm-up included; without a number, as many as the wanted precision takes")
+            .within(n -> n.orElse(CheckSettings.FEWEST_ITERATIONS) >= CheckSettings.FEWEST_ITERATIONS,
+                    "iterations must be at least " + CheckSettings.FEWEST_ITERATIONS);
+
+    /** Monte Carlo error of every standard deviation, relative to it, at which sampling stops. */
+    public static final Setting<Double> PRECISION = Setting.of(Part.SAMPLING, "target_mcse_std_rel",
+            SettingForm.number("SHARE"), 0.02,
+            "Chains run until the Monte Carlo error of every standard deviation is below this share of it")
+            .named("precision").where(settings -> !settings.sampling().iterations().isPresent())
+            .within(share -> share > 0 && share < 1, "precision must lie between 0 and 1: it is a share, 0.02 for 2 %");
+
+    /** Cap on the iterations of each chain where they are not fixed. */
+    public static final Setting<Integer> MAX_ITERATIONS = Setting.of(Part.SAMPLING, "max_iterations",
+            SettingForm.whole("N"), 50_000,
+            "Cap on the iterations of each chain, warm-up included, whatever the precision is by then; a warning says "
+                    + "if it was not reached")
+            .where(settings -> !settings.sampling().iterations().isPresent())
+            .within(n -> n >= CheckSettings.FEWEST_ITERATIONS,
+                    "iterations must be at least " + CheckSettings.FEWEST_ITERATIONS);
+
+    /** Iterations of each chain that are not kept, where they are fixed. */
+    public static final Setting<OptionalInt> WARMUP = Setting.of(Part.SAMPLING, "warmup",
+            SettingForm.wholeOrOpen("N"), OptionalInt.empty(), "Iterations of each chain that are not kept")
+            .usually("independence 200, adaptive 5000, thesis-mixture half of them");
+
+    /** Seed of all randomness. */
+    public static final Setting<Long> SEED = Setting.of(Part.SAMPLING, "seed", SettingForm.longWhole("SEED"), 1L,
+            "Seed of everything random, the same seed gives the same figures; each photo has random numbers of its "
+                    + "own, named by the seed and by the corners of its markers");
+
+    /** Which intrinsics are sampled. */
+    public static final Setting<Estimate> ESTIMATE = Setting.of(Part.MODEL, "estimate",
+            SettingForm.choice(Estimate.class), Estimate.NONE, "What of the camera is estimated along with its pose");
+
+    /** Standard deviation of the prior of the focal length about the camera file's. */
+    public static final Setting<Double> FOCAL_PRIOR_STD_PX = Setting.of(Part.MODEL, "focal_prior_std_px",
+            SettingForm.number("PX"), 200.0,
+            "Where focal lengths are estimated: standard deviation of what is known of the focal length beforehand, "
+                    + "about the camera file's fx, px")
+            .in("px").where(SettingTable::focalUnknown).within(positive(), "focal prior must be positive");
+
+    /** Standard deviation of the prior of the aspect ratio fy / fx, as a share of the camera file's. */
+    public static final Setting<Double> ASPECT_PRIOR_STD = Setting.of(Part.MODEL, "aspect_prior_std",
+            SettingForm.numberOr("SHARE", "independent"), 0.005,
+            "Where focal lengths are estimated: standard deviation of what is known of fy / fx beforehand, as a share "
+                    + "of the camera file's; independent for two focal lengths that know nothing of each other, as in "
+                    + "the thesis")
+            .where(SettingTable::focalUnknown)
+            .within(share -> share > 0, "aspect prior must be positive: it is a share, 0.005 for half a per cent");
+
+    /** First estimate of the camera pose. */
+    public static final Setting<InitialEstimate> INITIAL = Setting.of(Part.SAMPLING, "initial",
+            SettingForm.choice(InitialEstimate.class), InitialEstimate.PNP, "First estimate of the camera pose");
+
+    /** Where random walks start. */
+    public static final Setting<ChainStart> START = Setting.of(Part.SAMPLING, "start",
+            SettingForm.choice(ChainStart.class), ChainStart.DISPERSED,
+            "Where the chains of thesis-mixture start: at draws around the mode, or at the first estimate of the pose "
+                    + "as in the thesis");
+
+    /** What is taken of the noise in an object's own corners. */
+    public static final Setting<ObjectNoise> OBJECT_NOISE = Setting.of(Part.MODEL, "object_noise",
+            SettingForm.choice(ObjectNoise.class), ObjectNoise.DETECTION,
+            "Whether the noise in an object's own corners counts, or the camera's part alone is wanted");
+
+    /** Prior over the camera's rotation. */
+    public static final Setting<RotationPrior> ROTATION_PRIOR = Setting.of(Part.MODEL, "rotation_prior",
+            SettingForm.choice(RotationPrior.class), RotationPrior.UNIFORM,
+            "What is taken of the camera's rotation beforehand: every one alike, or flat in the angles as in the "
+                    + "thesis");
+
+    /** Whether a weak prior on the pose may be added where two or fewer references leave directions open. */
+    public static final Setting<Boolean> POSE_PRIOR_ALLOWED = Setting.of(Part.MODEL, "pose_prior_allowed",
+            SettingForm.yesOrNo(), true,
+            "Whether a weak prior on the camera pose may be added where two or fewer references leave directions open");
+
+    /** Largest standard deviation allowed on any axis of any object and gripping point, in place of the cell's. */
+    public static final Setting<OptionalDouble> TARGET_STD_MM = Setting.of(Part.MODEL, "target_std_mm",
+            SettingForm.numberOrOpen("MM"), OptionalDouble.empty(),
+            "Largest standard deviation allowed on any axis of any object and gripping point, mm, in place of the "
+                    + "cell file's")
+            .in("mm").named("target")
+            .within(mm -> positive().test(mm.orElse(1)), "target must be a positive number of mm");
+
+    /** Number of threads. */
+    public static final Setting<Integer> THREADS = Setting.of(Part.SAMPLING, "threads", SettingForm.whole("N"),
+            Math.max(1, Runtime.getRuntime().availableProcessors()), "Number of threads; no figure depends on it")
+            .usually("all cores").withoutEffectOnFigures().within(n -> n >= 1, "threads must be at least 1");
+
+    private static final List<Setting<?>> ALL = List.of(MODEL, KAPPA, SAMPLER, CHAINS, ITERATIONS, PRECISION,
+            MAX_ITERATIONS, WARMUP, SEED, ESTIMATE, FOCAL_PRIOR_STD_PX, ASPECT_PRIOR_STD, INITIAL, START, OBJECT_NOISE,
+            ROTATION_PRIOR, POSE_PRIOR_ALLOWED, TARGET_STD_MM, THREADS);
+
+    private SettingTable() {
+    }
+
+    /**
+     * All rows.
+     *
+     * @return in the order of files
+     */
+    public static List<Setting<?>> all() {
+        return ALL;
+    }
+
+    private static Predicate<Double> positive() {
+        return value -> value > 0 && Double.isFinite(value);
+    }
+
+    private static boolean focalUnknown(CheckSettings settings) {
+        return settings.model().estimate() == Estimate.FOCAL;
+    }
+}

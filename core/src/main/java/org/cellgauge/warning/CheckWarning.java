@@ -1,0 +1,84 @@
+package org.cellgauge.warning;
+
+/** What a check warns of. */
+public enum CheckWarning implements WarningKind {
+    /** Another sampler took over: {@link CheckPhrase#MISFIT}. */
+    FAR_FROM_GAUSSIAN("the posterior is far from Gaussian (%s): adaptive Metropolis was used instead of independence"),
+    /** Objects of the cell that the photo does not show: ids. */
+    OBJECTS_NOT_SEEN("not seen in the photo: object %s"),
+    /** References of the cell that the photo does not show: ids. */
+    REFERENCES_NOT_SEEN("not seen in the photo: reference %s"),
+    /** Small markers: each a {@link CheckPhrase#SMALL_MARKER}, side that is too small, px, advised side, px. */
+    SMALL_MARKERS("small in the image: marker %s; below %s px of side corners get imprecise and markers are missed, "
+            + "plan for %s px: larger markers or a closer camera"),
+    /** The corner noise is neither stated nor told by the detector: its median, px, and where 95 % of it lie, px. */
+    CORNER_NOISE_ESTIMATED("pixel_std_px is not stated: corners of this photo are good to %s px as far as it tells, "
+            + "and with 95 %% to between %s and %s px"),
+    /** A marker whose corners fit no square: its id, how many times worse than the others. */
+    MARKER_SET_ASIDE("the corners of marker %s fit no square: %s times worse than those of the others; it counts for "
+            + "little until they do (is it covered, smudged, bent, or has it a glint?)"),
+    /** Corners are not as precise as stated: how many times noisier, stated deviation, px, deviation shown, px. */
+    NOISIER_THAN_STATED("corners are %s times noisier than the stated %s px, by how square markers are: figures promise "
+            + "too much; state pixel_std_px: %s, or leave pixel_std_px out"),
+    /** The corners of one marker are not as precise as stated: its id, how many times noisier, stated deviation, px. */
+    MARKER_NOISIER_THAN_STATED("the corners of marker %s fit no square: they are %s times noisier than the stated %s "
+            + "px, and those of the others are not (is it covered, smudged, bent, or has it a glint?)"),
+    /** References together fit worse than stated: how many times, chi-square, degrees of freedom. */
+    REFERENCES_DO_NOT_FIT("the references together fit %s times worse than their stated precision and corner noise let "
+            + "expect (chi-square %s of %s), and no single one stands out: measure their positions again, or state a "
+            + "placement that they keep"),
+    /** References whose turn is stated too loosely for the model: ids, largest figure, figure it holds up to. */
+    TURNS_TOO_LOOSE("reference %s may be turned farther than the model can follow (side in px times squared turn in "
+            + "rad over corner noise in px is up to %s, and the model holds to about %s): figures may be off; state a "
+            + "smaller std_deg after measuring how it is mounted"),
+    /** A reference that no pose explains along with the others: id. */
+    REFERENCE_LEFT_OUT("reference %s is left out: its corners are nowhere near where the other references put it; "
+            + "check its id and position in the cell file"),
+    /** The initial estimate failed: its option's name. */
+    INITIAL_ESTIMATE_FAILED("the %s estimate found no camera pose; pnp was used instead"),
+    /** The result leans on the pose prior: its share, %, {@link CheckPhrase#WEAK_PRIOR}. */
+    DIRECTION_OPEN("the references leave a direction of the camera pose open: %s %% of what is known there is the weak "
+            + "prior %s; add a reference"),
+    /** Too few iterations allowed: how many, the parameter's name, its Monte Carlo error, %, what was asked for, %. */
+    CAP_REACHED("the chains reached their cap of %s iterations before the precision asked for: the standard deviation "
+            + "of %s has a Monte Carlo error of %s %% in place of %s %%; allow more with --max-iterations"),
+    /** Tails too heavy: the parameter's name, its Pareto k, largest k at which deviations are as stated. */
+    HEAVY_TAILS("the draws of %s have heavy tails (Pareto k %s, up to %s is well): its standard deviation is less "
+            + "precise than its stated Monte Carlo error, and more iterations hardly help; more or better placed "
+            + "references do"),
+    /**
+     * A reference stands off: id, by what (each a {@link CheckPhrase#SHIFT}), its stated deviations (each a
+     * {@link CheckPhrase#STD_MM}), {@link CheckPhrase#OR_INSTEAD} or nothing.
+     */
+    REFERENCE_OFF("reference %s seems off by about %s, which its stated precision (%s) does not allow: measure its "
+            + "position again%s"),
+    /**
+     * A reference is turned: id, by what (each a {@link CheckPhrase#TURN}), its stated deviation
+     * ({@link CheckPhrase#STD_DEGREES}), {@link CheckPhrase#OR_INSTEAD} or nothing.
+     */
+    REFERENCE_TURNED("reference %s seems turned by about %s, which its stated precision (%s) does not allow: check how "
+            + "it is mounted%s"),
+    /**
+     * What leaving out the one misplaced reference changes: its id, what moves most ({@link CheckPhrase#CAMERA},
+     * {@link CheckPhrase#OBJECT} or {@link CheckPhrase#GRIP}), by how much in x, y, z, mm,
+     * {@link CheckPhrase#MORE_THAN_ANY_OTHER} or nothing, {@link CheckPhrase#LARGEST_DEVIATION} or nothing.
+     */
+    FIGURES_REST_ON_IT("figures rest on reference %s all the same: without it %s moves by (%s, %s, %s) mm%s%s"),
+    /** The same of several: their ids, and so on. */
+    FIGURES_REST_ON_THEM("figures rest on references %s all the same: without them %s moves by (%s, %s, %s) mm%s%s"),
+    /** Nothing can be said of what hangs on the one misplaced reference. */
+    NO_POSE_WITHOUT_IT("without it the other references lead to no camera pose"),
+    /** Nothing can be said of what hangs on several misplaced references. */
+    NO_POSE_WITHOUT_THEM("without them the other references lead to no camera pose");
+
+    private final String english;
+
+    CheckWarning(String english) {
+        this.english = english;
+    }
+
+    @Override
+    public String english() {
+        return english;
+    }
+}
