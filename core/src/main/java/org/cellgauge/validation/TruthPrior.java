@@ -175,7 +175,7 @@ public final class TruthPrior {
             }
             intrinsicsPrior.setWhitened(rows, intrinsics);
         } while (!(intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0));
-        return PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(), intrinsics);
+        return cell.camera().withIntrinsics(intrinsics);
     }
 
     private static void refuseIfHopeless(int attempt, Refusal what) {

@@ -486,7 +486,7 @@ class CoverageStudyTest {
             double focal = cell.camera().intrinsics()[0];
             leastFocal = Math.min(leastFocal, focal);
             largestFocal = Math.max(largestFocal, focal);
-            distorted += cell.camera().hasDistortion() ? 1 : 0;
+            distorted += cell.camera().isDistorting() ? 1 : 0;
             double px = cell.pixelStdPx().getAsDouble();
             assertTrue(px >= 0.05 && px <= 0.5);
             for (Reference r : cell.references()) {
