@@ -2,6 +2,7 @@ package org.cellgauge.cli;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -53,7 +54,8 @@ final class RepeatingCommand {
      */
     static String asGiven(String name, ParseResult parsed, Set<String> without) {
         List<String> words = new ArrayList<>(List.of("cellgauge", name));
-        for (OptionSpec option : parsed.matchedOptions()) {
+        // an option that is given twice is matched twice, each time with all its values
+        for (OptionSpec option : new LinkedHashSet<>(parsed.matchedOptions())) {
             if (without.contains(option.longestName())) {
                 continue;
             }
