@@ -13,6 +13,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMethodCall;
 import com.tngtech.archunit.core.domain.Source;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
@@ -47,6 +48,9 @@ class ArchitectureTest {
 
     private static final String[] BOOFCV = {"boofcv..", "georegression.."};
     private static final String RXJAVA = "io.reactivex..";
+
+    private static final List<String> SHARED_POOL = List.of("parallel", "parallelStream", "parallelSort",
+            "parallelSetAll", "parallelPrefix", "supplyAsync", "runAsync");
 
     private static final int JAVA_11_CLASS_FILE = 55;
 
@@ -181,6 +185,20 @@ class ArchitectureTest {
     @Test
     void nothingStaticIsMutable() {
         fields().that().areStatic().should().beFinal().check(product);
+    }
+
+    /** Who asks core for one thread gets one: the pool that a whole program shares is that program's. */
+    @Test
+    void coreUsesNoSharedPool() {
+        noClasses().should().callMethodWhere(new DescribedPredicate<>("work is given to the common pool") {
+            @Override
+            public boolean test(JavaMethodCall call) {
+                return SHARED_POOL.contains(call.getTarget().getName())
+                        && call.getTargetOwner().getPackageName().startsWith("java.util");
+            }
+        }).check(core);
+        noClasses().should().dependOnClassesThat().haveFullyQualifiedName("java.util.concurrent.ForkJoinPool")
+                .check(core);
     }
 
     @Test

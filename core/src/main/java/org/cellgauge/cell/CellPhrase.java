@@ -65,10 +65,6 @@ public enum CellPhrase implements RefusalKind {
     REFERENCES("references:, and below it at least one line such as \"944: {position_mm: [492, 380, 0]}\""),
     /** Objects. */
     OBJECTS("lines such as \"5: {}\" below objects:"),
-    /** A position. */
-    POSITION("[x, y, z] in mm"),
-    /** The key of a position. */
-    POSITION_KEY("position_mm: [x, y, z] in mm"),
     /** Angles. */
     ROTATION("[psi, theta, phi] in degrees, from -360 to 360"),
     /** A mapping that may be left out: how to write it. */

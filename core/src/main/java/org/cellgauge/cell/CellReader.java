@@ -36,6 +36,7 @@ public final class CellReader {
     private static final CellPhrase WHAT = CellPhrase.CELL_FILE;
     private static final String PLACEMENT_EXAMPLE = "placement: {std_mm: [5, 5, 5], std_deg: 0.5}";
     private static final String MARKERS_EXAMPLE = "markers: {family: square-binary, size_mm: 47}";
+    private static final String POSITION = "[x, y, z] in mm";
     private static final double MIN_SIZE_MM = 0.5;
     private static final double MAX_LENGTH_MM = 1e6;
     private static final double MAX_STD_DEG = 90;
@@ -258,7 +259,7 @@ public final class CellReader {
         return bounded(value, size, CellPhrase.MARKER_SIZE);
     }
 
-    private static double bounded(YamlValue value, double lengthMm, CellPhrase remedy) {
+    private static double bounded(YamlValue value, double lengthMm, Object remedy) {
         if (!(Math.abs(lengthMm) <= MAX_LENGTH_MM)) {
             throw value.refused(CellRefusal.TOO_LONG, CameraReader.plain(lengthMm), remedy);
         }
@@ -266,9 +267,9 @@ public final class CellReader {
     }
 
     private static double[] point(YamlValue value) {
-        double[] point = value.numbers(3, CellPhrase.POSITION);
+        double[] point = value.numbers(3, POSITION);
         for (double v : point) {
-            bounded(value, v, CellPhrase.POSITION);
+            bounded(value, v, POSITION);
         }
         return point;
     }
@@ -324,7 +325,7 @@ public final class CellReader {
             int id = id(e.getKey(), e.getValue(), lines);
             YamlMapping entry = e.getValue().mapping("{position_mm: [x, y, z], rotation_deg: [psi, theta, phi]}",
                     "position_mm", "rotation_deg", "placement", "size_mm");
-            YamlValue positionValue = entry.required("position_mm", CellPhrase.POSITION_KEY);
+            YamlValue positionValue = entry.required("position_mm", "position_mm: " + POSITION);
             double[] position = point(positionValue);
             double[] rotation = rotation(entry.optional("rotation_deg"));
             RigidTransform worldFromMarker = RigidTransform.ofEuler(position[0], position[1], position[2],

@@ -83,20 +83,22 @@ final class ChainRun {
         int warmup = settings.sampling().warmup(samplerUsed);
         RunLength length = new RunLength(warmup, settings.sampling().iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> preciseEnough(diagnosed(draws, judged), settings) && !undecided(), threads);
+                draws -> preciseEnough(diagnosed(draws, judged, threads.getAsInt()), settings) && !undecided(), threads);
         return ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null)
                     : quickLook.estimate();
             if (!snapshot.last()) {
                 return new CheckUpdate(CheckUpdate.Phase.SAMPLING, running, snapshot.iterationsPerChain(), null);
             }
-            CheckResult result = CheckResult.of(sampled(estimates, judged, ensemble.draws(), snapshot));
+            CheckResult result = CheckResult.of(
+                    sampled(estimates, judged, ensemble.draws(), snapshot, threads.getAsInt()));
             return new CheckUpdate(CheckUpdate.Phase.RESULT, result.estimate(), snapshot.iterationsPerChain(), result);
         });
     }
 
-    private SampledCell sampled(Estimates estimates, boolean[] judged, List<Draws> draws, EnsembleSnapshot last) {
-        Diagnostics all = diagnosed(draws, judged).withTails();
+    private SampledCell sampled(Estimates estimates, boolean[] judged, List<Draws> draws, EnsembleSnapshot last,
+            int threads) {
+        Diagnostics all = diagnosed(draws, judged, threads).withTails(threads);
         return new SampledCell(quickLook, quantities, estimates.of(last.summary(), draws), draws, last, all,
                 samplerUsed, tuningEvaluations, warnings);
     }
@@ -133,10 +135,10 @@ final class ChainRun {
     }
 
     /** Diagnostics of draws, kept: the draws that suffice are those of the result. */
-    private Diagnostics diagnosed(List<Draws> draws, boolean[] judged) {
+    private Diagnostics diagnosed(List<Draws> draws, boolean[] judged, int threads) {
         int count = draws.get(0).count();
         if (diagnostics == null || diagnosedDraws != count) {
-            diagnostics = Diagnostics.of(draws, quantities.layout, judged, quantities.measured());
+            diagnostics = Diagnostics.of(draws, quantities.layout, judged, quantities.measured(), threads);
             diagnosedDraws = count;
         }
         return diagnostics;

@@ -62,6 +62,11 @@ public final class Refusal extends Message {
         return text.replaceAll("\\p{Cntrl}", " ");
     }
 
+    @Override
+    public RefusalKind kind() {
+        return (RefusalKind) super.kind();
+    }
+
     /**
      * Where the fault is seen.
      *
@@ -78,7 +83,7 @@ public final class Refusal extends Message {
      * @return a refusal in place of this one
      */
     public Refusal withPlace(Place where) {
-        return new Refusal(where, (RefusalKind) kind(), arguments());
+        return new Refusal(where, kind(), arguments());
     }
 
     @Override

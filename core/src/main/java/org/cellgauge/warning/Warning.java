@@ -22,4 +22,9 @@ public final class Warning extends Message {
     public static Warning of(WarningKind kind, Object... arguments) {
         return new Warning(kind, arguments);
     }
+
+    @Override
+    public WarningKind kind() {
+        return (WarningKind) super.kind();
+    }
 }

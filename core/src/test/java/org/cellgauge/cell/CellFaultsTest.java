@@ -270,7 +270,7 @@ class CellFaultsTest {
     @Test
     void detectionsFileInPlaceOfACellFileIsRecognised() throws IOException {
         assertHolds(refusal(written("a.json", "{\"image\": {\"width\": 1280}, \"markers\": []}")), "a.json, line 1",
-                "detections file", "--detections");
+                "detections file", "name a cell file");
     }
 
     @Test
