@@ -151,6 +151,24 @@ public final class CameraModeFinder {
         return found;
     }
 
+    /**
+     * The mode of corners that are exactly where poses have them, references at their nominal places: nothing is
+     * searched for.
+     *
+     * @param worldFromCameras camera in world, by view
+     * @return the mode, or null where a corner is not in front of a camera, or the poses are not determined
+     */
+    public PoseMode at(List<RigidTransform> worldFromCameras) {
+        List<RigidTransform> poses = new ArrayList<>();
+        for (RigidTransform worldFromCamera : worldFromCameras) {
+            poses.add(view.cameraFromSet(worldFromCamera));
+        }
+        CameraState state = state(poses);
+        Linearisation errors = new Linearisation(PlacedReferences.nominal(view));
+        ReprojectionFit fit = fit(errors);
+        return errors.freeze(state) && fit.freeze(errors.noise, state) ? fit.modeAt(state, errors.placed) : null;
+    }
+
     private static List<RigidTransform> poses(PoseMode mode) {
         CameraState state = mode.state();
         List<RigidTransform> poses = new ArrayList<>();
@@ -265,15 +283,23 @@ public final class CameraModeFinder {
         for (PoseMode mode : known) {
             hopeless = Math.min(hopeless, mode.halfChiSquare() + HOPELESS);
         }
+        return converged(state(cameraFromSets), new Linearisation(PlacedReferences.nominal(view)), known, hopeless);
+    }
+
+    private CameraState state(List<RigidTransform> cameraFromSets) {
         CameraState state = CameraState.of(cameraFromSets, camera);
         state.unknowns = new double[view.unknowns()];
         state.noise = noise.noise();
-        return converged(state, new Linearisation(PlacedReferences.nominal(view)), known, hopeless);
+        return state;
+    }
+
+    private ReprojectionFit fit(Linearisation errors) {
+        return new ReprojectionFit(view.blocks(), errors.points, errors.observed, view.columns(), view.unknowns(),
+                intrinsicsPrior, posePrior);
     }
 
     private PoseMode converged(CameraState state, Linearisation errors, List<PoseMode> known, double hopeless) {
-        ReprojectionFit fit = new ReprojectionFit(view.blocks(), errors.points, errors.observed, view.columns(),
-                view.unknowns(), intrinsicsPrior, posePrior);
+        ReprojectionFit fit = fit(errors);
         CameraState before = state.copy();
         double cost = Double.NaN;
         for (int i = 0; i < MAX_FREEZES; i++) {

@@ -32,18 +32,6 @@ public final class PoseMode {
      * @param fit evaluated with derivatives at the state
      * @param state where the fit converged; copied
      * @param halfChiSquare half the sum of squares there
-     * @return the mode, or null where its information is singular
-     */
-    static PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare) {
-        return of(fit, state, halfChiSquare, null);
-    }
-
-    /**
-     * Reads a mode off a converged fit to references.
-     *
-     * @param fit evaluated with derivatives at the state
-     * @param state where the fit converged; copied
-     * @param halfChiSquare half the sum of squares there
      * @param placed where placement errors were linearised, or null where there are none
      * @return the mode, or null where its information is singular
      */

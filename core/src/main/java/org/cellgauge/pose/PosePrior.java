@@ -11,6 +11,13 @@ import org.cellgauge.geometry.Rotations;
  * prior says so.
  */
 public final class PosePrior {
+    /** Deviation of places in the prior of a layout whose references leave directions open, mm. */
+    public static final double WEAK_STD_MM = 1000;
+    /** Deviation of rotations in it, rad. */
+    public static final double WEAK_STD_RAD = 0.7;
+    /** So many references may leave directions of the pose open. */
+    private static final int TOO_FEW = 2;
+
     private final CameraState base;
     private final double stdMm;
     private final double stdRad;
@@ -30,6 +37,26 @@ public final class PosePrior {
         this.base = base.copy();
         this.stdMm = stdMm;
         this.stdRad = stdRad;
+    }
+
+    /**
+     * Whether references are so few that they may leave directions of the pose open.
+     *
+     * @param references number of references seen
+     * @return true for at most two
+     */
+    public static boolean isNeededFor(int references) {
+        return references <= TOO_FEW;
+    }
+
+    /**
+     * The weak prior of such layouts.
+     *
+     * @param base centre of the prior
+     * @return the prior
+     */
+    public static PosePrior weak(CameraState base) {
+        return new PosePrior(base, WEAK_STD_MM, WEAK_STD_RAD);
     }
 
     /**

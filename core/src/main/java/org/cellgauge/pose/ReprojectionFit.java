@@ -427,6 +427,22 @@ public final class ReprojectionFit {
     }
 
     /**
+     * What Laplace's method needs at a state that is taken for the mode, of this fit's weights as they are.
+     *
+     * @param state where; copied
+     * @return the mode, or null where a corner is not in front of the camera, or the information is singular
+     */
+    public PoseMode modeAt(CameraState state) {
+        return modeAt(state, null);
+    }
+
+    /** The same of references whose placement errors are linearised at a place. */
+    PoseMode modeAt(CameraState state, PlacedReferences placed) {
+        double cost = evaluate(state, true);
+        return cost < Double.POSITIVE_INFINITY ? PoseMode.of(this, state, cost, placed) : null;
+    }
+
+    /**
      * Number of unknowns: 6 per view, one per unknown intrinsic and one per unknown that markers share.
      *
      * @return columns of the derivative

@@ -44,8 +44,8 @@ public final class EulerChart implements CameraChart {
     }
 
     @Override
-    public int dimension() {
-        return layout.size();
+    public StateLayout layout() {
+        return layout;
     }
 
     @Override

@@ -69,7 +69,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final PinholeCamera camera;
     /** Patterns of the ids to report. */
     private final Map<Integer, boolean[]> patterns = new TreeMap<>();
-    private final MarkerPattern familyPatterns;
+    private final FamilyPatterns familyPatterns;
     private final boolean hasChecksum;
     private final double residualLimitPerSide;
     private final BaseDetectFiducialSquare<GrayU8> squares;
@@ -129,7 +129,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.residualLimitPerSide = residualLimitPerSide;
         this.camera = camera;
         this.hasChecksum = !family.isSquareBinary();
-        this.familyPatterns = new MarkerPattern(family);
+        this.familyPatterns = new FamilyPatterns(family);
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
         this.squares = family.isSquareBinary() ? squareBinary() : squareHamming(family);
         if (camera.isDistorting() && !camera.lens().isWide()) {
@@ -368,7 +368,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     private int listedId(boolean[] white) {
         for (Map.Entry<Integer, boolean[]> listed : patterns.entrySet()) {
-            if (MarkerPattern.differences(listed.getValue(), white) <= familyPatterns.correctable()) {
+            if (FamilyPatterns.differences(listed.getValue(), white) <= familyPatterns.correctable()) {
                 return listed.getKey();
             }
         }
