@@ -94,6 +94,12 @@ public enum CellPhrase implements RefusalKind {
 
     /** The keys of a camera. */
     CAMERA_KEYS("the keys of a BoofCV calibration file: model: pinhole_radial_tangential, %s"),
+    /** The first coefficient of a fisheye's polynomial. */
+    COEFFICIENT_OF_ANGLE("the coefficient of the angle itself, mostly 1"),
+    /** Another of them. */
+    SYMMETRIC("a symmetric coefficient"),
+    /** A coefficient of another part. */
+    COEFFICIENT("a coefficient, mostly 0"),
     /** The version of BoofCV's format. */
     BOOFCV_VERSION("version: 0, or calibrate with a BoofCV of that version"),
     /** A tone curve. */

@@ -102,14 +102,24 @@ public enum CellRefusal implements RefusalKind {
 
     /** A cell file in place of a camera file. */
     IS_CELL_FILE("this is a cell file; name a camera file here"),
-    /** An unknown camera model: its name, those that can be used. */
-    CAMERA_MODEL("the camera model \"%s\" cannot be used; calibrate with the model %s"),
+    /** An unknown camera model: its name, those that can be used, that of a fisheye. */
+    CAMERA_MODEL("the camera model \"%s\" cannot be used; calibrate with the model %s, a fisheye with %s"),
     /** No tone curve: the words, what to write, smallest gamma, largest, {@link CellPhrase#GAMMA_HINT} or nothing. */
     NO_TONE_CURVE("\"%s\" is no tone curve; write %s, G from %s to %s%s"),
     /** Coefficients of a lens that its model has not: the model to write. */
     DISTORTION_CONTRADICTS_MODEL("lens distortion contradicts model: pinhole; write model: %s or delete this block"),
     /** Too many radial coefficients: how many. */
     TOO_MANY_COEFFICIENTS("expected at most 3 coefficients, got %s; calibrate with 2 or 3 radial coefficients"),
+    /** The asymmetric part of a fisheye. */
+    ASYMMETRIC_LENS("the asymmetric part of this lens model cannot be used; calibrate with the symmetric coefficients "
+            + "alone"),
+    /** The coefficients of a fisheye's polynomial: how many at most, how many there are. */
+    SYMMETRIC_COEFFICIENTS("expected 1 to %1$s coefficients, got %2$s; calibrate with at most %1$s symmetric "
+            + "coefficients"),
+    /** A polynomial that turns back within the image: degrees off the axis, the pixel there. */
+    FISHEYE_TURNS_BACK("with these coefficients the lens shows nothing more than %s degrees off its axis, at pixel (%s, "
+            + "%s), so they cannot be right; calibrate again with the target also near the image's borders, or with "
+            + "fewer coefficients"),
     /** A focal length that no lens has: px, width and height of the image, px. */
     FOCAL_LENGTH("a focal length of %s px does not go with an image of %s x %s px; write it in px (not in mm), or "
             + "calibrate again"),

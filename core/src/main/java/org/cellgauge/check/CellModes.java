@@ -54,8 +54,6 @@ final class CellModes {
     private static final int NOISE_STRIDE = 5;
     /** Logarithm of the mass, against the most, at which the noise is followed no further. */
     private static final double NEGLIGIBLE_LOG_NOISE = 12;
-    private static final double PRIOR_STD_MM = 1000;
-    private static final double PRIOR_STD_RAD = 0.7;
     /** Quantile of chi-square within which the residuals at a mode must be for a given start to count as a good one. */
     private static final double EXPLAINED = 0.999;
     private static final double SMALLEST_SIDE_PX = 25;
@@ -107,7 +105,7 @@ final class CellModes {
         if (camera.posePrior == null) {
             return null;
         }
-        double share = LinearModel.priorShare(camera.mode(), PRIOR_STD_MM, PRIOR_STD_RAD);
+        double share = LinearModel.priorShare(camera.mode(), PosePrior.WEAK_STD_MM, PosePrior.WEAK_STD_RAD);
         return share < LEANING_SHARE ? null
                 : Warning.of(CheckWarning.DIRECTION_OPEN, Decimal.of(100 * share, 0), weakPrior());
     }
@@ -143,7 +141,7 @@ final class CellModes {
     }
 
     private static Warning weakPrior() {
-        return Warning.of(CheckPhrase.WEAK_PRIOR, Decimal.of(PRIOR_STD_MM, 0), Decimal.of(PRIOR_STD_RAD, 1));
+        return Warning.of(CheckPhrase.WEAK_PRIOR, Decimal.of(PosePrior.WEAK_STD_MM, 0), Decimal.of(PosePrior.WEAK_STD_RAD, 1));
     }
 
     /** The ids of some references. */
@@ -327,7 +325,7 @@ final class CellModes {
         }
 
         private CameraFit cameraFitOf(ReferenceView view, IntrinsicsPrior intrinsics) {
-            boolean needsPosePrior = settings.model().posePriorAllowed() && view.size() <= 2;
+            boolean needsPosePrior = settings.model().posePriorAllowed() && PosePrior.isNeededFor(view.size());
             if (worldFromCameraStart != null && !needsPosePrior) {
                 CameraFit fromStart = fitFromStart(view, intrinsics);
                 if (fromStart != null) {
@@ -344,8 +342,7 @@ final class CellModes {
             }
             PosePrior posePrior = null;
             if (needsPosePrior) {
-                posePrior = new PosePrior(CameraState.of(view.cameraFromSet(initial), cell.camera()), PRIOR_STD_MM,
-                        PRIOR_STD_RAD);
+                posePrior = PosePrior.weak(CameraState.of(view.cameraFromSet(initial), cell.camera()));
             }
             CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, posePrior, errors,
                     observed.noiseLevel);

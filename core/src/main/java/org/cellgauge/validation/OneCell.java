@@ -54,7 +54,7 @@ public final class OneCell implements CellSource {
         RandomGenerator placement = RandomStreams.of(seed, Validation.STREAM_PLACEMENT, index);
         Map<Integer, RigidTransform> references = new LinkedHashMap<>();
         for (Reference r : prior.cell().references()) {
-            references.put(r.id(), SimulatedPhoto.misplaced(r, placement));
+            references.put(r.id(), r.drawn(placement));
         }
         for (int i = 0; i < ATTEMPTS; i++) {
             SimulatedCell cell = new SimulatedCell(prior.cell(), prior.draw(truths), references);

@@ -175,7 +175,7 @@ public final class TruthPrior {
             }
             intrinsicsPrior.setWhitened(rows, intrinsics);
         } while (!(intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0));
-        return PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(), intrinsics);
+        return cell.camera().withIntrinsics(intrinsics);
     }
 
     private static void refuseIfHopeless(int attempt, Refusal what) {
@@ -186,9 +186,9 @@ public final class TruthPrior {
     }
 
     private RigidTransform moved(RigidTransform pose, RandomGenerator random) {
-        double[] t = pose.translationMm();
+        double[] shift = new double[3];
         for (int i = 0; i < 3; i++) {
-            t[i] += stdMm * random.nextGaussian();
+            shift[i] = stdMm * random.nextGaussian();
         }
         double[] w = new double[3];
         do {
@@ -196,8 +196,7 @@ public final class TruthPrior {
                 w[i] = stdRad * random.nextGaussian();
             }
         } while (w[0] * w[0] + w[1] * w[1] + w[2] * w[2] > Math.PI * Math.PI);
-        RigidTransform turn = RigidTransform.ofRotationVector(w, new double[3]);
-        return RigidTransform.of(turn.compose(RigidTransform.of(pose.rotation(), new double[3])).rotation(), t);
+        return pose.displaced(shift, w);
     }
 
     /**
@@ -262,37 +261,7 @@ public final class TruthPrior {
     }
 
     private static boolean seen(PinholeCamera lens, RigidTransform cameraFromMarker, double sizeMm) {
-        double[] r = cameraFromMarker.rotation();
-        double[] t = cameraFromMarker.translationMm();
-        // the marker's normal must point towards the camera, which is at the origin
-        if (!(r[2] * t[0] + r[5] * t[1] + r[8] * t[2] < 0)) {
-            return false;
-        }
-        double[] px = project(lens, cameraFromMarker, sizeMm);
-        if (px == null) {
-            return false;
-        }
-        for (int i = 0; i < 8; i += 2) {
-            if (!(px[i] >= 0 && px[i] <= lens.widthPx() && px[i + 1] >= 0
-                    && px[i + 1] <= lens.heightPx())) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** Corners in the image, 8 values, or null if one is not in front of the camera. */
-    static double[] project(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
-        double[] corners = MarkerGeometry.cornersMm(cameraFromMarker, sizeMm);
-        double[] px = new double[8];
-        for (int k = 0; k < 4; k++) {
-            double[] uv = camera.project(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
-            if (uv == null) {
-                return null;
-            }
-            System.arraycopy(uv, 0, px, 2 * k, 2);
-        }
-        return px;
+        return MarkerGeometry.seenPx(lens, cameraFromMarker, sizeMm) != null;
     }
 
     /**
