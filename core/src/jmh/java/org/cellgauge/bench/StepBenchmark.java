@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.StateLayout;
 import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.posterior.CentredChart;
 import org.cellgauge.posterior.CornerCubeLikelihood;
@@ -51,7 +52,7 @@ public class StepBenchmark {
         thesisMixture = new MetropolisChain(
                 new CameraPosterior(euler, new CornerCubeLikelihood(scene.view, 0.5),
                         RotationPrior.FLAT_IN_EULER_ANGLES, IntrinsicsPrior.KNOWN, null),
-                ThesisMixture.proposals(0), euler.encode(mode.state()), RandomStreams.of(4));
+                ThesisMixture.proposals(StateLayout.of(1, IntrinsicsPrior.KNOWN, 0)), euler.encode(mode.state()), RandomStreams.of(4));
     }
 
     /** Independence t mixture, rigid-marker likelihood, centred chart: the default. */

@@ -20,6 +20,7 @@ import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.placement.MisplacedReference;
 import org.cellgauge.placement.NoiseFit;
@@ -50,8 +51,6 @@ public final class ResultJson {
 
     private static final List<String> POSE_ORDER = List.of("x_mm", "y_mm", "z_mm", "psi_rad", "theta_rad", "phi_rad");
     private static final List<String> TANGENT_ORDER = List.of("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad");
-    private static final String[] INTRINSIC_NAMES = {"fx_px", "fy_px", "cx_px", "cy_px", "skew_px", "k1", "k2", "k3",
-        "p1", "p2"};
 
     private static final int[] QUANTILE_PERCENT = {5, 50, 95};
 
@@ -334,8 +333,13 @@ public final class ResultJson {
         json.beginObject();
         json.name("width_px").value(camera.widthPx());
         json.name("height_px").value(camera.heightPx());
-        for (int i = 0; i < INTRINSIC_NAMES.length; i++) {
-            number(INTRINSIC_NAMES[i], camera.get(i));
+        if (camera.lens() != BrownLens.MODEL) {
+            // without the key it is the lens that all files of this format had before there was another
+            json.name("lens").value(camera.lens().modelName());
+        }
+        List<String> names = camera.lens().parameterNames();
+        for (int i = 0; i < names.size(); i++) {
+            number(names.get(i), camera.get(i));
         }
         json.endObject();
     }

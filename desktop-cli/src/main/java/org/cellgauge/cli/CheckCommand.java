@@ -40,6 +40,8 @@ import org.cellgauge.vision.GreyImage;
 import org.cellgauge.vision.MarkerDetector;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.Warning;
 import org.cellgauge.warning.WarningKind;
 import picocli.CommandLine.Command;
@@ -143,9 +145,9 @@ public final class CheckCommand implements Callable<Integer> {
                 // one photo must not cost the others their results
                 run.refused(input, ExitCodes.INTERNAL_ERROR, "internal error", e);
             } catch (OutOfMemoryError e) {
-                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(input.file()
-                        + ": this takes more memory than Java may use (" + Runtime.getRuntime().maxMemory() / (1 << 20)
-                        + " MB); use smaller images, fewer chains or fewer iterations"));
+                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(
+                        input.file().toString(), CommandRefusal.MEMORY,
+                        (int) (Runtime.getRuntime().maxMemory() / (1 << 20))));
             }
         }
         return run.finish();
@@ -157,7 +159,7 @@ public final class CheckCommand implements Callable<Integer> {
 
     private Outcome one(CheckInput input) {
         if (input.refusal() != null) {
-            throw new InputRefusedException(input.refusal());
+            throw new InputRefusedException(input.file().toString(), input.refusal());
         }
         GreyImage photo;
         Detections detections;
@@ -249,7 +251,8 @@ public final class CheckCommand implements Callable<Integer> {
             }
             return hex.toString();
         } catch (IOException e) {
-            throw new InputRefusedException(file + ": it cannot be read (" + e.getMessage() + "); check the disk", e);
+            throw new InputRefusedException(Refusal.at(Place.of(file.toString()), CommandRefusal.NOT_READABLE,
+                    String.valueOf(e.getMessage())), e);
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
         }
@@ -366,7 +369,7 @@ public final class CheckCommand implements Callable<Integer> {
         }
 
         void refused(CheckInput input, int code, String word, RuntimeException e) {
-            String message = code == ExitCodes.INPUT_REFUSED ? e.getMessage() : Main.inShort(e);
+            String message = code == ExitCodes.INPUT_REFUSED ? CommandWords.of(e) : Main.inShort(e);
             main.report(e, code, spec.commandLine());
             exitCode = ExitCodes.moreSerious(exitCode, code);
             if (output != null) {

@@ -37,6 +37,7 @@ import org.cellgauge.validation.OneCell;
 import org.cellgauge.validation.RandomLayouts;
 import org.cellgauge.validation.TruthPrior;
 import org.cellgauge.vision.BoofThreads;
+import org.cellgauge.warning.Refusal;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 
@@ -220,7 +221,7 @@ final class CoverageStudyRun {
             RenderedPhotos photos = new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm());
             return new RowResult(run(OneCell.inFullView(prior), photos, done -> { }), cell, seen, prior);
         } catch (InputRefusedException e) {
-            command.getErr().println(row.name() + ": " + e.getMessage());
+            command.getErr().println(row.name() + ": " + CommandWords.of(e));
             return null;
         }
     }
@@ -368,8 +369,7 @@ final class CoverageStudyRun {
             }
         }
         if (!(Math.abs(meanSidePx(cell, moved) / sidePx - 1) < 0.01)) {
-            throw new InputRefusedException("no distance of the camera makes markers " + CheckText.plain(sidePx)
-                    + " px wide; give another --marker-px or --camera-pose");
+            throw new InputRefusedException(Refusal.of(CommandRefusal.NO_DISTANCE, CheckText.plain(sidePx)));
         }
         return moved;
     }

@@ -84,7 +84,7 @@ final class HtmlReport {
                 .append("\"></p>\n");
         if (!result.warnings().isEmpty()) {
             sections.append("<h3>Warnings</h3>\n<ul>");
-            result.warnings().forEach(w -> sections.append("<li>").append(escape(w.toString())).append("</li>"));
+            result.warnings().forEach(w -> sections.append("<li>").append(escape(CommandWords.of(w))).append("</li>"));
             sections.append("</ul>\n");
         }
         objects(result);

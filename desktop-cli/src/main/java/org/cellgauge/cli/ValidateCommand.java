@@ -184,8 +184,7 @@ public final class ValidateCommand implements Callable<Integer> {
 
     private ValidationSettings settings(Cell cell, CheckSettings check) {
         if (pixelStdPx == null && cell.pixelStdPx().isEmpty()) {
-            throw new InputRefusedException(cellFile + ": pixel_std_px is 'auto', which says nothing of the noise to "
-                    + "simulate; give it with --pixel-std, for instance 0.3");
+            throw new InputRefusedException(cellFile.toString(), CommandRefusal.NO_CORNER_NOISE);
         }
         double pixels = pixelStdPx != null ? pixelStdPx : cell.pixelStdPx().getAsDouble();
         try {
