@@ -100,7 +100,13 @@ public final class ResultJson {
         return ascii(writer.text.toString()) + "\n";
     }
 
-    private static String ascii(String json) {
+    /**
+     * The same JSON in ASCII, so that no setting of a terminal can spoil it.
+     *
+     * @param json JSON
+     * @return JSON of the same meaning, other characters escaped
+     */
+    public static String ascii(String json) {
         StringBuilder out = new StringBuilder(json.length());
         for (int i = 0; i < json.length(); i++) {
             char c = json.charAt(i);

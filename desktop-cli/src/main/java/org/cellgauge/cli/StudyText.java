@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.output.ResultJson;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.validation.CoverageFigures;
 
@@ -177,7 +178,7 @@ final class StudyText {
      * @param settings all that determines them, by key
      * @param command what makes them again
      * @param version of this program
-     * @return JSON ended by a line feed
+     * @return JSON in ASCII, ended by a line feed
      */
     String json(Map<String, ?> settings, String command, String version) {
         Gson gson = new GsonBuilder().setPrettyPrinting().serializeNulls().disableHtmlEscaping().create();
@@ -230,7 +231,7 @@ final class StudyText {
         root.add("corners", corners);
         root.addProperty("command", command);
         root.addProperty("version", version);
-        return gson.toJson(root) + "\n";
+        return ResultJson.ascii(gson.toJson(root)) + "\n";
     }
 
     private static JsonObject mean(CoverageFigures.Mean mean) {

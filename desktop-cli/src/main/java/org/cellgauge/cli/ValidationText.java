@@ -17,6 +17,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.output.ResultJson;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.LikelihoodModel;
@@ -223,7 +224,7 @@ final class ValidationText {
      *
      * @param command what makes them again
      * @param version of this program
-     * @return JSON ended by a line feed
+     * @return JSON in ASCII, ended by a line feed
      */
     String json(String command, String version) {
         CheckSettings check = settings.check();
@@ -303,7 +304,7 @@ final class ValidationText {
         root.add("ranks", quantities);
         root.addProperty("command", command);
         root.addProperty("version", version);
-        return gson.toJson(root) + "\n";
+        return ResultJson.ascii(gson.toJson(root)) + "\n";
     }
 
     private static JsonElement number(double value) {

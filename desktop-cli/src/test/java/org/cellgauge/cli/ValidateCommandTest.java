@@ -71,6 +71,7 @@ class ValidateCommandTest {
         assertTrue(result.get("covers_95").getAsBoolean());
         assertTrue(result.get("rank_p_value").getAsDouble() > 0.01);
         assertEquals(120, result.getAsJsonObject("settings").get("simulations").getAsInt());
+        assertEquals(0.1, result.getAsJsonObject("settings").get("target_mcse_std_rel").getAsDouble());
         int missing = result.get("not_converged").getAsInt() + result.get("refused").getAsInt();
         assertTrue(missing <= 6, missing + " without a figure");
         // one in a hundred is the promise; more than 7 of 120 would come at that rate once in ten thousand

@@ -63,6 +63,11 @@ class ValidatePhotosTest {
         JsonObject settings = result.getAsJsonObject("settings");
         assertEquals("linear", settings.get("tone_curve").getAsString());
         assertEquals(0.7, settings.get("blur_px").getAsDouble());
+        assertTrue(settings.keySet().containsAll(Set.of("simulations", "spread_mm", "spread_rad", "camera_pose",
+                "object_poses", "seed", "kappa", "target_mcse_std_rel", "rotation_prior")), settings.toString());
+        assertTrue(settings.get("target_mcse_std_rel").isJsonNull(), "chains of a fixed length aim at no precision");
+        assertTrue(result.get("command").getAsString().endsWith(" --photos --tone-curve linear --simulations 4 --noise 1"),
+                result.get("command").getAsString());
         Set<String> regions = new HashSet<>();
         result.getAsJsonArray("regions").forEach(r -> regions.add(r.getAsJsonObject().get("part").getAsString() + " "
                 + r.getAsJsonObject().get("name").getAsString()));

@@ -183,7 +183,7 @@ public class FolderArchiveTest {
             throw new IOException("no other file is needed");
         });
         assertEquals(result.cell().camera().toString(), again.camera().toString());
-        assertTrue(cell, cell.contains("cellgauge check --cell " + NAME + ".cell.yaml --seed 3 --iterations 300 "
+        assertTrue(cell, cell.contains("cellgauge check --cell " + NAME + ".cell.yaml --iterations 300 --seed 3 "
                 + NAME + ".png"));
     }
 
