@@ -34,6 +34,7 @@ import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.CheckPhrase;
+import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Listing;
@@ -367,8 +368,7 @@ final class CellModes {
         }
 
         private InputRefusedException noPose() {
-            return new InputRefusedException(detections.imageName() + ": no camera pose explains the corners of the "
-                    + "references; check their ids, positions and sizes in the cell file");
+            return new InputRefusedException(detections.imageName(), CheckRefusal.NO_CAMERA_POSE);
         }
 
         private static int foreignReference(CameraFit fit) {
@@ -387,8 +387,7 @@ final class CellModes {
         private ObjectFit objectFit(ObjectMarker marker, CameraState atMode) {
             List<PoseMode> modes = ObjectFit.modes(marker, errors, atMode);
             if (modes.isEmpty()) {
-                throw new InputRefusedException(detections.imageName() + ": the corners of object " + marker.id()
-                        + " are of no square in front of the camera; check the order of its corners");
+                throw new InputRefusedException(detections.imageName(), CheckRefusal.NO_OBJECT_POSE, marker.id());
             }
             boolean noisy = settings.model().objectNoise() == ObjectNoise.DETECTION;
             modes = noisy ? notNegligible(modes) : modes.subList(0, 1);

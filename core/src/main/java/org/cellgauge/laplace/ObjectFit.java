@@ -40,7 +40,7 @@ public final class ObjectFit {
 
     /** The modes of an object's pose at the intrinsics, shared unknowns and noise of a camera; empty where none is. */
     public static List<PoseMode> modes(ObjectMarker marker, CornerErrors errors, CameraState camera) {
-        PinholeCamera lens = PinholeCamera.of(1, 1, camera.intrinsics);
+        PinholeCamera lens = PinholeCamera.of(camera.lens, 1, 1, camera.intrinsics);
         double[] corners = errors.cornersPx(marker.id(), camera.unknowns);
         return errors.isPlain() ? MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.statedStdPx())
                 : MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.whitening(marker.id(), camera.noise));
@@ -54,7 +54,7 @@ public final class ObjectFit {
      */
     static ObjectFit at(ObjectMarker marker, CornerErrors errors, CameraState camera,
             RigidTransform cameraFromObject) {
-        PinholeCamera lens = PinholeCamera.of(1, 1, camera.intrinsics);
+        PinholeCamera lens = PinholeCamera.of(camera.lens, 1, 1, camera.intrinsics);
         ObjectFit unfitted = new ObjectFit(marker, errors, camera, List.of());
         PoseMode mode = unfitted.fitTo(unfitted.cornersPx).modeAt(CameraState.of(cameraFromObject, lens));
         return mode == null ? null : new ObjectFit(marker, errors, camera, List.of(mode));

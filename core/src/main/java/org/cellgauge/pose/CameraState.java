@@ -3,6 +3,8 @@ package org.cellgauge.pose;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
@@ -22,8 +24,10 @@ public final class CameraState {
     public final double[] rotation;
     /** Position of the centre of the set in the camera frame, 3 values for each view, mm. */
     public final double[] offset;
-    /** Intrinsics in the order of {@link PinholeCamera}. */
-    public final double[] intrinsics = new double[PinholeCamera.INTRINSICS];
+    /** The model of the lens. */
+    public Lens lens = BrownLens.MODEL;
+    /** Values of the lens's parameters. */
+    public double[] intrinsics = new double[BrownLens.PARAMETERS];
     /** Unknowns that markers share, of {@link CornerErrors}, unit-normal beforehand; empty where there are none. */
     public double[] unknowns = NONE;
     /** The u of {@link AddedNoise}; of no account where the noise is stated. */
@@ -71,7 +75,8 @@ public final class CameraState {
             System.arraycopy(cameraFromSets.get(v).rotation(), 0, state.rotation, 9 * v, 9);
             System.arraycopy(cameraFromSets.get(v).translationMm(), 0, state.offset, 3 * v, 3);
         }
-        System.arraycopy(camera.intrinsics(), 0, state.intrinsics, 0, PinholeCamera.INTRINSICS);
+        state.lens = camera.lens();
+        state.intrinsics = camera.intrinsics();
         return state;
     }
 
@@ -102,7 +107,7 @@ public final class CameraState {
     public CameraState copyFrom(CameraState other) {
         System.arraycopy(other.rotation, 0, rotation, 0, rotation.length);
         System.arraycopy(other.offset, 0, offset, 0, offset.length);
-        System.arraycopy(other.intrinsics, 0, intrinsics, 0, PinholeCamera.INTRINSICS);
+        copyIntrinsics(other);
         copyUnknowns(other);
         return this;
     }
@@ -126,7 +131,7 @@ public final class CameraState {
             }
         }
         if (base != this) {
-            System.arraycopy(base.intrinsics, 0, intrinsics, 0, PinholeCamera.INTRINSICS);
+            copyIntrinsics(base);
             copyUnknowns(base);
         }
     }
@@ -141,6 +146,20 @@ public final class CameraState {
                 offset[3 * v + i] = base.offset[3 * v + i] + step[a + i];
             }
         }
+    }
+
+    /**
+     * Takes over lens and intrinsics of another state.
+     *
+     * @param other the source
+     */
+    public void copyIntrinsics(CameraState other) {
+        lens = other.lens;
+        // as with the unknowns, a length changes once at most
+        if (intrinsics.length != other.intrinsics.length) {
+            intrinsics = new double[other.intrinsics.length];
+        }
+        System.arraycopy(other.intrinsics, 0, intrinsics, 0, intrinsics.length);
     }
 
     private void copyUnknowns(CameraState other) {

@@ -105,7 +105,7 @@ public final class MarkerPoseFinder {
     }
 
     private static PoseMode fitFrom(ReprojectionFit fit, RigidTransform pose, PinholeCamera camera) {
-        if (!(pose.translationMm()[2] > 0)) {
+        if (!camera.lens().isWide() && !(pose.translationMm()[2] > 0)) {
             return null;
         }
         CameraState state = CameraState.of(pose, camera);

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.DampedGaussNewton;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 
 /**
  * Least squares fit of a pose, or of those of several views, and of unknown intrinsics, to image corners, in the
@@ -42,7 +41,7 @@ public final class ReprojectionFit {
     private final CameraState candidate;
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
-    private final double[] byIntrinsics = new double[2 * PinholeCamera.INTRINSICS];
+    private double[] byIntrinsics = {};
     private final double[] plainResiduals;
     private final double[] plainJacobian;
 
@@ -334,6 +333,9 @@ public final class ReprojectionFit {
         int pose = layout.pose(view);
         int intrinsics = layout.intrinsics();
         double[] r = state.rotation;
+        if (byIntrinsics.length != 2 * state.intrinsics.length) {
+            byIntrinsics = new double[2 * state.intrinsics.length];
+        }
         double r0 = r[9 * view];
         double r1 = r[9 * view + 1];
         double r2 = r[9 * view + 2];
@@ -362,11 +364,11 @@ public final class ReprojectionFit {
             double y = ay + ty;
             double z = az + tz;
             if (!withDerivatives) {
-                if (!Projection.project(state.intrinsics, x, y, z, uv, 0)) {
+                if (!state.lens.project(state.intrinsics, x, y, z, uv, 0)) {
                     return false;
                 }
             } else {
-                if (!Projection.projectWithDerivatives(state.intrinsics, x, y, z, uv, byPoint, byIntrinsics)) {
+                if (!state.lens.projectWithDerivatives(state.intrinsics, x, y, z, uv, byPoint, byIntrinsics)) {
                     return false;
                 }
                 for (int c = 0; c < 2; c++) {
@@ -388,7 +390,7 @@ public final class ReprojectionFit {
                     plainJacobian[o + 5] = ax * gy - ay * gx;
                     for (int i = 0; i < count; i++) {
                         plainJacobian[start + intrinsics + i] =
-                                byIntrinsics[c * PinholeCamera.INTRINSICS + intrinsicsPrior.index(i)];
+                                byIntrinsics[c * state.intrinsics.length + intrinsicsPrior.index(i)];
                     }
                 }
             }

@@ -1,7 +1,6 @@
 package org.cellgauge.pose;
 
 import java.util.Arrays;
-import org.cellgauge.geometry.Projection;
 
 /**
  * Residual covariance of rigidly misplaced references: {@code J S J^T + C}, C the covariance of the corners' own errors
@@ -195,7 +194,7 @@ public final class RigidMarkerNoise implements ReferenceNoise {
                 double x = points[at];
                 double y = points[at + 1];
                 double z = points[at + 2];
-                if (!Projection.projectWithDerivatives(state.intrinsics,
+                if (!state.lens.projectWithDerivatives(state.intrinsics,
                         r0 * x + r1 * y + r2 * z + state.offset[v],
                         r3 * x + r4 * y + r5 * z + state.offset[v + 1],
                         r6 * x + r7 * y + r8 * z + state.offset[v + 2], uv, byPoint, null)) {

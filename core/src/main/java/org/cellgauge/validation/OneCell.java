@@ -11,6 +11,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.warning.Refusal;
 
 /** The same cell again and again, built anew each time: placement errors, camera and objects are drawn. Immutable. */
 public final class OneCell implements CellSource {
@@ -61,8 +62,7 @@ public final class OneCell implements CellSource {
                 return cell;
             }
         }
-        throw new InputRefusedException("the markers hide each other, or reach out of the image, in nearly all true "
-                + "poses; give --object poses farther apart, or a smaller --spread");
+        throw new InputRefusedException(Refusal.of(ValidationRefusal.MARKERS_HIDDEN, ValidationRefusal.FARTHER_APART));
     }
 
     private static boolean isInFullView(SimulatedCell simulated) {

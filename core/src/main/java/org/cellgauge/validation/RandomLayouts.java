@@ -14,6 +14,7 @@ import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
@@ -94,7 +95,7 @@ public final class RandomLayouts implements CellSource {
                 return cell;
             }
         }
-        throw new InputRefusedException("simulated: no layout fits into the image");
+        throw new InputRefusedException("simulated", ValidationRefusal.NO_LAYOUT);
     }
 
     /** A layout, or null if its markers found no room. */
@@ -132,7 +133,7 @@ public final class RandomLayouts implements CellSource {
         double bend = -0.12 + 0.18 * random.nextDouble();
         if (random.nextBoolean()) {
             double corner = Math.hypot(WIDTH_PX, HEIGHT_PX) / 2 / focal;
-            values[PinholeCamera.K1] = bend / (corner * corner);
+            values[BrownLens.K1] = bend / (corner * corner);
         }
         return PinholeCamera.of(WIDTH_PX, HEIGHT_PX, values);
     }

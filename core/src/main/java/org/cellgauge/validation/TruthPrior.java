@@ -13,6 +13,7 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Where true poses come from: a proper prior about nominal poses, independent for the camera and for each object before
@@ -93,7 +94,8 @@ public final class TruthPrior {
                     distanceMm, stdMm));
         }
         for (Reference r : cell.references()) {
-            requireSeen("reference " + r.id(), cameraFromWorld.compose(r.worldFromMarker()), r.sizeMm());
+            requireSeen(Refusal.of(ValidationRefusal.REFERENCE, r.id()),
+                    cameraFromWorld.compose(r.worldFromMarker()), r.sizeMm());
         }
         for (ObjectMarker o : cell.objects()) {
             RigidTransform pose = nominal.worldFromObjects().get(o.id());
@@ -101,14 +103,14 @@ public final class TruthPrior {
                 throw new IllegalArgumentException("object " + o.id() + " has no pose");
             }
             cameraFromObjects.put(o.id(), cameraFromWorld.compose(pose));
-            requireSeen("object " + o.id(), cameraFromObjects.get(o.id()), o.sizeMm());
+            requireSeen(Refusal.of(ValidationRefusal.OBJECT, o.id()), cameraFromObjects.get(o.id()), o.sizeMm());
         }
     }
 
-    private void requireSeen(String name, RigidTransform cameraFromMarker, double sizeMm) {
+    private void requireSeen(Refusal name, RigidTransform cameraFromMarker, double sizeMm) {
         if (!seen(cell.camera(), cameraFromMarker, sizeMm)) {
-            throw new InputRefusedException(name + " is not seen from the camera pose: some corner is outside the "
-                    + "image or it shows its back; give another --camera-pose or --object pose");
+            throw new InputRefusedException(
+                    Refusal.of(ValidationRefusal.NOT_SEEN, name, ValidationRefusal.OTHER_POSES));
         }
     }
 
@@ -141,7 +143,7 @@ public final class TruthPrior {
                 RigidTransform suggested = RigidTransform.of(moved.rotation(),
                         new double[] {p[0] - g[0], p[1] - g[1], p[2] - g[2]});
                 camera = referencesSeen(lens, suggested) ? suggested : null;
-                refuseIfHopeless(i, "the references");
+                refuseIfHopeless(i, Refusal.of(ValidationRefusal.THE_REFERENCES));
             }
         }
         RigidTransform worldFromCamera = camera.inverse();
@@ -152,7 +154,7 @@ public final class TruthPrior {
                 RigidTransform nominal = pose;
                 pose = moved(nominal, random);
                 for (int i = 0; !seen(lens, pose, o.sizeMm()); i++) {
-                    refuseIfHopeless(i, "object " + o.id());
+                    refuseIfHopeless(i, Refusal.of(ValidationRefusal.OBJECT, o.id()));
                     pose = moved(nominal, random);
                 }
             }
@@ -173,13 +175,13 @@ public final class TruthPrior {
             }
             intrinsicsPrior.setWhitened(rows, intrinsics);
         } while (!(intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0));
-        return PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(), intrinsics);
+        return cell.camera().withIntrinsics(intrinsics);
     }
 
-    private static void refuseIfHopeless(int attempt, String what) {
+    private static void refuseIfHopeless(int attempt, Refusal what) {
         if (attempt > ATTEMPTS) {
-            throw new InputRefusedException("true poses spread so wide hardly ever have " + what
-                    + " in the image; give a smaller --spread");
+            throw new InputRefusedException(
+                    Refusal.of(ValidationRefusal.SPREAD_TOO_WIDE, what, ValidationRefusal.SMALLER_SPREAD));
         }
     }
 

@@ -9,10 +9,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.geometry.DampedGaussNewton;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
+import org.cellgauge.geometry.TangentPlane;
 
 /**
  * How far four corners are from being the image of any square: what remains after the best pose.
@@ -33,7 +35,10 @@ final class SquareResidual {
     private static final double SIDE = 2;
 
     private final PinholeCamera camera;
+    private final Lens lens;
     private final double[] intrinsics;
+    /** Where the square is looked at under a wide lens; null for others, which have one plane for all. */
+    private final TangentPlane plane;
     private final double[] square = MarkerGeometry.cornersMm(SIDE);
     private final Estimate1ofPnP ippe = FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0);
     private final List<Point2D3D> correspondences = new ArrayList<>();
@@ -48,7 +53,9 @@ final class SquareResidual {
 
     SquareResidual(PinholeCamera camera) {
         this.camera = camera;
+        this.lens = camera.lens();
         this.intrinsics = camera.intrinsics();
+        this.plane = lens.isWide() ? new TangentPlane(camera) : null;
         for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
             correspondences.add(new Point2D3D());
         }
@@ -62,8 +69,13 @@ final class SquareResidual {
      *     deviation of one corner coordinate; infinite where no pose puts a square in front of the camera
      */
     double impliedStdPx(double[] cornersPx) {
+        if (plane != null && !plane.aim(cornersPx)) {
+            return Double.POSITIVE_INFINITY;
+        }
         for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
-            if (!camera.toNormalised(cornersPx[2 * i], cornersPx[2 * i + 1], normalised)) {
+            double u = cornersPx[2 * i];
+            double v = cornersPx[2 * i + 1];
+            if (plane != null ? !plane.toNormalised(u, v, normalised) : !camera.toNormalised(u, v, normalised)) {
                 return Double.POSITIVE_INFINITY;
             }
             correspondences.get(i).setTo(normalised[0], normalised[1], square[3 * i], square[3 * i + 1],
@@ -74,6 +86,11 @@ final class SquareResidual {
         }
         double[] rotation = cameraFromSquare.R.data.clone();
         double[] translation = {cameraFromSquare.T.x, cameraFromSquare.T.y, cameraFromSquare.T.z};
+        if (plane != null) {
+            RigidTransform pose = plane.inCamera(RigidTransform.of(rotation, translation));
+            rotation = pose.rotation();
+            translation = pose.translationMm();
+        }
         double sum = refine(cornersPx, rotation, translation);
         return Math.sqrt(sum / DEGREES_OF_FREEDOM);
     }
@@ -127,7 +144,7 @@ final class SquareResidual {
             double x = r[0] * square[3 * i] + r[1] * square[3 * i + 1] + t[0];
             double y = r[3] * square[3 * i] + r[4] * square[3 * i + 1] + t[1];
             double z = r[6] * square[3 * i] + r[7] * square[3 * i + 1] + t[2];
-            if (!Projection.project(intrinsics, x, y, z, uv, 0)) {
+            if (!lens.project(intrinsics, x, y, z, uv, 0)) {
                 return Double.POSITIVE_INFINITY;
             }
             double du = uv[0] - cornersPx[2 * i];
@@ -146,7 +163,7 @@ final class SquareResidual {
             double px = r[0] * square[3 * i] + r[1] * square[3 * i + 1];
             double py = r[3] * square[3 * i] + r[4] * square[3 * i + 1];
             double pz = r[6] * square[3 * i] + r[7] * square[3 * i + 1];
-            if (!Projection.projectWithDerivatives(intrinsics, px + t[0], py + t[1], pz + t[2], uv, byPoint, null)) {
+            if (!lens.projectWithDerivatives(intrinsics, px + t[0], py + t[1], pz + t[2], uv, byPoint, null)) {
                 return Double.POSITIVE_INFINITY;
             }
             for (int k = 0; k < 2; k++) {

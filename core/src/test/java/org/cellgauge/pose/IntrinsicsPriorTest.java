@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.apache.commons.math3.distribution.MultivariateNormalDistribution;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.junit.jupiter.api.Test;
 
@@ -82,7 +83,7 @@ class IntrinsicsPriorTest {
     @Test
     void aJointPriorIsTheGaussianOfItsCovariance() {
         double[][] c = {{9, 8, 1.5, -0.02}, {8, 10, 0.5, -0.01}, {1.5, 0.5, 4, 0.003}, {-0.02, -0.01, 0.003, 1e-4}};
-        int[] indices = {PinholeCamera.FX, PinholeCamera.FY, PinholeCamera.CX, PinholeCamera.K1};
+        int[] indices = {PinholeCamera.FX, PinholeCamera.FY, PinholeCamera.CX, BrownLens.K1};
         double[] flat = new double[16];
         for (int i = 0; i < 16; i++) {
             flat[i] = c[i / 4][i % 4];

@@ -19,7 +19,6 @@ import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.Cholesky;
@@ -27,6 +26,7 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
@@ -486,7 +486,7 @@ class CoverageStudyTest {
             double focal = cell.camera().intrinsics()[0];
             leastFocal = Math.min(leastFocal, focal);
             largestFocal = Math.max(largestFocal, focal);
-            distorted += cell.camera().hasDistortion() ? 1 : 0;
+            distorted += cell.camera().isDistorting() ? 1 : 0;
             double px = cell.pixelStdPx().getAsDouble();
             assertTrue(px >= 0.05 && px <= 0.5);
             for (Reference r : cell.references()) {
