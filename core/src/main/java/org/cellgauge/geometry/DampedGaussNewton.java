@@ -35,16 +35,15 @@ public final class DampedGaussNewton {
         void accept();
 
         /**
-         * Whether a step was so small, or gained so little, that the fit ends with it.
+         * Whether the last step was so small, or gained so little, that the fit ends with it. Asked before it is taken.
          *
-         * @param step the step
          * @param squaredStds its squared length in standard deviations of the damped problem
          * @param before cost before it
          * @param after cost after it
-         * @param accepted whether it was taken
+         * @param accepted whether it will be taken
          * @return true to end
          */
-        boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted);
+        boolean isEnough(double squaredStds, double before, double after, boolean accepted);
     }
 
     /** How damping starts, and how it follows the success of steps. */
@@ -174,8 +173,7 @@ public final class DampedGaussNewton {
             double before = cost;
             double after = problem.at(step);
             boolean accepted = after <= before;
-            // asked before the problem moves on: the length of a step may depend on where it started
-            boolean enough = problem.isEnough(step, squaredStds, before, after, accepted);
+            boolean enough = problem.isEnough(squaredStds, before, after, accepted);
             if (accepted) {
                 double foretold = foretold(lambda);
                 problem.accept();

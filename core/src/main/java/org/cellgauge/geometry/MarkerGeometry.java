@@ -74,11 +74,18 @@ public final class MarkerGeometry {
         double[] r = cameraFromMarker.rotation();
         double[] t = cameraFromMarker.translationMm();
         // the marker's normal must point towards the camera, which is at the origin
-        double[] px = r[2] * t[0] + r[5] * t[1] + r[8] * t[2] < 0 ? cornersPx(camera, cameraFromMarker, sizeMm) : null;
-        for (int i = 0; px != null && i < px.length; i += 2) {
-            if (!(px[i] >= 0 && px[i] <= camera.widthPx() && px[i + 1] >= 0 && px[i + 1] <= camera.heightPx())) {
+        if (!(r[2] * t[0] + r[5] * t[1] + r[8] * t[2] < 0)) {
+            return null;
+        }
+        double[] corners = cornersMm(cameraFromMarker, sizeMm);
+        double[] px = new double[2 * CORNERS];
+        for (int k = 0; k < CORNERS; k++) {
+            double[] uv = camera.image(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+            if (uv == null || !(uv[0] >= 0 && uv[0] <= camera.widthPx() && uv[1] >= 0
+                    && uv[1] <= camera.heightPx())) {
                 return null;
             }
+            System.arraycopy(uv, 0, px, 2 * k, 2);
         }
         return px;
     }

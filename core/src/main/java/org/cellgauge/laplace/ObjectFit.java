@@ -54,7 +54,7 @@ public final class ObjectFit {
      */
     static ObjectFit at(ObjectMarker marker, CornerErrors errors, CameraState camera,
             RigidTransform cameraFromObject) {
-        PinholeCamera lens = PinholeCamera.of(1, 1, camera.intrinsics);
+        PinholeCamera lens = PinholeCamera.of(camera.lens, 1, 1, camera.intrinsics);
         ObjectFit unfitted = new ObjectFit(marker, errors, camera, List.of());
         PoseMode mode = unfitted.fitTo(unfitted.cornersPx).modeAt(CameraState.of(cameraFromObject, lens));
         return mode == null ? null : new ObjectFit(marker, errors, camera, List.of(mode));

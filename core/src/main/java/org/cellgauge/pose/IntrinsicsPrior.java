@@ -1,5 +1,6 @@
 package org.cellgauge.pose;
 
+import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.ModelSettings;
@@ -110,6 +111,39 @@ public final class IntrinsicsPrior {
         }
         return new IntrinsicsPrior(indices.clone(), means, stds.clone(), new double[indices.length * indices.length],
                 stds.clone());
+    }
+
+    /**
+     * Unknown intrinsics of any choice with a joint Gaussian prior about the camera's values, as a calibration leaves
+     * them.
+     *
+     * @param camera gives the means
+     * @param indices indices of its intrinsics; copied
+     * @param covariance their covariance, count x count row by row, in the products of their units
+     * @return the prior
+     * @throws IllegalArgumentException if the covariance has another size or is not positive definite
+     */
+    public static IntrinsicsPrior joint(PinholeCamera camera, int[] indices, double[] covariance) {
+        int n = indices.length;
+        double[] root = covariance.clone();
+        if (root.length != n * n || !Cholesky.factor(root, n)) {
+            throw new IllegalArgumentException("the prior of " + n + " intrinsics needs a positive definite covariance");
+        }
+        double[] whitening = new double[n * n];
+        Cholesky.invertLower(root, n, whitening);
+        double[] means = new double[n];
+        double[] stds = new double[n];
+        double[] ownStds = new double[n];
+        double[] slopes = new double[n * n];
+        for (int i = 0; i < n; i++) {
+            means[i] = camera.get(indices[i]);
+            stds[i] = Math.sqrt(covariance[(n + 1) * i]);
+            ownStds[i] = root[(n + 1) * i];
+            for (int k = 0; k < i; k++) {
+                slopes[n * i + k] = -whitening[n * i + k] * ownStds[i];
+            }
+        }
+        return new IntrinsicsPrior(indices.clone(), means, stds, slopes, ownStds);
     }
 
     /**

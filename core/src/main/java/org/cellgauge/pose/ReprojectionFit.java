@@ -225,7 +225,7 @@ public final class ReprojectionFit {
         }
 
         @Override
-        public boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted) {
+        public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
             // the length of the step in its own standard deviations decides, so that units do not matter
             return squaredStds < STEP_TOLERANCE * STEP_TOLERANCE;
         }

@@ -739,7 +739,10 @@ final class MarkerEdges {
         return 0.5 + PAPER_STEP_PX * step;
     }
 
-    /** White, ground and place of the edge, by least squares over the profile as far as the ground is plain. */
+    /**
+     * White, ground and place of the edge, by least squares over the profile as far as the ground is plain. So many
+     * rounds and no trials of steps: two of the three unknowns are linear, and a fit that strays is dropped.
+     */
     private void fitPaper(double dark, double firstWhite, double firstGround, double firstEdge, int last, double std) {
         double bright = firstWhite;
         double ground = firstGround;

@@ -259,7 +259,7 @@ final class SideFit {
         }
 
         @Override
-        public boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted) {
+        public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
             return accepted && Math.abs(trial[OFFSET] - unknowns[OFFSET])
                     + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx < SETTLED_PX;
         }

@@ -133,7 +133,7 @@ final class SquareResidual {
         }
 
         @Override
-        public boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted) {
+        public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
             return accepted && before - after <= ENOUGH * before;
         }
     }

@@ -47,7 +47,7 @@ class DampedGaussNewtonTest {
         }
 
         @Override
-        public boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted) {
+        public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
             return squaredStds < 1e-20;
         }
     }

@@ -18,6 +18,7 @@ import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.settings.CheckSettings;
@@ -33,13 +34,16 @@ class LayoutPredictionTest {
     private static final PinholeCamera DISTORTED = PinholeCamera.of(1280, 720,
             new double[] {581, 590, 640, 360, 0, -0.2, 0.05, 0, 0.001, -0.001});
 
+    private static final PinholeCamera FISHEYE = PinholeCamera.of(KannalaBrandtLens.MODEL, 1280, 720,
+            new double[] {560, 565, 640, 360, 0, 0.02, -0.01, 0.003, -0.001});
+
     private enum Layout {
-        FOUR, RAISED_FOCAL, TWO_ON_A_WEAK_PRIOR, BENT_PRINTS_OF_UNSURE_SIZE, CORNER_CUBE_WITHOUT_OBJECT_NOISE;
+        FOUR, FOUR_BY_FISHEYE, RAISED_FOCAL, TWO_ON_A_WEAK_PRIOR, BENT_PRINTS_OF_UNSURE_SIZE, CORNER_CUBE_WITHOUT_OBJECT_NOISE;
 
         ThesisScene scene() {
             ThesisScene scene = this == TWO_ON_A_WEAK_PRIOR ? ThesisScene.inPlane(2)
                     : this == RAISED_FOCAL ? ThesisScene.oneRaised(4) : ThesisScene.inPlane(4);
-            return scene.camera(DISTORTED).placement(5, 0.01).pixelStd(0.3).planeObjects().grip(20, 10, -20, 100);
+            return scene.camera(this == FOUR_BY_FISHEYE ? FISHEYE : DISTORTED).placement(5, 0.01).pixelStd(0.3).planeObjects().grip(20, 10, -20, 100);
         }
 
         Cell cell() {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.apache.commons.math3.distribution.MultivariateNormalDistribution;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.junit.jupiter.api.Test;
 
@@ -76,6 +77,49 @@ class IntrinsicsPriorTest {
         IntrinsicsPrior prior = IntrinsicsPrior.focal(CAMERA, FOCAL_STD_PX);
         assertEquals(0, prior.whitening(1, 0), 1e-12);
         assertEquals(-0.5 * (0.25 + 1), prior.logDensity(withFocal(FX + 100, FY - 200)), 1e-12);
+    }
+
+    /** Focal lengths, a principal point and a distortion that hang together, as after a calibration. */
+    @Test
+    void aJointPriorIsTheGaussianOfItsCovariance() {
+        double[][] c = {{9, 8, 1.5, -0.02}, {8, 10, 0.5, -0.01}, {1.5, 0.5, 4, 0.003}, {-0.02, -0.01, 0.003, 1e-4}};
+        int[] indices = {PinholeCamera.FX, PinholeCamera.FY, PinholeCamera.CX, BrownLens.K1};
+        double[] flat = new double[16];
+        for (int i = 0; i < 16; i++) {
+            flat[i] = c[i / 4][i % 4];
+        }
+        IntrinsicsPrior prior = IntrinsicsPrior.joint(CAMERA, indices, flat);
+        MultivariateNormalDistribution normal = new MultivariateNormalDistribution(new double[] {FX, FY, 640, 0}, c);
+        double[] at = CAMERA.intrinsics();
+        double[] offsets = {2, -1, 3, 0.007};
+        double[] values = new double[4];
+        double[] rows = new double[4];
+        for (int i = 0; i < 4; i++) {
+            at[indices[i]] += offsets[i];
+            values[i] = at[indices[i]];
+            assertEquals(Math.sqrt(c[i][i]), prior.std(i), 1e-12);
+        }
+        double expected = Math.log(normal.density(values)) - Math.log(normal.density(new double[] {FX, FY, 640, 0}));
+        assertEquals(expected, prior.logDensity(at), 1e-9 * Math.abs(expected));
+        for (int i = 0; i < 4; i++) {
+            rows[i] = prior.whitened(i, at);
+            for (int j = 0; j < 4; j++) {
+                double product = 0;
+                for (int k = 0; k < 4; k++) {
+                    product += prior.information(i, k) * c[k][j];
+                }
+                assertEquals(i == j ? 1 : 0, product, 1e-8);
+            }
+        }
+        double[] back = CAMERA.intrinsics();
+        prior.setWhitened(rows, back);
+        for (int i = 0; i < 4; i++) {
+            assertEquals(values[i], back[indices[i]], 1e-9);
+        }
+        flat[1] = 20;
+        flat[4] = 20;
+        assertThrows(IllegalArgumentException.class, () -> IntrinsicsPrior.joint(CAMERA, indices, flat));
+        assertThrows(IllegalArgumentException.class, () -> IntrinsicsPrior.joint(CAMERA, indices, new double[4]));
     }
 
     @Test
