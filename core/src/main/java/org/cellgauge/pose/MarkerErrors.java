@@ -1,6 +1,5 @@
 package org.cellgauge.pose;
 
-import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.vision.MarkerObservation;
 
 /** What is known of the errors of one marker's corners, part of {@link CornerErrors}; immutable. */
