@@ -61,7 +61,7 @@ public class DetectionBenchmark {
         double[] sharp = new double[WIDTH * HEIGHT];
         Arrays.fill(sharp, LIGHT_OF_GROUND);
         boolean[] marked = new boolean[WIDTH * HEIGHT];
-        MarkerPattern patterns = new MarkerPattern(MarkerFamily.SQUARE_BINARY);
+        FamilyPatterns patterns = new FamilyPatterns(MarkerFamily.SQUARE_BINARY);
         int size = patterns.cells() * CELL_PX;
         for (int m = 0; m < IDS.length; m++) {
             boolean[] white = patterns.white(IDS[m]);

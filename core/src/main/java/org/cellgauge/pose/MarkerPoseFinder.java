@@ -109,11 +109,7 @@ public final class MarkerPoseFinder {
             return null;
         }
         CameraState state = CameraState.of(pose, camera);
-        if (Double.isNaN(fit.fit(state))) {
-            return null;
-        }
-        double cost = fit.evaluate(state, true);
-        return PoseMode.of(fit, state, cost, 1);
+        return Double.isNaN(fit.fit(state)) ? null : fit.modeAt(state);
     }
 
     /**

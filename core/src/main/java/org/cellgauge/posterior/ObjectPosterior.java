@@ -50,7 +50,7 @@ public final class ObjectPosterior implements LogDensity {
             this.errors = errors;
             this.id = id;
             this.byUnknown = byUnknown.clone();
-            this.mode = new CameraState().copyFrom(mode);
+            this.mode = mode.copy();
             corners = errors.cornersPx(id);
             columns = errors.columns(id);
             whitening = new NoiseWhitening(errors, Collections.singletonList(id), null);

@@ -20,11 +20,12 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellPhrase;
+import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.BrownLens;
@@ -68,7 +69,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final PinholeCamera camera;
     /** Patterns of the ids to report. */
     private final Map<Integer, boolean[]> patterns = new TreeMap<>();
-    private final MarkerPattern familyPatterns;
+    private final FamilyPatterns familyPatterns;
     private final boolean hasChecksum;
     private final double residualLimitPerSide;
     private final BaseDetectFiducialSquare<GrayU8> squares;
@@ -128,7 +129,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.residualLimitPerSide = residualLimitPerSide;
         this.camera = camera;
         this.hasChecksum = !family.isSquareBinary();
-        this.familyPatterns = new MarkerPattern(family);
+        this.familyPatterns = new FamilyPatterns(family);
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
         this.squares = family.isSquareBinary() ? squareBinary() : squareHamming(family);
         if (camera.isDistorting()) {
@@ -199,9 +200,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     @Override
     public Detections detect(GreyImage image, String imageName) {
         if (image.widthPx() != camera.widthPx() || image.heightPx() != camera.heightPx()) {
-            throw new InputRefusedException(String.format(Locale.ROOT, "%s: the image is %d x %d px, but the camera is "
-                    + "calibrated for %d x %d px; take the photo at that size or calibrate the camera at this one",
-                    imageName, image.widthPx(), image.heightPx(), camera.widthPx(), camera.heightPx()));
+            throw new InputRefusedException(imageName, CellRefusal.IMAGE_SIZE, image.widthPx(), image.heightPx(),
+                    camera.widthPx(), camera.heightPx(), CellPhrase.PHOTO_SIZE);
         }
         view.data = image.luminance();
         view.startIndex = image.offset();
@@ -371,7 +371,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     private int listedId(boolean[] white) {
         for (Map.Entry<Integer, boolean[]> listed : patterns.entrySet()) {
-            if (MarkerPattern.differences(listed.getValue(), white) <= familyPatterns.correctable()) {
+            if (FamilyPatterns.differences(listed.getValue(), white) <= familyPatterns.correctable()) {
                 return listed.getKey();
             }
         }

@@ -6,16 +6,15 @@ import boofcv.factory.geo.FactoryMultiView;
 import boofcv.struct.geo.Point2D3D;
 import georegression.struct.se.Se3_F64;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import org.cellgauge.geometry.DampedGaussNewton;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.geometry.TangentPlane;
-import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
-import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
  * How far four corners are from being the image of any square: what remains after the best pose.
@@ -44,11 +43,9 @@ final class SquareResidual {
     private final Estimate1ofPnP ippe = FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0);
     private final List<Point2D3D> correspondences = new ArrayList<>();
     private final Se3_F64 cameraFromSquare = new Se3_F64();
-    private final LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.symmPosDef(POSE);
-    private final DMatrixRMaj normal = new DMatrixRMaj(POSE, POSE);
-    private final DMatrixRMaj damped = new DMatrixRMaj(POSE, POSE);
-    private final DMatrixRMaj gradient = new DMatrixRMaj(POSE, 1);
-    private final DMatrixRMaj step = new DMatrixRMaj(POSE, 1);
+    private final Pose pose = new Pose();
+    private final DampedGaussNewton solver =
+            new DampedGaussNewton(POSE, DampedGaussNewton.Damping.TENFOLD, MAX_STEPS);
     private final double[] normalised = new double[2];
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
@@ -99,43 +96,46 @@ final class SquareResidual {
     }
 
     private double refine(double[] cornersPx, double[] rotation, double[] translation) {
-        double damping = 1e-3;
-        double sum = linearise(cornersPx, rotation, translation);
-        double[] update = new double[9];
-        double[] trialRotation = new double[9];
-        double[] trialTranslation = new double[3];
-        for (int i = 0; i < MAX_STEPS && Double.isFinite(sum); i++) {
-            damped.setTo(normal);
-            for (int k = 0; k < POSE; k++) {
-                damped.set(k, k, normal.get(k, k) * (1 + damping));
-            }
-            if (!solver.setA(damped)) {
-                return sum;
-            }
-            solver.solve(gradient, step);
-            Rotations.exp(-step.get(0), -step.get(1), -step.get(2), update);
-            Rotations.multiply(update, rotation, trialRotation);
-            for (int k = 0; k < 3; k++) {
-                trialTranslation[k] = translation[k] - step.get(3 + k);
-            }
-            double trial = sumOfSquares(cornersPx, trialRotation, trialTranslation);
-            if (trial < sum) {
-                boolean settled = sum - trial < ENOUGH * sum;
-                System.arraycopy(trialRotation, 0, rotation, 0, 9);
-                System.arraycopy(trialTranslation, 0, translation, 0, 3);
-                damping /= 10;
-                sum = linearise(cornersPx, rotation, translation);
-                if (settled) {
-                    return sum;
-                }
-            } else {
-                damping *= 10;
-                if (damping > 1e6) {
-                    return sum;
-                }
-            }
+        pose.observed = cornersPx;
+        pose.rotation = rotation;
+        pose.translation = translation;
+        return solver.minimise(pose);
+    }
+
+    /** The pose as the solver sees it: steps turn it by a rotation vector in the camera frame, and shift it. */
+    private final class Pose implements DampedGaussNewton.Problem {
+        private double[] observed;
+        private double[] rotation;
+        private double[] translation;
+        private final double[] turn = new double[9];
+        private final double[] trialRotation = new double[9];
+        private final double[] trialTranslation = new double[3];
+
+        @Override
+        public double linearise(double[] information, double[] gradient) {
+            return SquareResidual.this.linearise(observed, rotation, translation, information, gradient);
         }
-        return sum;
+
+        @Override
+        public double at(double[] step) {
+            Rotations.exp(step[0], step[1], step[2], turn);
+            Rotations.multiply(turn, rotation, trialRotation);
+            for (int k = 0; k < 3; k++) {
+                trialTranslation[k] = translation[k] + step[3 + k];
+            }
+            return sumOfSquares(observed, trialRotation, trialTranslation);
+        }
+
+        @Override
+        public void accept() {
+            System.arraycopy(trialRotation, 0, rotation, 0, 9);
+            System.arraycopy(trialTranslation, 0, translation, 0, 3);
+        }
+
+        @Override
+        public boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted) {
+            return accepted && before - after <= ENOUGH * before;
+        }
     }
 
     private double sumOfSquares(double[] cornersPx, double[] r, double[] t) {
@@ -155,9 +155,9 @@ final class SquareResidual {
     }
 
     /** Fills the normal equations at a pose, rotation vector (in the camera frame) before translation. */
-    private double linearise(double[] cornersPx, double[] r, double[] t) {
-        normal.zero();
-        gradient.zero();
+    private double linearise(double[] cornersPx, double[] r, double[] t, double[] normal, double[] gradient) {
+        Arrays.fill(normal, 0);
+        Arrays.fill(gradient, 0);
         double sum = 0;
         for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
             double px = r[0] * square[3 * i] + r[1] * square[3 * i + 1];
@@ -180,9 +180,9 @@ final class SquareResidual {
                 double residual = uv[k] - cornersPx[2 * i + k];
                 sum += residual * residual;
                 for (int m = 0; m < POSE; m++) {
-                    gradient.add(m, 0, row[m] * residual);
+                    gradient[m] += row[m] * residual;
                     for (int n = 0; n < POSE; n++) {
-                        normal.add(m, n, row[m] * row[n]);
+                        normal[POSE * m + n] += row[m] * row[n];
                     }
                 }
             }

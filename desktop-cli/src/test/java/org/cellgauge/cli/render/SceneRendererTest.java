@@ -16,10 +16,12 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import org.apache.commons.math3.special.Erf;
 import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.MarkerPattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -406,7 +408,7 @@ class SceneRendererTest {
     @ValueSource(doubles = {-0.4, 0.4})
     void printGainShrinksWhiteCells(double gainMm) {
         double area = 0;
-        MarkerPattern pattern = MarkerPattern.of("square-binary", 22);
+        MarkerPattern pattern = MarkerPattern.of(MarkerFamily.of("square-binary"), 22);
         double cellMm = 5;
         // the area of all places farther than the gain from black, on a grid of a twentieth of a millimetre
         int fine = 100;
