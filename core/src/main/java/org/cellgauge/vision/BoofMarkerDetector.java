@@ -132,7 +132,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.familyPatterns = new FamilyPatterns(family);
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
         this.squares = family.isSquareBinary() ? squareBinary() : squareHamming(family);
-        if (camera.isDistorting() && !camera.lens().isWide()) {
+        if (camera.isDistorting()) {
             squares.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), true);
         } else {
             squares.configure(null, camera.widthPx(), camera.heightPx(), false);
@@ -186,6 +186,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     private static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {
+        if (camera.lens().isWide()) {
+            return new WideDistortion(camera);
+        }
         CameraPinholeBrown lens = new CameraPinholeBrown(3);
         lens.fsetK(camera.get(PinholeCamera.FX), camera.get(PinholeCamera.FY), camera.get(PinholeCamera.SKEW),
                 camera.get(PinholeCamera.CX), camera.get(PinholeCamera.CY), camera.widthPx(), camera.heightPx());
