@@ -20,9 +20,6 @@ import org.cellgauge.sampling.QuantityLayout;
  * rotation in world axes in rad.
  */
 public final class CellQuantities {
-    private static final String[] INTRINSIC_NAMES = {"fx_px", "fy_px", "cx_px", "cy_px", "skew_px", "k1", "k2", "k3",
-        "p1", "p2"};
-
     /** Where a pose's moments stand in a summary: angles about their mean directions, and rotation vectors. */
     public static final class PoseGroups {
         public final int euler;
@@ -61,7 +58,7 @@ public final class CellQuantities {
         }
         int[] unknown = new int[camera.intrinsicsPrior.count()];
         for (int i = 0; i < unknown.length; i++) {
-            unknown[i] = b.add(Quantity.intrinsic(INTRINSIC_NAMES[camera.intrinsicsPrior.index(i)]));
+            unknown[i] = b.add(Quantity.intrinsic(state.lens.parameterNames().get(camera.intrinsicsPrior.index(i))));
         }
         intrinsics = unknown.length > 0 ? b.group(unknown) : -1;
         errors = camera.view.unknowns() > 0 || camera.belief != null ? camera.errors : null;
@@ -117,10 +114,6 @@ public final class CellQuantities {
             out[next++] = Math.sqrt(errors.added().variancePx2(state.noise));
         }
         return next;
-    }
-
-    public static String intrinsicName(int index) {
-        return INTRINSIC_NAMES[index];
     }
 
     private static PoseGroups addPose(QuantityLayout.Builder b, Function<Axis, Quantity> of, double[] reference) {

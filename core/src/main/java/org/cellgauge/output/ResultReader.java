@@ -24,6 +24,8 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.statistics.Ellipse;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Reads result files back: {@code NAME.result.json}, as {@link ResultJson} writes it.
@@ -36,8 +38,6 @@ public final class ResultReader {
     /** Largest result file that is read, bytes. */
     public static final int MAX_BYTES = 64 << 20;
 
-    private static final String WHAT = "result file";
-    private static final String REMEDY = "name a result file as cellgauge wrote it, or check the photo again";
     private static final Pattern PLACE = Pattern.compile("line (\\d+) column (\\d+)");
 
     private final String file;
@@ -54,7 +54,7 @@ public final class ResultReader {
      * @throws InputRefusedException if it is missing, not readable or no result file
      */
     public static ResultView read(Path file) {
-        return of(InputFiles.text(file, WHAT, MAX_BYTES), file.toString());
+        return of(InputFiles.text(file, ResultRefusal.RESULT_FILE, MAX_BYTES), file.toString());
     }
 
     /**
@@ -76,22 +76,21 @@ public final class ResultReader {
         try {
             JsonElement element = JsonParser.parseReader(json);
             if (json.peek() != JsonToken.END_DOCUMENT) {
-                throw new InputRefusedException(file + ": something stands after the end of the result; " + REMEDY);
+                throw new InputRefusedException(file, ResultRefusal.MORE_TEXT);
             }
             return new Node(element, "");
         } catch (IOException | JsonParseException e) {
             Matcher place = PLACE.matcher(String.valueOf(e.getMessage()));
-            throw new InputRefusedException(file + (place.find()
-                    ? ", line " + place.group(1) + ", column " + place.group(2) : "") + ": this is no JSON; " + REMEDY,
-                    e);
+            boolean found = place.find();
+            throw new InputRefusedException(Refusal.at(Place.of(file, found ? Integer.parseInt(place.group(1)) : 0,
+                    found ? Integer.parseInt(place.group(2)) : 0, ""), ResultRefusal.NOT_JSON), e);
         }
     }
 
     private ResultView view(Node root) {
         int schema = root.at("schema").integer();
         if (schema != ResultJson.SCHEMA) {
-            throw new InputRefusedException(file + ", schema: version " + schema + " of the format is not known, only "
-                    + ResultJson.SCHEMA + "; read it with the version of cellgauge that wrote it");
+            throw root.at("schema").refused(ResultRefusal.OTHER_SCHEMA, schema, ResultJson.SCHEMA);
         }
         List<ResultRow> rows = new ArrayList<>();
         Node camera = root.at("camera");
@@ -218,13 +217,17 @@ public final class ResultReader {
             this.path = path;
         }
 
-        private InputRefusedException refused(String wrong) {
-            return new InputRefusedException(file + (path.isEmpty() ? "" : ", " + path) + ": " + wrong + "; " + REMEDY);
+        InputRefusedException refused(ResultRefusal kind, Object... arguments) {
+            return new InputRefusedException(Refusal.at(Place.of(file, 0, 0, path), kind, arguments));
+        }
+
+        private InputRefusedException expected(ResultRefusal what) {
+            return refused(ResultRefusal.EXPECTED, Refusal.of(what));
         }
 
         private JsonObject object() {
             if (!element.isJsonObject()) {
-                throw refused("an object in braces should stand here");
+                throw expected(ResultRefusal.OBJECT);
             }
             return element.getAsJsonObject();
         }
@@ -242,7 +245,7 @@ public final class ResultReader {
         Node at(String key) {
             JsonElement member = object().get(key);
             if (member == null) {
-                throw refused("the key " + key + " is missing");
+                throw refused(ResultRefusal.MISSING, key);
             }
             return new Node(member, path(key));
         }
@@ -253,7 +256,7 @@ public final class ResultReader {
 
         List<Node> elements() {
             if (!element.isJsonArray()) {
-                throw refused("a list in brackets should stand here");
+                throw expected(ResultRefusal.LIST);
             }
             JsonArray array = element.getAsJsonArray();
             List<Node> nodes = new ArrayList<>();
@@ -269,7 +272,7 @@ public final class ResultReader {
                 return Double.NaN;
             }
             if (!element.isJsonPrimitive() || !element.getAsJsonPrimitive().isNumber()) {
-                throw refused("a number should stand here");
+                throw expected(ResultRefusal.NUMBER);
             }
             return element.getAsDouble();
         }
@@ -277,7 +280,7 @@ public final class ResultReader {
         int integer() {
             double number = number();
             if (number != Math.rint(number) || Math.abs(number) > Integer.MAX_VALUE) {
-                throw refused("a whole number should stand here");
+                throw expected(ResultRefusal.WHOLE_NUMBER);
             }
             return (int) number;
         }
@@ -285,7 +288,7 @@ public final class ResultReader {
         double[] numbers(int count) {
             List<Node> all = elements();
             if (all.size() != count) {
-                throw refused(count + " numbers should stand here, not " + all.size());
+                throw refused(ResultRefusal.OTHER_COUNT, count, all.size());
             }
             return all.stream().mapToDouble(Node::number).toArray();
         }
@@ -293,21 +296,21 @@ public final class ResultReader {
         double[][] matrix(int size) {
             List<Node> all = elements();
             if (all.size() != size) {
-                throw refused(size + " rows should stand here, not " + all.size());
+                throw refused(ResultRefusal.OTHER_COUNT, size, all.size());
             }
             return all.stream().map(row -> row.numbers(size)).toArray(double[][]::new);
         }
 
         boolean bool() {
             if (!element.isJsonPrimitive() || !element.getAsJsonPrimitive().isBoolean()) {
-                throw refused("true or false should stand here");
+                throw expected(ResultRefusal.BOOLEAN);
             }
             return element.getAsBoolean();
         }
 
         String text() {
             if (!element.isJsonPrimitive() || !element.getAsJsonPrimitive().isString()) {
-                throw refused("a text in quotes should stand here");
+                throw expected(ResultRefusal.TEXT);
             }
             return element.getAsString();
         }
@@ -318,14 +321,14 @@ public final class ResultReader {
                     return verdict;
                 }
             }
-            throw refused("no verdict is called \"" + text() + "\"");
+            throw refused(ResultRefusal.UNKNOWN_WORD, text());
         }
 
         int id(String key) {
             try {
                 return Integer.parseInt(key);
             } catch (NumberFormatException e) {
-                throw refused("\"" + key + "\" is no marker's id");
+                throw refused(ResultRefusal.UNKNOWN_WORD, key);
             }
         }
 
@@ -333,7 +336,7 @@ public final class ResultReader {
             try {
                 return VarianceSource.ofKey(key);
             } catch (IllegalArgumentException e) {
-                throw refused("no source of variance is called \"" + key + "\"");
+                throw refused(ResultRefusal.UNKNOWN_WORD, key);
             }
         }
     }

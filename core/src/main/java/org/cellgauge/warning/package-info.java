@@ -1,2 +1,5 @@
-/** Warnings to the user as data, from which any language can make sentences; knows no other package. */
+/**
+ * What is said to people as data, from which any language can make sentences: warnings, and refusals with the place of
+ * the fault; knows no other package.
+ */
 package org.cellgauge.warning;

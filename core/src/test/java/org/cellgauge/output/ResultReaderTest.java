@@ -117,10 +117,10 @@ class ResultReaderTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "\"schema\": 1 | \"schema\": 2 | r.json, schema: version 2 of the format is not known",
-        "\"decided\": | \"undecided\": | r.json: the key decided is missing",
+        "\"decided\": | \"undecided\": | r.json: the key \"decided\" is missing",
         "\"frame\": \"camera in world\" | \"frame\": 7 | r.json, camera.frame: a text in quotes should stand here",
-        "\"verdict\": | \"verdict\": \"fine\", \"was\": | r.json, verdict: no verdict is called \"fine\"",
-        "\"corner noise of object\": | \"weather\": | r.json, objects.5.budget: no source of variance is called",
+        "\"verdict\": | \"verdict\": \"fine\", \"was\": | r.json, verdict: \"fine\" means nothing here",
+        "\"corner noise of object\": | \"weather\": | r.json, objects.5.budget: \"weather\" means nothing here",
         "\"warnings\": [ | \"warnings\": [[], | r.json, warnings[0]: a text in quotes should stand here",
         "\"converged\": | \"converged\": 1, \"was\": | r.json, diagnostics.converged: true or false should stand here",
         "\"schema\": 1, | \"schema\": 1,, | r.json, line 2, column 15: this is no JSON"})
@@ -130,7 +130,7 @@ class ResultReaderTest {
                 java.util.regex.Matcher.quoteReplacement(by));
         InputRefusedException e = assertThrows(InputRefusedException.class, () -> ResultReader.of(text, "r.json"));
         assertTrue(e.getMessage().startsWith(message), e.getMessage());
-        assertTrue(e.getMessage().contains(message.contains("schema") ? "read it with" : "; name a result file"),
-                e.getMessage());
+        String remedy = message.contains("schema") ? "; read it with" : "; name a result file";
+        assertTrue(e.getMessage().contains(remedy), e.getMessage());
     }
 }

@@ -74,6 +74,22 @@ class LicencesTest {
         }
     }
 
+    /** Its sources have a notice that its jar lacks: parts of it stand under other terms. */
+    @Test
+    void noticeThatOnlyTheSourcesHaveIsThereToo() {
+        assertEquals(1, count("NOTICE of its sources"));
+        assertTrue(text.contains("one or more files from OpenJDK, licensed under GPL v2 with Classpath Exception"));
+        assertEquals(1, count("\"CLASSPATH\" EXCEPTION TO THE GPL"));
+    }
+
+    @Test
+    void ownTermsStandAtTheTop() throws IOException {
+        Path root = Path.of(System.getProperty("cellgauge.root"));
+        assertTrue(text.indexOf(squeezed(Files.readString(root.resolve("NOTICE")))) < text.indexOf("Each library stands"));
+        assertEquals(squeezed(Files.readString(root.resolve("LICENSE"))),
+                text.substring(text.indexOf("Apache License Version 2.0, January 2004"), text.indexOf(" [ MIT No Attr")));
+    }
+
     @Test
     void fullTextsAreThereOnce() {
         assertEquals(1, count("Apache License Version 2.0, January 2004"));
