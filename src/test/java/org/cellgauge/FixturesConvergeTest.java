@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import dev.harrel.jsonschema.Validator;
+import dev.harrel.jsonschema.ValidatorFactory;
+import dev.harrel.jsonschema.providers.GsonNode;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -68,7 +71,12 @@ class FixturesConvergeTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void figuresCoverTheTruth(Path scene) throws IOException {
-        JsonObject result = json(check(scene, "--json").printed());
+        String printed = check(scene, "--json").printed();
+        Validator.Result valid = new ValidatorFactory().withJsonNodeFactory(new GsonNode.Factory())
+                .validate(Files.readString(ROOT.resolve("docs/result.schema.json")), printed);
+        assertTrue(valid.isValid(), () -> valid.getErrors().stream()
+                .map(e -> e.getInstanceLocation() + ": " + e.getError()).toList().toString());
+        JsonObject result = json(printed);
         JsonObject truth = json(Files.readString(scene.resolve("photo.truth.json")));
         JsonObject objects = truth.getAsJsonObject("objects");
         double worst = off(result.getAsJsonObject("camera"), truth.getAsJsonObject("camera").getAsJsonObject("pose"));

@@ -1,11 +1,14 @@
 package org.cellgauge.chains;
 
 import java.util.List;
+import java.util.function.Function;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.laplace.CameraFit;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.sampling.Quantity;
+import org.cellgauge.sampling.Quantity.Axis;
 import org.cellgauge.sampling.QuantityLayout;
 
 /**
@@ -17,54 +20,62 @@ import org.cellgauge.sampling.QuantityLayout;
  * rotation in world axes in rad.
  */
 public final class CellQuantities {
-    /** Shift of the photo's edges into the dark, px. */
-    static final String EDGE_SHIFT = "edge_shift_px";
-    /** Noise of corners on top of what the detector says, px. */
-    static final String ADDED_NOISE = "added_noise_px";
+    /** Where a pose's moments stand in a summary: angles about their mean directions, and rotation vectors. */
+    public static final class PoseGroups {
+        public final int euler;
+        public final int tangent;
+
+        PoseGroups(int euler, int tangent) {
+            this.euler = euler;
+            this.tangent = tangent;
+        }
+    }
 
     public final QuantityLayout layout;
     public final CameraFit camera;
     public final List<ObjectTarget> objects;
     public final double[] cameraReference;
     public final double[][] objectReferences;
+    public final PoseGroups cameraPose;
+    public final PoseGroups[] objectPoses;
+    /** Where the moments of each object's gripping point stand in a summary; -1 where it has none. */
+    public final int[] grips;
+    /** Where the moments of the unknown intrinsics stand; -1 where there are none. */
+    public final int intrinsics;
     private final CornerErrors errors;
 
     public CellQuantities(CameraFit camera, List<ObjectTarget> objects) {
         this.camera = camera;
         this.objects = objects;
         QuantityLayout.Builder b = new QuantityLayout.Builder();
-        b.add("lp__");
+        b.add(Quantity.LOG_DENSITY);
         CameraState state = camera.modes.get(0).state();
         cameraReference = new double[9];
         Rotations.transpose(state.rotation, cameraReference);
-        addPose(b, "camera", cameraReference);
+        cameraPose = addPose(b, Quantity::camera, cameraReference);
         if (camera.modes.size() > 1) {
-            b.add("camera_mode");
+            b.add(Quantity.CAMERA_MODE);
         }
-        int[] intrinsics = new int[camera.intrinsicsPrior.count()];
-        for (int i = 0; i < intrinsics.length; i++) {
-            intrinsics[i] = b.add(state.lens.parameterNames().get(camera.intrinsicsPrior.index(i)));
+        int[] unknown = new int[camera.intrinsicsPrior.count()];
+        for (int i = 0; i < unknown.length; i++) {
+            unknown[i] = b.add(Quantity.intrinsic(state.lens.parameterNames().get(camera.intrinsicsPrior.index(i))));
         }
-        if (intrinsics.length > 0) {
-            b.group("intrinsics", intrinsics);
-        }
+        intrinsics = unknown.length > 0 ? b.group(unknown) : -1;
         errors = camera.view.unknowns() > 0 || camera.belief != null ? camera.errors : null;
         addShared(b);
         objectReferences = new double[objects.size()][9];
+        objectPoses = new PoseGroups[objects.size()];
+        grips = new int[objects.size()];
         for (int o = 0; o < objects.size(); o++) {
             ObjectTarget object = objects.get(o);
             Rotations.multiply(cameraReference, object.fit.modes.get(0).state().rotation, objectReferences[o]);
-            String name = "object_" + object.fit.marker.id();
-            addPose(b, name, objectReferences[o]);
+            int id = object.fit.marker.id();
+            objectPoses[o] = addPose(b, axis -> Quantity.object(id, axis), objectReferences[o]);
             if (object.fit.modes.size() > 1) {
-                b.add(name + "_mode");
+                b.add(Quantity.objectMode(id));
             }
-            if (object.fit.marker.hasGrip()) {
-                int x = b.add(name + "_grip_x_mm");
-                int y = b.add(name + "_grip_y_mm");
-                int z = b.add(name + "_grip_z_mm");
-                b.group(name + "_grip", x, y, z);
-            }
+            grips[o] = !object.fit.marker.hasGrip() ? -1 : b.group(b.add(Quantity.grip(id, Axis.X)),
+                    b.add(Quantity.grip(id, Axis.Y)), b.add(Quantity.grip(id, Axis.Z)));
         }
         layout = b.build();
     }
@@ -74,18 +85,13 @@ public final class CellQuantities {
             return;
         }
         if (errors.edges() != null) {
-            b.add(EDGE_SHIFT);
-            errors.edges().sizesMm().forEach(size -> b.add("print_gain_of_" + inName(size) + "_mm"));
+            b.add(Quantity.EDGE_SHIFT);
+            errors.edges().sizesMm().forEach(size -> b.add(Quantity.printGain(size)));
         }
-        errors.sizesMm().forEach(size -> b.add("size_of_" + inName(size) + "_mm"));
+        errors.sizesMm().forEach(size -> b.add(Quantity.printSize(size)));
         if (camera.belief != null) {
-            b.add(ADDED_NOISE);
+            b.add(Quantity.ADDED_NOISE);
         }
-    }
-
-    /** A size in a name, where a point would mean an index to readers of Stan's files. */
-    private static String inName(double sizeMm) {
-        return (sizeMm == Math.rint(sizeMm) ? String.valueOf((long) sizeMm) : String.valueOf(sizeMm)).replace('.', '_');
     }
 
     /** What markers share in a state, in the order of the layout. */
@@ -110,20 +116,19 @@ public final class CellQuantities {
         return next;
     }
 
-    private static void addPose(QuantityLayout.Builder b, String name, double[] reference) {
+    private static PoseGroups addPose(QuantityLayout.Builder b, Function<Axis, Quantity> of, double[] reference) {
         double[] euler = new double[3];
         Rotations.toEuler(reference, euler, 0);
-        int x = b.add(name + "_x_mm");
-        int y = b.add(name + "_y_mm");
-        int z = b.add(name + "_z_mm");
-        int psi = b.addAngle(name + "_psi_rad", euler[0]);
-        int theta = b.addAngle(name + "_theta_rad", euler[1]);
-        int phi = b.addAngle(name + "_phi_rad", euler[2]);
-        int wx = b.add(name + "_wx_rad");
-        int wy = b.add(name + "_wy_rad");
-        int wz = b.add(name + "_wz_rad");
-        b.group(name, x, y, z, psi, theta, phi);
-        b.group(name + "_tangent", x, y, z, wx, wy, wz);
+        int x = b.add(of.apply(Axis.X));
+        int y = b.add(of.apply(Axis.Y));
+        int z = b.add(of.apply(Axis.Z));
+        int psi = b.addAngle(of.apply(Axis.PSI), euler[0]);
+        int theta = b.addAngle(of.apply(Axis.THETA), euler[1]);
+        int phi = b.addAngle(of.apply(Axis.PHI), euler[2]);
+        int wx = b.add(of.apply(Axis.WX));
+        int wy = b.add(of.apply(Axis.WY));
+        int wz = b.add(of.apply(Axis.WZ));
+        return new PoseGroups(b.group(x, y, z, psi, theta, phi), b.group(x, y, z, wx, wy, wz));
     }
 
     /**
@@ -133,8 +138,9 @@ public final class CellQuantities {
     public boolean[] judged() {
         boolean[] judged = new boolean[layout.size()];
         for (int i = 0; i < judged.length; i++) {
-            String name = layout.names().get(i);
-            judged[i] = !layout.isAngle(i) && i > 0 && !name.endsWith("_mode");
+            Quantity.Kind kind = layout.quantities().get(i).kind();
+            judged[i] = !layout.isAngle(i) && kind != Quantity.Kind.LOG_DENSITY
+                    && kind != Quantity.Kind.CAMERA_MODE && kind != Quantity.Kind.OBJECT_MODE;
         }
         return judged;
     }
@@ -148,16 +154,16 @@ public final class CellQuantities {
     public boolean[] measured() {
         boolean[] measured = judged();
         if (camera.modes.size() > 1) {
-            int first = layout.indexOf("camera_x_mm");
+            int first = layout.indexOf(Quantity.camera(Axis.X));
             java.util.Arrays.fill(measured, first, first + 9, false);
         }
         if (camera.belief != null) {
             // its deviation is that of a long tail, and no figure of a pose
-            measured[layout.indexOf(ADDED_NOISE)] = false;
+            measured[layout.indexOf(Quantity.ADDED_NOISE)] = false;
         }
         for (ObjectTarget object : objects) {
             if (object.fit.modes.size() > 1) {
-                int first = layout.indexOf("object_" + object.fit.marker.id() + "_wx_rad");
+                int first = layout.indexOf(Quantity.object(object.fit.marker.id(), Axis.WX));
                 java.util.Arrays.fill(measured, first, first + 3, false);
             }
         }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.OwnThreads;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Convergence;
@@ -13,30 +14,30 @@ import org.cellgauge.statistics.ParetoTail;
 
 /** Convergence of all chains, quantity by quantity; immutable. */
 public final class Diagnostics {
-    private final Map<String, ChainDiagnostics> parameters;
+    private final Map<Quantity, ChainDiagnostics> parameters;
     private final Convergence convergence;
     private final double rHatMax;
     private final double essBulkMin;
     private final double essTailMin;
     private final double mcseStdRelMax;
-    private final String worst;
-    private final String leastPrecise;
+    private final Quantity worst;
+    private final Quantity leastPrecise;
     private final boolean[] measured;
-    private final Map<String, Double> paretoK;
-    private final String heaviest;
+    private final Map<Quantity, Double> paretoK;
+    private final Quantity heaviest;
 
-    private Diagnostics(Map<String, ChainDiagnostics> parameters, boolean[] judged, boolean[] measured) {
+    private Diagnostics(Map<Quantity, ChainDiagnostics> parameters, boolean[] judged, boolean[] measured) {
         this.parameters = Collections.unmodifiableMap(parameters);
         Convergence overall = Convergence.CONVERGED;
         double rHat = 0;
         double bulk = Double.POSITIVE_INFINITY;
         double tail = Double.POSITIVE_INFINITY;
         double mcse = 0;
-        String worstName = "";
-        String leastPreciseName = "";
+        Quantity worstOff = null;
+        Quantity leastKnown = null;
         double worstBulk = Double.POSITIVE_INFINITY;
         int i = 0;
-        for (Map.Entry<String, ChainDiagnostics> e : parameters.entrySet()) {
+        for (Map.Entry<Quantity, ChainDiagnostics> e : parameters.entrySet()) {
             boolean toMeasure = measured[i];
             if (!judged[i++]) {
                 continue;
@@ -46,7 +47,7 @@ public final class Diagnostics {
             boolean defined = d.status() == ChainDiagnostics.Status.OK;
             double rank = defined ? Math.min(d.essBulk(), d.essTail()) : -1;
             if (own.worse(overall) != overall || (own == overall && rank < worstBulk)) {
-                worstName = e.getKey();
+                worstOff = e.getKey();
                 worstBulk = rank;
             }
             overall = overall.worse(own);
@@ -58,7 +59,7 @@ public final class Diagnostics {
                 double share = defined ? d.mcseSd() / d.std() : Double.NaN;
                 if (!Double.isNaN(mcse) && !(share <= mcse)) {
                     mcse = share;
-                    leastPreciseName = e.getKey();
+                    leastKnown = e.getKey();
                 }
             }
         }
@@ -67,14 +68,14 @@ public final class Diagnostics {
         essBulkMin = bulk;
         essTailMin = tail;
         mcseStdRelMax = mcse;
-        worst = worstName;
-        leastPrecise = leastPreciseName;
+        worst = worstOff;
+        leastPrecise = leastKnown;
         this.measured = measured.clone();
         paretoK = Collections.emptyMap();
-        heaviest = "";
+        heaviest = null;
     }
 
-    private Diagnostics(Diagnostics d, Map<String, Double> paretoK) {
+    private Diagnostics(Diagnostics d, Map<Quantity, Double> paretoK) {
         parameters = d.parameters;
         convergence = d.convergence;
         rHatMax = d.rHatMax;
@@ -85,9 +86,9 @@ public final class Diagnostics {
         leastPrecise = d.leastPrecise;
         measured = d.measured;
         this.paretoK = Collections.unmodifiableMap(paretoK);
-        String name = "";
-        for (Map.Entry<String, Double> e : paretoK.entrySet()) {
-            name = name.isEmpty() || e.getValue() > paretoK.get(name) ? e.getKey() : name;
+        Quantity name = null;
+        for (Map.Entry<Quantity, Double> e : paretoK.entrySet()) {
+            name = name == null || e.getValue() > paretoK.get(name) ? e.getKey() : name;
         }
         heaviest = name;
     }
@@ -99,14 +100,14 @@ public final class Diagnostics {
      * @return the diagnostics
      */
     public Diagnostics withTails(int threads) {
-        String[] names = parameters.keySet().toArray(new String[0]);
-        double[] k = new double[names.length];
+        Quantity[] quantities = parameters.keySet().toArray(new Quantity[0]);
+        double[] k = new double[quantities.length];
         OwnThreads.forEach(k.length, threads,
-                i -> k[i] = measured[i] ? parameters.get(names[i]).paretoK() : Double.NaN);
-        Map<String, Double> all = new LinkedHashMap<>();
+                i -> k[i] = measured[i] ? parameters.get(quantities[i]).paretoK() : Double.NaN);
+        Map<Quantity, Double> all = new LinkedHashMap<>();
         for (int i = 0; i < k.length; i++) {
             if (!Double.isNaN(k[i])) {
-                all.put(names[i], k[i]);
+                all.put(quantities[i], k[i]);
             }
         }
         return new Diagnostics(this, all);
@@ -133,9 +134,9 @@ public final class Diagnostics {
             }
             all[q] = ChainDiagnostics.of(series);
         });
-        Map<String, ChainDiagnostics> parameters = new LinkedHashMap<>();
+        Map<Quantity, ChainDiagnostics> parameters = new LinkedHashMap<>();
         for (int q = 0; q < all.length; q++) {
-            parameters.put(layout.names().get(q), all[q]);
+            parameters.put(layout.quantities().get(q), all[q]);
         }
         return new Diagnostics(parameters, judged, measured);
     }
@@ -143,10 +144,25 @@ public final class Diagnostics {
     /**
      * Diagnostics of every quantity.
      *
-     * @return unmodifiable, by name
+     * @return unmodifiable, in the order of the draws
      */
-    public Map<String, ChainDiagnostics> parameters() {
+    public Map<Quantity, ChainDiagnostics> parameters() {
         return parameters;
+    }
+
+    /**
+     * Diagnostics of one quantity.
+     *
+     * @param quantity which
+     * @return its diagnostics
+     * @throws IllegalArgumentException if draws have no such quantity
+     */
+    public ChainDiagnostics of(Quantity quantity) {
+        ChainDiagnostics found = parameters.get(quantity);
+        if (found == null) {
+            throw new IllegalArgumentException("no quantity " + quantity);
+        }
+        return found;
     }
 
     /**
@@ -208,18 +224,18 @@ public final class Diagnostics {
     /**
      * The quantity whose deviation has the largest Monte Carlo error, of those that {@link #mcseStdRelMax()} is about.
      *
-     * @return its name
+     * @return null where none is judged
      */
-    public String leastPreciseParameter() {
+    public Quantity leastPreciseParameter() {
         return leastPrecise;
     }
 
     /**
      * Shape k of the heavier tail of each quantity's draws ({@link org.cellgauge.statistics.ParetoTail}).
      *
-     * @return unmodifiable, by name; of the quantities that {@link #mcseStdRelMax()} is about, where k exists
+     * @return unmodifiable; of the quantities that {@link #mcseStdRelMax()} is about, where k exists
      */
-    public Map<String, Double> paretoK() {
+    public Map<Quantity, Double> paretoK() {
         return paretoK;
     }
 
@@ -229,15 +245,15 @@ public final class Diagnostics {
      * @return NaN where there is none
      */
     public double paretoKMax() {
-        return heaviest.isEmpty() ? Double.NaN : paretoK.get(heaviest);
+        return heaviest == null ? Double.NaN : paretoK.get(heaviest);
     }
 
     /**
      * The quantity with the heaviest tail.
      *
-     * @return its name; empty where there is none
+     * @return null where there is none
      */
-    public String heaviestParameter() {
+    public Quantity heaviestParameter() {
         return heaviest;
     }
 
@@ -253,9 +269,9 @@ public final class Diagnostics {
     /**
      * The quantity that is worst off.
      *
-     * @return its name
+     * @return null where none is judged
      */
-    public String worstParameter() {
+    public Quantity worstParameter() {
         return worst;
     }
 }

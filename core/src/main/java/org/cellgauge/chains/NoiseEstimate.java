@@ -8,6 +8,7 @@ import java.util.Map;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.EdgeModel;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.QuantityLayout;
 
 /** What a check says of the corners themselves: their noise, the shift of edges, markers set aside. Immutable. */
@@ -44,7 +45,7 @@ public final class NoiseEstimate {
         double mean = Double.NaN;
         double[] quantiles = null;
         if (errors.added() != null) {
-            double[] values = all(draws, layout.indexOf(CellQuantities.ADDED_NOISE));
+            double[] values = all(draws, layout.indexOf(Quantity.ADDED_NOISE));
             double sum = 0;
             double squares = 0;
             for (double v : values) {
@@ -66,7 +67,7 @@ public final class NoiseEstimate {
         double[] edges = null;
         EdgeModel model = errors.edges();
         if (model != null) {
-            double[] values = all(draws, layout.indexOf(CellQuantities.EDGE_SHIFT));
+            double[] values = all(draws, layout.indexOf(Quantity.EDGE_SHIFT));
             double sum = 0;
             for (double v : values) {
                 sum += v;

@@ -20,6 +20,7 @@ import org.cellgauge.pose.PoseMode;
 import org.cellgauge.sampling.ChainEnsemble;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
 import org.cellgauge.sampling.StartException;
@@ -158,15 +159,15 @@ final class ChainRun {
             return false;
         }
         // no target is held against two poses
-        return !twoPoses("camera", modes.camera.modes) && modes.objects.stream()
-                .noneMatch(object -> twoPoses("object_" + object.marker.id(), object.modes));
+        return !twoPoses(Quantity.CAMERA_MODE, modes.camera.modes) && modes.objects.stream()
+                .noneMatch(object -> twoPoses(Quantity.objectMode(object.marker.id()), object.modes));
     }
 
-    private boolean twoPoses(String name, List<PoseMode> modes) {
+    private boolean twoPoses(Quantity mode, List<PoseMode> modes) {
         if (modes.size() < 2) {
             return false;
         }
-        double mean = diagnostics.parameters().get(name + "_mode").mean();
+        double mean = diagnostics.of(mode).mean();
         return mean > ModeEstimate.AMBIGUOUS_SHARE && mean < 1 - ModeEstimate.AMBIGUOUS_SHARE;
     }
 }

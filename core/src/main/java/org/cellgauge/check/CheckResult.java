@@ -103,12 +103,12 @@ public final class CheckResult {
         }
         if (diagnostics.converged() && !settings.sampling().iterations().isPresent() && !sampled.preciseEnough()) {
             warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(sampled.last.iterationsPerChain(), 0),
-                    diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
+                    diagnostics.leastPreciseParameter().name(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
                     Decimal.shortest(Math.rint(1e11 * settings.sampling().targetMcseStdRel()) / 1e9),
                     CheckPhrase.MORE_ITERATIONS));
         }
         if (diagnostics.converged() && diagnostics.heavyTails()) {
-            warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter(),
+            warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter().name(),
                     Decimal.of(diagnostics.paretoKMax(), 2), Decimal.of(ParetoTail.LARGEST_FOR_STD, 2)));
         }
         return new CheckResult(modes.observed.cell, settings, sampled, referenceCheck, warnings);

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.chains.CellQuantities;
+import org.cellgauge.chains.CellQuantities.PoseGroups;
 import org.cellgauge.estimate.ImageEllipses;
 import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.estimate.Matrices;
@@ -17,6 +18,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.laplace.ObjectFit;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.RunningSummary;
 
 /** Turns running statistics of draws into estimates. */
@@ -37,35 +39,36 @@ final class Estimates {
      * @param draws all draws, for the share and the moments of each mode; null while they are still being made
      */
     CellEstimate of(RunningSummary summary, List<Draws> draws) {
-        PoseEstimate camera = pose(summary, "camera", "camera in world", quantities.cameraReference);
+        PoseEstimate camera = pose(summary, quantities.cameraPose, "camera in world", quantities.cameraReference);
         IntrinsicsEstimate intrinsics = null;
         if (quickLook.intrinsics() != null) {
-            intrinsics = new IntrinsicsEstimate(quickLook.intrinsics().names(), summary.mean("intrinsics"),
-                    summary.covariance("intrinsics"));
+            intrinsics = new IntrinsicsEstimate(quickLook.intrinsics().names(), summary.mean(quantities.intrinsics),
+                    summary.covariance(quantities.intrinsics));
         }
         PinholeCamera lens = ImageEllipses.camera(cell.camera(), quantities.camera.intrinsicsPrior, intrinsics);
         List<ObjectEstimate> objects = new ArrayList<>();
         for (int o = 0; o < quantities.objects.size(); o++) {
             ObjectFit target = quantities.objects.get(o).fit;
-            String name = "object_" + target.marker.id();
+            PoseGroups groups = quantities.objectPoses[o];
             double[] reference = quantities.objectReferences[o];
-            PoseEstimate pose = pose(summary, name, "object in world", reference);
+            PoseEstimate pose = pose(summary, groups, "object in world", reference);
             PointEstimate grip = target.marker.hasGrip()
-                    ? new PointEstimate(summary.mean(name + "_grip"), summary.covariance(name + "_grip")) : null;
+                    ? new PointEstimate(summary.mean(quantities.grips[o]), summary.covariance(quantities.grips[o])) : null;
             ObjectEstimate quick = quickLook.objects().get(o);
             objects.add(new ObjectEstimate(target.marker, pose, grip, quick.budget(), quick.gripBudget(),
                     ImageEllipses.of(lens, camera, pose.meanTransform().translationMm(),
                             pose.positionCovarianceMm2()),
                     grip == null ? null
                             : ImageEllipses.of(lens, camera, grip.meanMm(), grip.covarianceMm2()),
-                    modes(draws, name, "object in world", reference, target.modes.size(), pose)));
+                    modes(draws, Quantity.objectMode(target.marker.id()), groups, "object in world", reference,
+                            target.modes.size(), pose)));
         }
-        return new CellEstimate(camera, modes(draws, "camera", "camera in world", quantities.cameraReference,
-                quantities.camera.modes.size(), camera), intrinsics, objects);
+        return new CellEstimate(camera, modes(draws, Quantity.CAMERA_MODE, quantities.cameraPose,
+                "camera in world", quantities.cameraReference, quantities.camera.modes.size(), camera), intrinsics, objects);
     }
 
-    private static PoseEstimate pose(RunningSummary summary, String name, String frame, double[] reference) {
-        double[] tangentMean = summary.mean(name + "_tangent");
+    private static PoseEstimate pose(RunningSummary summary, PoseGroups groups, String frame, double[] reference) {
+        double[] tangentMean = summary.mean(groups.tangent);
         double[] turn = new double[9];
         Rotations.exp(tangentMean[3], tangentMean[4], tangentMean[5], turn);
         double[] rotation = new double[9];
@@ -80,23 +83,23 @@ final class Estimates {
             aboutMean[i][i] = 1;
             System.arraycopy(byVector, 3 * i, aboutMean[3 + i], 3, 3);
         }
-        double[][] aboutReference = summary.covariance(name + "_tangent");
+        double[][] aboutReference = summary.covariance(groups.tangent);
         double[] flat = new double[36];
         for (int i = 0; i < 6; i++) {
             System.arraycopy(aboutReference[i], 0, flat, 6 * i, 6);
         }
         double[][] tangent = new double[6][6];
         Matrices.addSandwich(aboutMean, flat, 6, tangent);
-        return new PoseEstimate(frame, summary.mean(name), summary.covariance(name), tangent, mean);
+        return new PoseEstimate(frame, summary.mean(groups.euler), summary.covariance(groups.euler), tangent, mean);
     }
 
     /** Moments of the draws near each mode. */
-    private List<ModeEstimate> modes(List<Draws> draws, String name, String frame, double[] reference, int count,
-            PoseEstimate all) {
+    private List<ModeEstimate> modes(List<Draws> draws, Quantity which, PoseGroups groups, String frame,
+            double[] reference, int count, PoseEstimate all) {
         if (count < 2 || draws == null) {
             return Collections.singletonList(new ModeEstimate(1, all));
         }
-        int label = quantities.layout.indexOf(name + "_mode");
+        int label = quantities.layout.indexOf(which);
         double[] values = new double[quantities.layout.size()];
         List<RunningSummary> split = new ArrayList<>();
         for (int k = 0; k < count; k++) {
@@ -115,7 +118,7 @@ final class Estimates {
         List<ModeEstimate> modes = new ArrayList<>();
         for (RunningSummary part : split) {
             if (part.count() > 1) {
-                modes.add(new ModeEstimate((double) part.count() / total, pose(part, name, frame, reference)));
+                modes.add(new ModeEstimate((double) part.count() / total, pose(part, groups, frame, reference)));
             }
         }
         modes.sort((a, b) -> Double.compare(b.weight(), a.weight()));

@@ -1,6 +1,7 @@
 package org.cellgauge.check;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -12,6 +13,8 @@ import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.laplace.ObjectFit;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.sampling.Quantity;
+import org.cellgauge.sampling.Quantity.Axis;
 import org.cellgauge.statistics.ChainDiagnostics;
 
 /**
@@ -24,6 +27,7 @@ final class Judgement {
      * band as in JCGM 106:2012, section 8.3, so that no seed decides.
      */
     static final double GUARD_ERRORS = 2;
+    private static final List<Axis> POSITION = Collections.unmodifiableList(Arrays.asList(Axis.X, Axis.Y, Axis.Z));
 
     private final CellEstimate estimate;
     private final Diagnostics diagnostics;
@@ -115,8 +119,8 @@ final class Judgement {
     /** Where the deviations of one object and its gripping point stand. */
     private static Standing standing(Diagnostics diagnostics, int objectId, boolean grip, double target) {
         Standing standing = Standing.WITHIN;
-        for (String name : names(objectId, grip)) {
-            ChainDiagnostics d = diagnostics.parameters().get(name);
+        for (Quantity quantity : deviations(objectId, grip)) {
+            ChainDiagnostics d = diagnostics.of(quantity);
             double error = GUARD_ERRORS * d.mcseSd();
             standing = worse(standing, d.std() - error > target ? Standing.BEYOND
                     : d.std() + error <= target ? Standing.WITHIN : Standing.UNDECIDED);
@@ -124,15 +128,16 @@ final class Judgement {
         return standing;
     }
 
-    private static List<String> names(int objectId, boolean grip) {
-        List<String> names = new ArrayList<>();
-        for (String axis : new String[] {"x_mm", "y_mm", "z_mm"}) {
-            names.add("object_" + objectId + "_" + axis);
+    /** What is held against a target. */
+    private static List<Quantity> deviations(int objectId, boolean grip) {
+        List<Quantity> all = new ArrayList<>();
+        for (Axis axis : POSITION) {
+            all.add(Quantity.object(objectId, axis));
             if (grip) {
-                names.add("object_" + objectId + "_grip_" + axis);
+                all.add(Quantity.grip(objectId, axis));
             }
         }
-        return names;
+        return all;
     }
 
     /**
@@ -172,8 +177,8 @@ final class Judgement {
         double farthest = 0;
         double error = Double.NaN;
         for (ObjectEstimate object : objects) {
-            for (String name : names(object.id(), object.grip() != null)) {
-                ChainDiagnostics d = diagnostics.parameters().get(name);
+            for (Quantity quantity : deviations(object.id(), object.grip() != null)) {
+                ChainDiagnostics d = diagnostics.of(quantity);
                 if (d.std() + GUARD_ERRORS * d.mcseSd() > farthest) {
                     farthest = d.std() + GUARD_ERRORS * d.mcseSd();
                     error = d.mcseSd();

@@ -10,9 +10,10 @@ import java.util.OptionalInt;
 import org.cellgauge.chains.Diagnostics;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.Misplacement;
-import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.warning.Listing;
 
@@ -51,26 +52,6 @@ public final class Reason {
         NO_OBJECT
     }
 
-    /** What causes a variance. */
-    public enum Source {
-        /** How precisely the reference {@link Reason#sourceReferenceId()} was placed. */
-        PLACEMENT_OF_REFERENCE,
-        /** Noise in the references' corners. */
-        CORNER_NOISE_OF_REFERENCES,
-        /** Noise in the object's own corners. */
-        CORNER_NOISE_OF_OBJECT,
-        /** Corners off the planes of their markers. */
-        FLATNESS_OF_PRINTS,
-        /** Unknown intrinsics. */
-        INTRINSICS,
-        /** Edges that all lie too far in the dark or the light. */
-        EDGES,
-        /** Markers printed too large or too small. */
-        SIZE_OF_PRINTS,
-        /** The weak prior of the camera pose. */
-        POSE_PRIOR
-    }
-
     private final Parts p;
 
     /** The parts, while they are put together. */
@@ -82,10 +63,9 @@ public final class Reason {
         private boolean grip;
         private OptionalInt axis = OptionalInt.empty();
         private OptionalDouble stdMm = OptionalDouble.empty();
-        private Source source;
-        private OptionalInt sourceReferenceId = OptionalInt.empty();
+        private VarianceSource source;
         private OptionalDouble share = OptionalDouble.empty();
-        private String worstParameter;
+        private Quantity worstParameter;
         private double rHat = Double.NaN;
         private double effectiveDraws = Double.NaN;
         private Misplacement misplacement;
@@ -102,41 +82,12 @@ public final class Reason {
     }
 
     static Reason notConverged(Diagnostics diagnostics) {
-        ChainDiagnostics worst = diagnostics.parameters().get(diagnostics.worstParameter());
+        ChainDiagnostics worst = diagnostics.of(diagnostics.worstParameter());
         Parts parts = new Parts(kindOf(worst.status()));
         parts.worstParameter = diagnostics.worstParameter();
         parts.rHat = worst.rHat();
         parts.effectiveDraws = Math.min(worst.essBulk(), worst.essTail());
         return new Reason(parts);
-    }
-
-    /**
-     * What the name of a source stands for.
-     *
-     * @throws IllegalArgumentException if no source has that name
-     */
-    static Source sourceOf(String name) {
-        switch (name) {
-            case VarianceBudget.CORNER_NOISE_OF_REFERENCES:
-                return Source.CORNER_NOISE_OF_REFERENCES;
-            case VarianceBudget.CORNER_NOISE_OF_OBJECT:
-                return Source.CORNER_NOISE_OF_OBJECT;
-            case VarianceBudget.INTRINSICS:
-                return Source.INTRINSICS;
-            case VarianceBudget.FLATNESS_OF_PRINTS:
-                return Source.FLATNESS_OF_PRINTS;
-            case CornerErrors.EDGES:
-                return Source.EDGES;
-            case CornerErrors.SIZES:
-                return Source.SIZE_OF_PRINTS;
-            case VarianceBudget.POSE_PRIOR:
-                return Source.POSE_PRIOR;
-            default:
-                if (name.startsWith(VarianceBudget.PLACEMENT_OF_REFERENCE)) {
-                    return Source.PLACEMENT_OF_REFERENCE;
-                }
-                throw new IllegalArgumentException("no source of variance is called " + name);
-        }
     }
 
     private static Kind kindOf(ChainDiagnostics.Status status) {
@@ -209,17 +160,14 @@ public final class Reason {
         if (budget != null) {
             parts.axis = OptionalInt.of(axis);
             parts.stdMm = OptionalDouble.of(std);
-            String source = null;
             double share = -1;
-            for (Map.Entry<String, Double> e : budget.shares(axis).entrySet()) {
+            for (Map.Entry<VarianceSource, Double> e : budget.shares(axis).entrySet()) {
                 if (e.getValue() > share) {
                     share = e.getValue();
-                    source = e.getKey();
+                    parts.source = e.getKey();
                 }
             }
             parts.share = OptionalDouble.of(share);
-            parts.source = sourceOf(source);
-            parts.sourceReferenceId = VarianceBudget.referenceOf(source);
         }
         return new Reason(parts);
     }
@@ -292,17 +240,8 @@ public final class Reason {
      *
      * @return the source, or null where there is no deviation
      */
-    public Source source() {
+    public VarianceSource source() {
         return p.source;
-    }
-
-    /**
-     * Which reference's placement the {@link #source()} is.
-     *
-     * @return its marker id, or empty where the source is another one
-     */
-    public OptionalInt sourceReferenceId() {
-        return p.sourceReferenceId;
     }
 
     /**
@@ -344,9 +283,9 @@ public final class Reason {
     /**
      * The quantity whose chains agree least.
      *
-     * @return its name among the diagnostics, or null
+     * @return one of the diagnostics, or null
      */
-    public String worstParameter() {
+    public Quantity worstParameter() {
         return p.worstParameter;
     }
 
@@ -419,28 +358,7 @@ public final class Reason {
         return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance "
                 + "comes from %s.", p.stdMm.getAsDouble(), "xyz".charAt(p.axis.getAsInt()),
                 p.grip ? "the gripping point of " : "", p.objectId.getAsInt(), target, 100 * p.share.getAsDouble(),
-                sourceInWords());
-    }
-
-    private String sourceInWords() {
-        switch (p.source) {
-            case CORNER_NOISE_OF_OBJECT:
-                return "noise in the object's own corners";
-            case CORNER_NOISE_OF_REFERENCES:
-                return "noise in the references' corners";
-            case INTRINSICS:
-                return "the unknown intrinsics";
-            case FLATNESS_OF_PRINTS:
-                return "prints that are not flat";
-            case EDGES:
-                return "where the edges of the photo lie";
-            case SIZE_OF_PRINTS:
-                return "the size of prints";
-            case POSE_PRIOR:
-                return "the pose prior";
-            default:
-                return "the placement of reference " + p.sourceReferenceId.getAsInt();
-        }
+                p.source.phrase());
     }
 
     private static String plain(double value) {

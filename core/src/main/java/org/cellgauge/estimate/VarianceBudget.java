@@ -3,32 +3,14 @@ package org.cellgauge.estimate;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.OptionalInt;
 
 /**
  * Where the variance of a point in the world comes from, by source, to first order; immutable.
- *
- * <p>Sources: {@code placement of reference ID}, {@code corner noise of references}, {@code corner noise of object},
- * {@code flatness of prints}, {@code intrinsics}, {@code edges of the photo}, {@code size of prints},
- * {@code pose prior}. They are independent, so their covariances add up (GUM, JCGM 100, 5.1.2).
+ * Sources are independent, so their covariances add up (GUM, JCGM 100, 5.1.2).
  */
 public final class VarianceBudget {
-    /** Name of the source that is a reference's placement, before its id. */
-    public static final String PLACEMENT_OF_REFERENCE = "placement of reference ";
-    /** Name of a source. */
-    public static final String CORNER_NOISE_OF_REFERENCES = "corner noise of references";
-    /** Name of a source. */
-    public static final String CORNER_NOISE_OF_OBJECT = "corner noise of object";
-    /** Name of a source. */
-    public static final String INTRINSICS = "intrinsics";
-    /** Name of a source. */
-    public static final String POSE_PRIOR = "pose prior";
-
-    /** Name of a source. */
-    public static final String FLATNESS_OF_PRINTS = "flatness of prints";
-
-    private final Map<String, double[]> variancesMm2;
-    private final Map<String, double[]> leftMm2;
+    private final Map<VarianceSource, double[]> variancesMm2;
+    private final Map<VarianceSource, double[]> leftMm2;
 
     /**
      * A budget.
@@ -37,13 +19,13 @@ public final class VarianceBudget {
      * @param leftMm2 by source: variance along world x, y, z that a fit leaves which knows that this source is exactly
      *     zero, mm²; copied; sources that cannot be taken away are left out
      */
-    public VarianceBudget(Map<String, double[]> variancesMm2, Map<String, double[]> leftMm2) {
+    public VarianceBudget(Map<VarianceSource, double[]> variancesMm2, Map<VarianceSource, double[]> leftMm2) {
         this.variancesMm2 = copy(variancesMm2);
         this.leftMm2 = copy(leftMm2);
     }
 
-    private static Map<String, double[]> copy(Map<String, double[]> map) {
-        Map<String, double[]> copy = new LinkedHashMap<>();
+    private static Map<VarianceSource, double[]> copy(Map<VarianceSource, double[]> map) {
+        Map<VarianceSource, double[]> copy = new LinkedHashMap<>();
         map.forEach((source, v) -> copy.put(source, v.clone()));
         return copy;
     }
@@ -58,7 +40,7 @@ public final class VarianceBudget {
      * @return by source, share of the deviation, 0 to 1; sources that cannot be taken away (a prior of the pose) are
      *     left out
      */
-    public Map<String, Double> gains() {
+    public Map<VarianceSource, Double> gains() {
         return gains(new int[] {0, 1, 2});
     }
 
@@ -68,19 +50,19 @@ public final class VarianceBudget {
      * @param axis 0, 1, 2 for world x, y, z
      * @return by source, share of the deviation, 0 to 1
      */
-    public Map<String, Double> gains(int axis) {
+    public Map<VarianceSource, Double> gains(int axis) {
         return gains(new int[] {axis});
     }
 
-    private Map<String, Double> gains(int[] axes) {
+    private Map<VarianceSource, Double> gains(int[] axes) {
         double total = 0;
         for (double[] v : variancesMm2.values()) {
             for (int axis : axes) {
                 total += v[axis];
             }
         }
-        Map<String, Double> gains = new LinkedHashMap<>();
-        for (Map.Entry<String, double[]> e : leftMm2.entrySet()) {
+        Map<VarianceSource, Double> gains = new LinkedHashMap<>();
+        for (Map.Entry<VarianceSource, double[]> e : leftMm2.entrySet()) {
             double left = 0;
             for (int axis : axes) {
                 left += e.getValue()[axis];
@@ -96,7 +78,7 @@ public final class VarianceBudget {
      *
      * @return by source, adding to 1
      */
-    public Map<String, Double> shares() {
+    public Map<VarianceSource, Double> shares() {
         return shares(new int[] {0, 1, 2});
     }
 
@@ -106,19 +88,19 @@ public final class VarianceBudget {
      * @param axis 0, 1, 2 for world x, y, z
      * @return by source, adding to 1
      */
-    public Map<String, Double> shares(int axis) {
+    public Map<VarianceSource, Double> shares(int axis) {
         return shares(new int[] {axis});
     }
 
-    private Map<String, Double> shares(int[] axes) {
+    private Map<VarianceSource, Double> shares(int[] axes) {
         double total = 0;
         for (double[] v : variancesMm2.values()) {
             for (int axis : axes) {
                 total += v[axis];
             }
         }
-        Map<String, Double> shares = new LinkedHashMap<>();
-        for (Map.Entry<String, double[]> e : variancesMm2.entrySet()) {
+        Map<VarianceSource, Double> shares = new LinkedHashMap<>();
+        for (Map.Entry<VarianceSource, double[]> e : variancesMm2.entrySet()) {
             double sum = 0;
             for (int axis : axes) {
                 sum += e.getValue()[axis];
@@ -126,12 +108,5 @@ public final class VarianceBudget {
             shares.put(e.getKey(), sum / total);
         }
         return Collections.unmodifiableMap(shares);
-    }
-
-    /** The reference whose placement a source is; empty for other sources. */
-    public static OptionalInt referenceOf(String name) {
-        return name.startsWith(PLACEMENT_OF_REFERENCE)
-                ? OptionalInt.of(Integer.parseInt(name.substring(PLACEMENT_OF_REFERENCE.length())))
-                : OptionalInt.empty();
     }
 }

@@ -1,12 +1,16 @@
 package org.cellgauge.laplace;
 
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.estimate.Matrices;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
@@ -31,6 +35,8 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
  */
 public final class LinearModel {
     private static final double NEXT_TO_NOTHING = 1e-9;
+    private static final List<VarianceSource> SHARED_BY_MARKERS = Collections.unmodifiableList(
+            Arrays.asList(VarianceSource.EDGES, VarianceSource.SIZE_OF_PRINTS));
 
     private final CameraFit camera;
     private final PoseMode mode;
@@ -38,7 +44,7 @@ public final class LinearModel {
     private final double[] worldFromCamera = new double[9];
     private final int columns;
     /** Covariance that a fit has which knows a source to be zero, by source; filled when a budget is asked for. */
-    private Map<String, double[]> refitted;
+    private Map<VarianceSource, double[]> refitted;
 
     public LinearModel(CameraFit camera) {
         this.camera = camera;
@@ -139,6 +145,11 @@ public final class LinearModel {
             }
         }
         return out;
+    }
+
+    /** What the budget calls one of the unknowns that markers of a photo share. */
+    private static VarianceSource sourceOf(CornerErrors errors, int unknown) {
+        return errors.isSizeOfPrints(unknown) ? VarianceSource.SIZE_OF_PRINTS : VarianceSource.EDGES;
     }
 
     /** How one object answers to the camera's chart and to its own. */
@@ -260,8 +271,8 @@ public final class LinearModel {
         public VarianceBudget budget(double[] pointMm, ReferenceNoise noise) {
             double[] arm = arm(pointMm);
             double[][] a = byCamera(arm, false);
-            Map<String, double[]> variances = new LinkedHashMap<>();
-            Map<String, double[]> left = new LinkedHashMap<>();
+            Map<VarianceSource, double[]> variances = new LinkedHashMap<>();
+            Map<VarianceSource, double[]> left = new LinkedHashMap<>();
             CornerErrors errors = target.errors;
             ReferenceNoise atMode = noise.about(mode.placed());
             double[] placement = new double[64];
@@ -272,7 +283,7 @@ public final class LinearModel {
                 atMode.covariance(state, m, placement, pixel);
                 double[][] byResidual = times(a, mode.gain(m), 8);
                 Reference reference = camera.view.references().get(m);
-                variances.put(VarianceBudget.PLACEMENT_OF_REFERENCE + reference.id(),
+                variances.put(VarianceSource.placementOf(reference.id()),
                         diagonal(byResidual, placement, 8));
                 add(cornerNoise, diagonal(byResidual, pixel, 8));
                 add(bent, diagonal(byResidual, errors.flatness(reference.id()), 8));
@@ -288,23 +299,23 @@ public final class LinearModel {
                     add(bent, ownBent);
                 }
             }
-            variances.put(VarianceBudget.CORNER_NOISE_OF_REFERENCES, cornerNoise);
-            variances.put(VarianceBudget.CORNER_NOISE_OF_OBJECT, ofObject);
+            variances.put(VarianceSource.CORNER_NOISE_OF_REFERENCES, cornerNoise);
+            variances.put(VarianceSource.CORNER_NOISE_OF_OBJECT, ofObject);
             if (errors.hasFlatness()) {
-                variances.put(VarianceBudget.FLATNESS_OF_PRINTS, bent);
+                variances.put(VarianceSource.FLATNESS_OF_PRINTS, bent);
             }
             if (refitted == null) {
                 refitted = refitted(atMode, errors);
             }
             refitted.forEach((source, covariance) -> {
                 double[] variance = diagonal(a, covariance, columns);
-                add(variance, source.equals(VarianceBudget.FLATNESS_OF_PRINTS)
-                        ? ownVariance(arm, VarianceBudget.FLATNESS_OF_PRINTS) : own);
+                add(variance, source.equals(VarianceSource.FLATNESS_OF_PRINTS)
+                        ? ownVariance(arm, VarianceSource.FLATNESS_OF_PRINTS) : own);
                 left.put(source, variance);
             });
             double[] exactCorners = diagonal(a, mode.covariance(), columns);
-            add(exactCorners, ownVariance(arm, VarianceBudget.CORNER_NOISE_OF_OBJECT));
-            left.put(VarianceBudget.CORNER_NOISE_OF_OBJECT, exactCorners);
+            add(exactCorners, ownVariance(arm, VarianceSource.CORNER_NOISE_OF_OBJECT));
+            left.put(VarianceSource.CORNER_NOISE_OF_OBJECT, exactCorners);
             StateLayout layout = mode.layout();
             int shared = layout.shared();
             if (layout.intrinsicsCount() > 0) {
@@ -315,13 +326,13 @@ public final class LinearModel {
                         prior[(first + f) * columns + first + g] = camera.intrinsicsPrior.information(f, g);
                     }
                 }
-                variances.put(VarianceBudget.INTRINSICS, priorPart(a, prior));
+                variances.put(VarianceSource.INTRINSICS, priorPart(a, prior));
             }
-            for (String source : new String[] {CornerErrors.EDGES, CornerErrors.SIZES}) {
+            for (VarianceSource source : SHARED_BY_MARKERS) {
                 double[] prior = new double[columns * columns];
                 boolean any = false;
                 for (int f = shared; f < columns; f++) {
-                    if (errors.source(f - shared).equals(source)) {
+                    if (sourceOf(errors, f - shared).equals(source)) {
                         prior[f * columns + f] = 1;
                         any = true;
                     }
@@ -336,7 +347,7 @@ public final class LinearModel {
                     double std = i < 3 ? camera.posePrior.stdMm() : camera.posePrior.stdRad();
                     prior[i * columns + i] = 1 / (std * std);
                 }
-                variances.put(VarianceBudget.POSE_PRIOR, priorPart(a, prior));
+                variances.put(VarianceSource.POSE_PRIOR, priorPart(a, prior));
             }
             return new VarianceBudget(variances, left);
         }
@@ -346,8 +357,8 @@ public final class LinearModel {
          *
          * @param without corner noise, flatness, or null for neither
          */
-        private double[] ownVariance(double[] arm, String without) {
-            if (!noisy || (VarianceBudget.CORNER_NOISE_OF_OBJECT.equals(without) && !target.errors.hasFlatness())) {
+        private double[] ownVariance(double[] arm, VarianceSource without) {
+            if (!noisy || (VarianceSource.CORNER_NOISE_OF_OBJECT.equals(without) && !target.errors.hasFlatness())) {
                 return new double[3];
             }
             double[] covariance = objectMode.covariance();
@@ -359,7 +370,7 @@ public final class LinearModel {
                     noise[i] -= bent[i];
                 }
                 double[] information = Cholesky.inverse(covariance, 6);
-                boolean stays = without.equals(VarianceBudget.FLATNESS_OF_PRINTS);
+                boolean stays = without.equals(VarianceSource.FLATNESS_OF_PRINTS);
                 exchange(objectMode, information, 0, stays ? noise : bent, stays ? bent : noise);
                 covariance = Cholesky.inverse(information, 6);
             }
@@ -377,8 +388,8 @@ public final class LinearModel {
      * The linear model fitted again with one source's variance set to zero, all of the camera's in turn but for a prior
      * of its pose.
      */
-    private Map<String, double[]> refitted(ReferenceNoise atMode, CornerErrors errors) {
-        Map<String, double[]> out = new LinkedHashMap<>();
+    private Map<VarianceSource, double[]> refitted(ReferenceNoise atMode, CornerErrors errors) {
+        Map<VarianceSource, double[]> out = new LinkedHashMap<>();
         double[] information = Cholesky.inverse(mode.covariance(), columns);
         int n = camera.view.size();
         double[] placement = new double[64];
@@ -392,7 +403,7 @@ public final class LinearModel {
             atMode.covariance(state, m, placement, pixel);
             double[] exact = information.clone();
             exchange(mode, exact, m, pixel, placement);
-            put(out, VarianceBudget.PLACEMENT_OF_REFERENCE + id, exact);
+            put(out, VarianceSource.placementOf(id), exact);
             for (int i = 0; i < 64; i++) {
                 pixel[i] -= bent[i];
                 others[i] = placement[i] + bent[i];
@@ -405,17 +416,17 @@ public final class LinearModel {
                 exchange(mode, flat, m, others, bent);
             }
         }
-        put(out, VarianceBudget.CORNER_NOISE_OF_REFERENCES, exactCorners);
+        put(out, VarianceSource.CORNER_NOISE_OF_REFERENCES, exactCorners);
         if (errors.hasFlatness()) {
-            put(out, VarianceBudget.FLATNESS_OF_PRINTS, flat);
+            put(out, VarianceSource.FLATNESS_OF_PRINTS, flat);
         }
         int shared = mode.layout().shared();
         boolean[] known = new boolean[columns];
-        java.util.Arrays.fill(known, mode.layout().intrinsics(), shared, true);
-        putKnown(out, VarianceBudget.INTRINSICS, information, known);
-        for (String source : new String[] {CornerErrors.EDGES, CornerErrors.SIZES}) {
+        Arrays.fill(known, mode.layout().intrinsics(), shared, true);
+        putKnown(out, VarianceSource.INTRINSICS, information, known);
+        for (VarianceSource source : SHARED_BY_MARKERS) {
             for (int f = 0; f < columns; f++) {
-                known[f] = f >= shared && errors.source(f - shared).equals(source);
+                known[f] = f >= shared && sourceOf(errors, f - shared).equals(source);
             }
             putKnown(out, source, information, known);
         }
@@ -423,7 +434,7 @@ public final class LinearModel {
     }
 
     /** Known unknowns: their part of an information stays out, and so does their covariance. */
-    private void putKnown(Map<String, double[]> out, String source, double[] information, boolean[] known) {
+    private void putKnown(Map<VarianceSource, double[]> out, VarianceSource source, double[] information, boolean[] known) {
         int[] left = java.util.stream.IntStream.range(0, columns).filter(f -> !known[f]).toArray();
         int n = left.length;
         if (n == columns) {
@@ -448,7 +459,7 @@ public final class LinearModel {
         out.put(source, full);
     }
 
-    private void put(Map<String, double[]> out, String source, double[] information) {
+    private void put(Map<VarianceSource, double[]> out, VarianceSource source, double[] information) {
         double[] covariance = Cholesky.inverse(information, columns);
         if (covariance != null) {
             out.put(source, covariance);

@@ -20,6 +20,7 @@ import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.placement.MisplacedReference;
@@ -28,6 +29,7 @@ import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.placement.ReferenceFit;
 import org.cellgauge.placement.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Setting;
@@ -313,7 +315,7 @@ public final class ResultJson {
         json.endObject();
     }
 
-    private static String word(Enum<?> value) {
+    static String word(Enum<?> value) {
         return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
@@ -426,6 +428,11 @@ public final class ResultJson {
             json.nullValue();
         }
         number("worst_std_mm", object.worstStdMm());
+        ReferenceCheck references = result.referenceCheck();
+        json.name("position_verdict").value(ResultView.rowVerdict(result, references.judgedMm(object)).key());
+        if (object.grip() != null) {
+            json.name("grip_verdict").value(ResultView.rowVerdict(result, references.gripJudgedMm(object)).key());
+        }
         json.name("pose").beginObject();
         poseMembers(object.pose());
         json.endObject();
@@ -469,10 +476,10 @@ public final class ResultJson {
         json.endObject();
     }
 
-    private void shares(Map<String, Double> shares) throws IOException {
+    private void shares(Map<VarianceSource, Double> shares) throws IOException {
         json.beginObject();
-        for (Map.Entry<String, Double> e : shares.entrySet()) {
-            number(e.getKey(), e.getValue());
+        for (Map.Entry<VarianceSource, Double> e : shares.entrySet()) {
+            number(e.getKey().key(), e.getValue());
         }
         json.endObject();
     }
@@ -626,13 +633,13 @@ public final class ResultJson {
         json.name("tuning").value(result.tuningEvaluations());
         json.name("chains").value((long) result.settings().sampling().chains() * result.iterationsPerChain());
         json.endObject();
-        json.name("worst_parameter").value(d.worstParameter().isEmpty() ? null : d.worstParameter());
+        json.name("worst_parameter").value(d.worstParameter() == null ? null : d.worstParameter().name());
         json.name("parameters").beginObject();
         QuantityLayout layout = result.layout();
-        for (Map.Entry<String, ChainDiagnostics> e : d.parameters().entrySet()) {
+        for (Map.Entry<Quantity, ChainDiagnostics> e : d.parameters().entrySet()) {
             ChainDiagnostics p = e.getValue();
             boolean angle = layout.isAngle(layout.indexOf(e.getKey()));
-            json.name(e.getKey()).beginObject();
+            json.name(e.getKey().name()).beginObject();
             json.name("status").value(word(p.status()));
             number("mean", angle && Double.isFinite(p.mean()) ? Angles.wrapToPi(p.mean()) : p.mean());
             number("std", p.std());

@@ -8,12 +8,14 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellEstimate;
+import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.IntrinsicsEstimate;
-import org.cellgauge.estimate.ModeEstimate;
-import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.output.ModeView;
+import org.cellgauge.output.ResultRow;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.statistics.Ellipse;
 import org.cellgauge.vision.Detections;
@@ -58,6 +60,9 @@ final class CellDrawing {
     private final Cell cell;
     private final Detections detections;
     private final CellEstimate estimate;
+    private final ResultView results;
+    /** Rows of the objects that have figures. */
+    private final List<ResultRow> seen;
     private final ReferenceCheck references;
     private final Stage stage;
     private final ImageOrientation orientation;
@@ -86,12 +91,13 @@ final class CellDrawing {
      * @param cell the cell
      * @param photo the markers of the photo
      * @param estimate poses, or null where there are none
+     * @param results the same as a table, judged where a check is finished; null where there are none
      * @param references what was found of the references, or null: nothing yet
      * @param stage how far the figures have come
      * @param style how it is shown
      */
-    CellDrawing(Cell cell, Detections photo, CellEstimate estimate, ReferenceCheck references, Stage stage,
-            OverlayStyle style) {
+    CellDrawing(Cell cell, Detections photo, CellEstimate estimate, ResultView results, ReferenceCheck references,
+            Stage stage, OverlayStyle style) {
         this.cell = cell;
         this.words = style.labels();
         this.legend = style.legend();
@@ -101,6 +107,11 @@ final class CellDrawing {
         this.photoHeight = photo.heightPx();
         this.detections = upright(photo, orientation);
         this.estimate = estimate;
+        this.seen = new ArrayList<>();
+        this.results = results;
+        if (results != null) {
+            results.objects().stream().filter(ResultRow::seen).forEach(seen::add);
+        }
         this.references = references;
         this.stage = stage;
         this.width = detections.widthPx();
@@ -134,8 +145,8 @@ final class CellDrawing {
     }
 
     Overlay draw(Status status, String headline, String reason) {
-        if (estimate != null && finite(estimate.camera().mean())) {
-            view = new WorldView(camera(), estimate.camera().meanTransform(), orientation);
+        if (results != null && finite(results.camera().mean())) {
+            view = new WorldView(camera(), results.camera().pose().transform(), orientation);
             grid();
             axes();
         }
@@ -143,7 +154,7 @@ final class CellDrawing {
         if (view != null) {
             expectedReferences();
             magnification = magnification();
-            for (ObjectEstimate object : estimate.objects()) {
+            for (ResultRow object : seen) {
                 object(object);
             }
         }
@@ -185,8 +196,8 @@ final class CellDrawing {
         }
         double reach = Math.max(Math.max(box[2] - box[0], box[3] - box[1]), 4 * size);
         double[] limits = {box[0] - 2 * reach, box[1] - 2 * reach, box[2] + 2 * reach, box[3] + 2 * reach};
-        for (ObjectEstimate o : estimate.objects()) {
-            double[] p = o.pose().mean();
+        for (ResultRow o : seen) {
+            double[] p = o.mean();
             // a pose far off is a wrong one: the grid is not to follow it
             if (p[0] > limits[0] && p[1] > limits[1] && p[0] < limits[2] && p[1] < limits[3]) {
                 include(box, p);
@@ -269,10 +280,10 @@ final class CellDrawing {
             outline(Role.REFERENCE_EXPECTED, seen ? Status.NEUTRAL : Status.FAIL, THIN_U, !seen, r.worldFromMarker(),
                     r.sizeMm());
         }
-        List<ModeEstimate> modes = estimate.cameraModes();
-        for (int k = 1; ModeEstimate.areAmbiguous(modes) && k < modes.size(); k++) {
+        List<ModeView> modes = results.camera().modes();
+        for (int k = 1; results.camera().ambiguous() && k < modes.size(); k++) {
             WorldView mean = view;
-            view = new WorldView(camera(), modes.get(k).pose().meanTransform(), orientation);
+            view = new WorldView(camera(), modes.get(k).pose().transform(), orientation);
             for (Reference r : cell.references()) {
                 outline(Role.REFERENCE_EXPECTED, Status.AMBIGUOUS, THIN_U, true, r.worldFromMarker(), r.sizeMm());
             }
@@ -348,32 +359,40 @@ final class CellDrawing {
 
     /** How an object was judged; a preliminary figure is not, but two poses are two poses from the start. */
     private Status status(int id) {
-        ObjectEstimate object = estimate == null ? null : estimate.object(id);
+        ResultRow object = row(id);
         if (object == null) {
             return Status.NEUTRAL;
         }
         if (stage == Stage.NOT_CONVERGED) {
             return Status.NOT_CONVERGED;
         }
-        if (ModeEstimate.areAmbiguous(object.modes()) || ModeEstimate.areAmbiguous(estimate.cameraModes())) {
+        if (object.ambiguous() || results.camera().ambiguous()) {
             return Status.AMBIGUOUS;
         }
         if (stage == Stage.PRELIMINARY || !cell.targetStdMm().isPresent()) {
             return Status.NEUTRAL;
         }
-        double target = cell.targetStdMm().getAsDouble();
-        boolean met = references == null ? object.worstStdMm() <= target : references.meets(object, target);
+        ResultRow grip = results.grip(id);
+        boolean met = object.verdict() == Verdict.PASS && (grip == null || grip.verdict() == Verdict.PASS);
         return met ? Status.PASS : Status.FAIL;
+    }
+
+    /** The row of an object that has figures; null of any other. */
+    private ResultRow row(int id) {
+        ResultRow row = results == null ? null : results.object(id);
+        return row == null || !row.seen() ? null : row;
     }
 
     private double magnification() {
         double largest = 0;
         double side = Double.POSITIVE_INFINITY;
-        for (ObjectEstimate o : estimate.objects()) {
-            for (Ellipse e : new Ellipse[] {o.ellipse95Px(), o.gripEllipse95Px()}) {
+        for (ResultRow o : seen) {
+            int id = o.id().getAsInt();
+            ResultRow grip = results.grip(id);
+            for (Ellipse e : new Ellipse[] {o.ellipse95Px(), grip == null ? null : grip.ellipse95Px()}) {
                 largest = e == null ? largest : Math.max(largest, e.semiMajor());
             }
-            Box box = boxOf(detections.find(o.id()));
+            Box box = boxOf(detections.find(id));
             side = Math.min(side, Math.max(box.width(), box.height()));
         }
         if (!(largest > 0) || largest > VISIBLE_U * unit) {
@@ -382,17 +401,18 @@ final class CellDrawing {
         return Math.min(LARGEST_MAGNIFICATION, Math.max(1, RoundNumbers.atMost(ELLIPSE_SIDES * side / largest)));
     }
 
-    private void object(ObjectEstimate object) {
-        Status status = status(object.id());
+    private void object(ResultRow object) {
+        int id = object.id().getAsInt();
+        Status status = status(id);
         boolean unsure = stage != Stage.FINAL || status == Status.AMBIGUOUS;
-        double size = object.marker().sizeMm();
-        if (ModeEstimate.areAmbiguous(object.modes())) {
+        double size = objectMarker(id).sizeMm();
+        if (object.ambiguous()) {
             for (int k = object.modes().size() - 1; k >= 0; k--) {
                 mode(object.modes().get(k), k > 0, size);
             }
         } else if (stage != Stage.NOT_CONVERGED) {
             Role[] roles = {Role.OBJECT_AXIS_X, Role.OBJECT_AXIS_Y, Role.OBJECT_AXIS_Z};
-            RigidTransform pose = object.pose().meanTransform();
+            RigidTransform pose = object.pose().transform();
             for (int axis = 0; axis < 3; axis++) {
                 double[] tip = new double[3];
                 tip[axis] = 0.75 * size;
@@ -400,13 +420,14 @@ final class CellDrawing {
             }
         }
         ellipse(Role.OBJECT_ELLIPSE, status, unsure, upright(object.ellipse95Px()));
-        if (object.grip() != null) {
-            double[] grip = view.project(object.grip().meanMm());
-            for (double[] part : view.line(object.pose().meanTransform().translationMm(), object.grip().meanMm())) {
+        ResultRow gripRow = results.grip(id);
+        if (gripRow != null) {
+            double[] grip = view.project(gripRow.mean());
+            for (double[] part : view.line(object.pose().transform().translationMm(), gripRow.mean())) {
                 shapes.add(new Polyline(Role.GRIP_LINE, status, 1.2 * unit, unsure, part));
                 placer.avoid(Box.around(Collections.singletonList(part)).grown(2 * unit));
             }
-            ellipse(Role.GRIP_ELLIPSE, status, unsure, upright(object.gripEllipse95Px()));
+            ellipse(Role.GRIP_ELLIPSE, status, unsure, upright(gripRow.ellipse95Px()));
             if (view.inImage(grip)) {
                 MarkShape cross = new MarkShape(Role.GRIP_POINT, status, 1.6 * unit, Mark.PLUS, grip[0], grip[1],
                         6 * unit);
@@ -417,8 +438,8 @@ final class CellDrawing {
     }
 
     /** Outline and normal of one of two poses: the outlines nearly agree, the normals show how the two differ. */
-    private void mode(ModeEstimate mode, boolean second, double sizeMm) {
-        RigidTransform pose = mode.pose().meanTransform();
+    private void mode(ModeView mode, boolean second, double sizeMm) {
+        RigidTransform pose = mode.pose().transform();
         outline(Role.OBJECT_MODE, Status.AMBIGUOUS, THIN_U + 0.3, second, pose, sizeMm);
         double[] tip = pose.apply(0, 0, 3 * sizeMm);
         for (double[] part : view.line(pose.translationMm(), tip)) {
@@ -624,14 +645,8 @@ final class CellDrawing {
 
     /** Whether any label gives standard deviations. */
     private boolean showsFigures() {
-        if (estimate != null) {
-            for (ObjectEstimate o : estimate.objects()) {
-                if (stage != Stage.NOT_CONVERGED && status(o.id()) != Status.AMBIGUOUS) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return stage != Stage.NOT_CONVERGED
+                && seen.stream().anyMatch(object -> status(object.id().getAsInt()) != Status.AMBIGUOUS);
     }
 
     private boolean drawn(Role role) {
@@ -704,7 +719,7 @@ final class CellDrawing {
     }
 
     private List<String> objectLines(int id) {
-        ObjectEstimate object = estimate == null ? null : estimate.object(id);
+        ResultRow object = row(id);
         List<String> lines = new ArrayList<>();
         if (object == null) {
             lines.add(Integer.toString(id));
@@ -712,11 +727,12 @@ final class CellDrawing {
             lines.add(words.notConverged(id));
         } else if (status(id) == Status.AMBIGUOUS) {
             lines.add(words.ambiguous(id,
-                    ModeEstimate.areAmbiguous(object.modes()) ? shares(object.modes()) : Collections.emptyList()));
+                    object.ambiguous() ? shares(object.modes()) : Collections.emptyList()));
         } else {
-            lines.add(words.deviations(id, object.pose().std()));
-            if (object.grip() != null) {
-                lines.add(words.gripDeviations(object.grip().stdMm()));
+            lines.add(words.deviations(id, object.std()));
+            ResultRow grip = results.grip(id);
+            if (grip != null) {
+                lines.add(words.gripDeviations(grip.std()));
             }
             if (stage == Stage.PRELIMINARY) {
                 lines.add(words.notConvergedYet());
@@ -725,7 +741,7 @@ final class CellDrawing {
         return lines;
     }
 
-    private static List<Double> shares(List<ModeEstimate> modes) {
+    private static List<Double> shares(List<ModeView> modes) {
         List<Double> shares = new ArrayList<>();
         modes.forEach(mode -> shares.add(mode.weight()));
         return shares;

@@ -6,6 +6,7 @@ import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.vision.Detections;
 
 /**
@@ -70,8 +71,8 @@ public final class CellOverlay {
     public static Overlay of(CheckResult result, OverlayStyle style, String headline, String reason) {
         CellDrawing.Stage stage = result.verdict() == Verdict.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
                 : CellDrawing.Stage.FINAL;
-        return new CellDrawing(result.cell(), result.detections(), result.estimate(), result.referenceCheck(), stage,
-                style).draw(status(result.verdict()), headline, reason);
+        return new CellDrawing(result.cell(), result.detections(), result.estimate(), ResultView.of(result),
+                result.referenceCheck(), stage, style).draw(status(result.verdict()), headline, reason);
     }
 
     private static Status status(Verdict verdict) {
@@ -146,7 +147,8 @@ public final class CellOverlay {
 
     private static Overlay preliminary(Cell cell, Detections detections, CellEstimate estimate, String headline,
             OverlayStyle style) {
-        return new CellDrawing(cell, detections, estimate, null, CellDrawing.Stage.PRELIMINARY, style)
+        return new CellDrawing(cell, detections, estimate, ResultView.preliminary(cell, estimate), null,
+                CellDrawing.Stage.PRELIMINARY, style)
                 .draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
     }
 
@@ -178,7 +180,7 @@ public final class CellOverlay {
      */
     public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
             String reason, OverlayStyle style) {
-        return new CellDrawing(cell, detections, null, null, CellDrawing.Stage.PRELIMINARY, style)
+        return new CellDrawing(cell, detections, null, null, null, CellDrawing.Stage.PRELIMINARY, style)
                 .draw(status, headline, reason);
     }
 }

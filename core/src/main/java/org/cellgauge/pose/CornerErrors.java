@@ -30,11 +30,6 @@ import org.cellgauge.vision.MarkerObservation;
  * which of them is off, so all of a marker are scaled alike.
  */
 public final class CornerErrors {
-    /** What the shared unknowns are called in a budget. */
-    public static final String EDGES = "edges of the photo";
-    /** What the shared unknowns are called in a budget. */
-    public static final String SIZES = "size of prints";
-
     /** Chance that a corner is an outlier. */
     private static final double OUTLIER_CORNERS = 0.05;
     private static final double OUTLIER_MARKERS = 1 - Math.pow(1 - OUTLIER_CORNERS, 4);
@@ -462,13 +457,13 @@ public final class CornerErrors {
     }
 
     /**
-     * The source of a shared unknown, as a budget names it.
+     * What a shared unknown is about.
      *
      * @param j 0 to {@link #unknowns()} - 1
-     * @return {@link #EDGES} or {@link #SIZES}
+     * @return true for the size of prints, false for where the edges of the photo lie
      */
-    public String source(int j) {
-        return j < unknowns - sizesMm.size() ? EDGES : SIZES;
+    public boolean isSizeOfPrints(int j) {
+        return j >= unknowns - sizesMm.size();
     }
 
     /**

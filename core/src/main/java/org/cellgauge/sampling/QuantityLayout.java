@@ -5,28 +5,31 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
- * Names of the quantities of a draw, which of them are angles, and which are wanted with a joint covariance; immutable.
+ * The quantities of a draw, which of them are angles, and which are wanted with a joint covariance; immutable.
  *
  * <p>An angle has a reference direction: running statistics work on its deviation from there, wrapped to (-pi, pi], so
  * that draws to both sides of +-pi stay together.
  */
 public final class QuantityLayout {
+    private final List<Quantity> quantities;
     private final List<String> names;
     private final boolean[] angle;
     private final double[] referenceRad;
-    private final Map<String, int[]> groups;
+    private final List<int[]> groups;
 
     private QuantityLayout(Builder b) {
-        names = Collections.unmodifiableList(new ArrayList<>(b.names));
+        quantities = Collections.unmodifiableList(new ArrayList<>(b.quantities));
+        names = Collections.unmodifiableList(quantities.stream().map(Quantity::name).collect(Collectors.toList()));
         angle = new boolean[names.size()];
         referenceRad = new double[names.size()];
         b.references.forEach((index, reference) -> {
             angle[index] = true;
             referenceRad[index] = reference;
         });
-        groups = Collections.unmodifiableMap(new LinkedHashMap<>(b.groups));
+        groups = Collections.unmodifiableList(new ArrayList<>(b.groups));
     }
 
     /**
@@ -39,7 +42,16 @@ public final class QuantityLayout {
     }
 
     /**
-     * Names.
+     * The quantities.
+     *
+     * @return unmodifiable, in the order of the draws
+     */
+    public List<Quantity> quantities() {
+        return quantities;
+    }
+
+    /**
+     * Their names: the header of a file of draws.
      *
      * @return unmodifiable, in the order of the draws
      */
@@ -50,14 +62,14 @@ public final class QuantityLayout {
     /**
      * Position of a quantity.
      *
-     * @param name its name
+     * @param quantity which
      * @return index in a draw
-     * @throws IllegalArgumentException if there is none of that name
+     * @throws IllegalArgumentException if draws have no such quantity
      */
-    public int indexOf(String name) {
-        int i = names.indexOf(name);
+    public int indexOf(Quantity quantity) {
+        int i = quantities.indexOf(quantity);
         if (i < 0) {
-            throw new IllegalArgumentException("no quantity " + name);
+            throw new IllegalArgumentException("no quantity " + quantity);
         }
         return i;
     }
@@ -85,41 +97,41 @@ public final class QuantityLayout {
     /**
      * Groups of quantities with a joint covariance.
      *
-     * @return unmodifiable: group name to positions (not to be changed)
+     * @return unmodifiable: positions of each (not to be changed), in the order in which they were asked for
      */
-    public Map<String, int[]> groups() {
+    public List<int[]> groups() {
         return groups;
     }
 
     /** Builds a layout. */
     public static final class Builder {
-        private final List<String> names = new ArrayList<>();
+        private final List<Quantity> quantities = new ArrayList<>();
         private final Map<Integer, Double> references = new LinkedHashMap<>();
-        private final Map<String, int[]> groups = new LinkedHashMap<>();
+        private final List<int[]> groups = new ArrayList<>();
 
         /**
          * Adds a quantity.
          *
-         * @param name unique name, unit included
+         * @param quantity one that is not there yet
          * @return its index
          */
-        public int add(String name) {
-            if (names.contains(name)) {
-                throw new IllegalArgumentException("quantity " + name + " stands twice");
+        public int add(Quantity quantity) {
+            if (quantities.contains(quantity)) {
+                throw new IllegalArgumentException("quantity " + quantity + " stands twice");
             }
-            names.add(name);
-            return names.size() - 1;
+            quantities.add(quantity);
+            return quantities.size() - 1;
         }
 
         /**
          * Adds an angle.
          *
-         * @param name unique name
+         * @param quantity one that is not there yet
          * @param referenceRad direction near which draws are expected, rad
          * @return its index
          */
-        public int addAngle(String name, double referenceRad) {
-            int index = add(name);
+        public int addAngle(Quantity quantity, double referenceRad) {
+            int index = add(quantity);
             references.put(index, referenceRad);
             return index;
         }
@@ -127,11 +139,12 @@ public final class QuantityLayout {
         /**
          * Asks for a joint covariance.
          *
-         * @param name name of the group
          * @param indices its quantities, in the order of the covariance
+         * @return index of the group, to ask a summary for it
          */
-        public void group(String name, int... indices) {
-            groups.put(name, indices.clone());
+        public int group(int... indices) {
+            groups.add(indices.clone());
+            return groups.size() - 1;
         }
 
         /**

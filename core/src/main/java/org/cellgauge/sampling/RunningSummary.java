@@ -1,7 +1,5 @@
 package org.cellgauge.sampling;
 
-import java.util.LinkedHashMap;
-import java.util.Map;
 import org.cellgauge.statistics.Angles;
 import org.cellgauge.statistics.CircularMoments;
 import org.cellgauge.statistics.RunningMoments;
@@ -12,7 +10,7 @@ import org.cellgauge.statistics.RunningMoments;
  */
 public final class RunningSummary {
     private final QuantityLayout layout;
-    private final Map<String, RunningMoments> moments = new LinkedHashMap<>();
+    private final RunningMoments[] moments;
     private final CircularMoments[] directions;
     private final double[][] scratch;
     private long count;
@@ -25,10 +23,11 @@ public final class RunningSummary {
     public RunningSummary(QuantityLayout layout) {
         this.layout = layout;
         scratch = new double[layout.groups().size()][];
-        int g = 0;
-        for (Map.Entry<String, int[]> group : layout.groups().entrySet()) {
-            moments.put(group.getKey(), new RunningMoments(group.getValue().length));
-            scratch[g++] = new double[group.getValue().length];
+        moments = new RunningMoments[scratch.length];
+        for (int g = 0; g < scratch.length; g++) {
+            int size = layout.groups().get(g).length;
+            moments[g] = new RunningMoments(size);
+            scratch[g] = new double[size];
         }
         directions = new CircularMoments[layout.size()];
         for (int i = 0; i < directions.length; i++) {
@@ -43,10 +42,9 @@ public final class RunningSummary {
      */
     public void add(double[] quantities) {
         count++;
-        int g = 0;
-        for (Map.Entry<String, int[]> group : layout.groups().entrySet()) {
-            int[] indices = group.getValue();
-            double[] values = scratch[g++];
+        for (int g = 0; g < moments.length; g++) {
+            int[] indices = layout.groups().get(g);
+            double[] values = scratch[g];
             for (int i = 0; i < indices.length; i++) {
                 int q = indices[i];
                 // angles enter as reference plus wrapped deviation, so that +pi and -pi are neighbours
@@ -54,7 +52,7 @@ public final class RunningSummary {
                         ? layout.referenceRad(q) + Angles.difference(quantities[q], layout.referenceRad(q))
                         : quantities[q];
             }
-            moments.get(group.getKey()).add(values);
+            moments[g].add(values);
         }
         for (int i = 0; i < directions.length; i++) {
             if (directions[i] != null) {
@@ -70,7 +68,9 @@ public final class RunningSummary {
      */
     public void merge(RunningSummary other) {
         count += other.count;
-        moments.forEach((name, m) -> m.merge(other.moments.get(name)));
+        for (int g = 0; g < moments.length; g++) {
+            moments[g].merge(other.moments[g]);
+        }
         for (int i = 0; i < directions.length; i++) {
             if (directions[i] != null) {
                 directions[i].merge(other.directions[i]);
@@ -99,12 +99,12 @@ public final class RunningSummary {
     /**
      * Mean of a group; angles as mean directions in (-pi, pi].
      *
-     * @param group name of the group
+     * @param group its index in the layout
      * @return a new array
      */
-    public double[] mean(String group) {
+    public double[] mean(int group) {
         int[] indices = layout.groups().get(group);
-        double[] mean = moments.get(group).mean();
+        double[] mean = moments[group].mean();
         for (int i = 0; i < indices.length; i++) {
             if (layout.isAngle(indices[i])) {
                 double direction = directions[indices[i]].meanDirectionRad();
@@ -117,11 +117,11 @@ public final class RunningSummary {
     /**
      * Covariance of a group; angles by their wrapped deviation from the reference direction.
      *
-     * @param group name of the group
+     * @param group its index in the layout
      * @return a new matrix, unbiased (divided by count - 1)
      */
-    public double[][] covariance(String group) {
-        return moments.get(group).covariance();
+    public double[][] covariance(int group) {
+        return moments[group].covariance();
     }
 
     /**

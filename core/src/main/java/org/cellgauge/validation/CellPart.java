@@ -14,6 +14,8 @@ import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
+import org.cellgauge.sampling.Quantity.Axis;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.statistics.RankHistogram;
@@ -23,11 +25,10 @@ import org.cellgauge.statistics.RankHistogram;
  * draws of one check. Immutable.
  */
 final class CellPart {
-    private static final List<String> TANGENT = Collections.unmodifiableList(
-            Arrays.asList("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad"));
-    private static final List<String> GRIP = Collections.unmodifiableList(
-            Arrays.asList("grip_x_mm", "grip_y_mm", "grip_z_mm"));
-    private static final List<String> FOCAL = Collections.unmodifiableList(Arrays.asList("fx_px", "fy_px"));
+    private static final List<Axis> TANGENT = Collections.unmodifiableList(
+            Arrays.asList(Axis.X, Axis.Y, Axis.Z, Axis.WX, Axis.WY, Axis.WZ));
+    private static final List<Quantity> FOCAL = Collections.unmodifiableList(
+            Arrays.asList(Quantity.intrinsic("fx_px"), Quantity.intrinsic("fy_px")));
     /** Draws looked at; chains that ran longer are thinned evenly to about as many. */
     private static final int MOST_DRAWS = 8000;
 
@@ -35,12 +36,13 @@ final class CellPart {
     final ObjectMarker object;
     final List<String> regionNames = new ArrayList<>();
     final List<Integer> regionDimensions = new ArrayList<>();
-    final List<String> coordinates = new ArrayList<>(TANGENT);
+    final List<Quantity> coordinates;
     final List<String> derived = new ArrayList<>();
 
     private CellPart(ObjectMarker object, boolean focal) {
         this.object = object;
         name = object == null ? "camera" : "object " + object.id();
+        coordinates = coordinatesOf(object);
         if (object != null) {
             region(name + " position", 3);
         }
@@ -54,9 +56,22 @@ final class CellPart {
         }
         if (object != null && object.hasGrip()) {
             region(name + " grip", 3);
-            coordinates.addAll(GRIP);
             derived.add("grip_norm");
         }
+    }
+
+    /** Position, rotation vector and, where it has one, gripping point of an object; of the camera where it is null. */
+    static List<Quantity> coordinatesOf(ObjectMarker object) {
+        List<Quantity> all = new ArrayList<>();
+        TANGENT.forEach(axis -> all.add(of(object, axis)));
+        if (object != null && object.hasGrip()) {
+            TANGENT.subList(0, 3).forEach(axis -> all.add(Quantity.grip(object.id(), axis)));
+        }
+        return all;
+    }
+
+    private static Quantity of(ObjectMarker object, Axis axis) {
+        return object == null ? Quantity.camera(axis) : Quantity.object(object.id(), axis);
     }
 
     private void region(String regionName, int dimension) {
@@ -89,7 +104,7 @@ final class CellPart {
     }
 
     /** Draws of one quantity, chain by chain. */
-    static double[] column(CheckResult result, String quantity) {
+    static double[] column(CheckResult result, Quantity quantity) {
         int q = result.layout().indexOf(quantity);
         int total = 0;
         for (Draws chain : result.draws()) {
@@ -107,10 +122,10 @@ final class CellPart {
     }
 
     /** Rotation matrices of all draws of a pose, 9 values each. */
-    static double[] rotations(CheckResult result, String prefix) {
-        double[] psi = column(result, prefix + "_psi_rad");
-        double[] theta = column(result, prefix + "_theta_rad");
-        double[] phi = column(result, prefix + "_phi_rad");
+    static double[] rotations(CheckResult result, ObjectMarker object) {
+        double[] psi = column(result, of(object, Axis.PSI));
+        double[] theta = column(result, of(object, Axis.THETA));
+        double[] phi = column(result, of(object, Axis.PHI));
         double[] all = new double[9 * psi.length];
         double[] r = new double[9];
         for (int i = 0; i < psi.length; i++) {
@@ -125,11 +140,10 @@ final class CellPart {
                 new double[] {columns[0][i], columns[1][i], columns[2][i]});
     }
 
-    private double[][] columns(CheckResult result, String prefix) {
+    private double[][] columns(CheckResult result) {
         double[][] columns = new double[coordinates.size()][];
         for (int c = 0; c < columns.length; c++) {
-            String coordinate = coordinates.get(c);
-            columns[c] = column(result, FOCAL.contains(coordinate) ? coordinate : prefix + "_" + coordinate);
+            columns[c] = column(result, coordinates.get(c));
         }
         return columns;
     }
@@ -143,9 +157,9 @@ final class CellPart {
         final PinholeCamera[] lenses;
 
         CameraDraws(CheckResult result, TruthPrior prior) {
-            rotations = rotations(result, "camera");
-            columns = new double[][] {column(result, "camera_x_mm"), column(result, "camera_y_mm"),
-                column(result, "camera_z_mm")};
+            rotations = rotations(result, (ObjectMarker) null);
+            columns = new double[][] {column(result, Quantity.camera(Axis.X)), column(result, Quantity.camera(Axis.Y)),
+                column(result, Quantity.camera(Axis.Z))};
             int n = columns[0].length;
             logWeights = new double[n];
             cameraFromWorld = new RigidTransform[n];
@@ -189,9 +203,8 @@ final class CellPart {
      */
     Standing standing(CheckResult result, CameraDraws camera, CellTruth truth, TruthPrior prior, int ranked,
             RandomGenerator random) {
-        String prefix = object == null ? "camera" : "object_" + object.id();
-        double[][] columns = columns(result, prefix);
-        double[] rotations = object == null ? camera.rotations : rotations(result, prefix);
+        double[][] columns = columns(result);
+        double[] rotations = object == null ? camera.rotations : rotations(result, object);
         int n = columns[0].length;
         RigidTransform truePose = object == null ? truth.worldFromCamera() : truth.worldFromObjects().get(object.id());
         double[] trueValues = trueCoordinates(truePose, truth.camera(result.cell()),
@@ -213,7 +226,7 @@ final class CellPart {
         }
 
         // regions
-        int[] labels = CoverageStudy.labels(result, object == null ? null : prefix);
+        int[] labels = CoverageStudy.labels(result, object);
         int regions = regionNames.size();
         standing.drawShare = new double[regions];
         standing.squaredDistance = new double[regions];
@@ -245,7 +258,7 @@ final class CellPart {
         double[] second = new double[n];
         double trueSecond;
         if (object == null) {
-            second = column(result, "lp__");
+            second = column(result, Quantity.LOG_DENSITY);
             trueSecond = result.cameraLogDensity(truePose, truth.camera(result.cell()).intrinsics());
         } else {
             for (int i = 0; i < n; i++) {

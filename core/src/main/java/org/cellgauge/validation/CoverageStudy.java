@@ -16,6 +16,7 @@ import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.CoverageRegion;
@@ -227,30 +228,26 @@ public final class CoverageStudy {
     // ---- parts
 
     private Standing standing(CheckResult result, ObjectMarker object, SimulatedCell simulated) {
-        String prefix = object == null ? "camera" : "object_" + object.id();
         RigidTransform truth = object == null ? simulated.truth().worldFromCamera()
                 : simulated.truth().worldFromObjects().get(object.id());
-        List<String> names = new ArrayList<>(Arrays.asList("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad"));
         boolean grip = object != null && object.hasGrip();
-        if (grip) {
-            names.addAll(Arrays.asList("grip_x_mm", "grip_y_mm", "grip_z_mm"));
-        }
-        double[][] columns = new double[names.size()][];
+        List<Quantity> quantities = CellPart.coordinatesOf(object);
+        double[][] columns = new double[quantities.size()][];
         for (int c = 0; c < columns.length; c++) {
-            columns[c] = CellPart.column(result, prefix + "_" + names.get(c));
+            columns[c] = CellPart.column(result, quantities.get(c));
         }
         double[] values = new double[columns.length];
         System.arraycopy(truth.translationMm(), 0, values, 0, 3);
         double[] turned = new double[9];
         Rotations.multiplyTransposed(truth.rotation(),
-                CellPart.referenceRotation(columns, CellPart.rotations(result, prefix)), turned);
+                CellPart.referenceRotation(columns, CellPart.rotations(result, object)), turned);
         Rotations.log(turned, values, 3);
         if (grip) {
             System.arraycopy(truth.apply(object.gripMm()), 0, values, 6, 3);
         }
         Standing standing = new Standing();
         standing.name = object == null ? "camera" : cells.nameOf(object);
-        int[] labels = labels(result, object == null ? null : prefix);
+        int[] labels = labels(result, object);
         standing.severalModes = labels != null;
         add(standing, "position", columns, values, 0, 3, labels);
         add(standing, "pose", columns, values, 0, 6, labels);
@@ -293,13 +290,14 @@ public final class CoverageStudy {
     }
 
     /** Which of the modes of camera and object together each draw is near; null where there is but one. */
-    static int[] labels(CheckResult result, String objectPrefix) {
+    static int[] labels(CheckResult result, ObjectMarker object) {
         int[] labels = null;
-        for (String prefix : Arrays.asList("camera", objectPrefix)) {
-            if (prefix == null || !result.layout().names().contains(prefix + "_mode")) {
+        for (Quantity which : Arrays.asList(Quantity.CAMERA_MODE,
+                object == null ? null : Quantity.objectMode(object.id()))) {
+            if (which == null || !result.layout().quantities().contains(which)) {
                 continue;
             }
-            double[] modes = CellPart.column(result, prefix + "_mode");
+            double[] modes = CellPart.column(result, which);
             int count = 0;
             for (double mode : modes) {
                 count = Math.max(count, (int) mode + 1);

@@ -174,7 +174,8 @@ public final class Validation {
                 regions.add(new RegionCoverage(part.regionNames.get(k), part.regionDimensions.get(k), shares, distances,
                         confidence));
             }
-            List<String> names = new ArrayList<>(part.coordinates);
+            List<String> names = new ArrayList<>();
+            part.coordinates.forEach(q -> names.add(q.coordinate()));
             names.addAll(part.derived);
             for (int q = 0; q < names.size(); q++) {
                 RankHistogram ranks = new RankHistogram(RANKED_DRAWS, bins);

@@ -11,6 +11,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.QuantityLayout;
 import org.junit.jupiter.api.Test;
 
@@ -26,7 +27,7 @@ class DiagnosticsTest {
         Watched() {
             QuantityLayout.Builder builder = new QuantityLayout.Builder();
             for (int q = 0; q < QUANTITIES; q++) {
-                builder.add("q" + q);
+                builder.add(Quantity.printSize(1 + q));
             }
             layout = builder.build();
             Random random = new Random(4);

@@ -10,6 +10,7 @@ import org.cellgauge.check.ThesisScene;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
@@ -94,9 +95,9 @@ class FocalObjectTest {
         CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(), CheckSettings.builder().seed(3)
                 .estimate(Estimate.FOCAL).targetMcseStdRel(0.02).build());
         double[] seenPx = result.detections().find(OBJECT).cornersPx();
-        int camera = result.layout().indexOf("camera_x_mm");
-        int focal = result.layout().indexOf("fx_px");
-        int object = result.layout().indexOf("object_5_x_mm");
+        int camera = result.layout().indexOf(Quantity.camera(Quantity.Axis.X));
+        int focal = result.layout().indexOf(Quantity.intrinsic("fx_px"));
+        int object = result.layout().indexOf(Quantity.object(5, Quantity.Axis.X));
         int thin = Math.max(1, result.draws().size() * result.draws().get(0).count() / 1100);
         double sum = 0;
         double squares = 0;

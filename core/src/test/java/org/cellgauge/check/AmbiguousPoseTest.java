@@ -12,6 +12,8 @@ import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
+import org.cellgauge.sampling.Quantity.Axis;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.CoverageRegion;
@@ -111,10 +113,10 @@ class AmbiguousPoseTest {
     }
 
     /** Over the draws that it is of, the squared distance by a covariance of six coordinates is 6 on average. */
-    private static double meanSquaredDistance(CheckResult result, String name, PoseEstimate pose, int mode) {
+    private static double meanSquaredDistance(CheckResult result, Quantity xMm, Quantity label, PoseEstimate pose, int mode) {
         CoverageRegion region = CoverageRegion.of(new double[6], pose.tangentCovariance(), 0.95);
-        int first = result.layout().indexOf(name + "_x_mm");
-        int label = mode < 0 ? -1 : result.layout().indexOf(name + "_mode");
+        int first = result.layout().indexOf(xMm);
+        int modes = label == null ? -1 : result.layout().indexOf(label);
         double[] rotation = new double[9];
         double[] turned = new double[9];
         double[] d = new double[6];
@@ -122,7 +124,7 @@ class AmbiguousPoseTest {
         int n = 0;
         for (Draws chain : result.draws()) {
             for (int i = 0; i < chain.count(); i++) {
-                if (label >= 0 && chain.get(label, i) != mode) {
+                if (modes >= 0 && chain.get(modes, i) != mode) {
                     continue;
                 }
                 for (int k = 0; k < 3; k++) {
@@ -148,11 +150,12 @@ class AmbiguousPoseTest {
         double apart = object.modes().get(0).pose().meanTransform()
                 .angleRadTo(object.modes().get(1).pose().meanTransform());
         assertTrue(apart > 0.3, "apart by " + apart);
-        assertEquals(6, meanSquaredDistance(result, "camera", result.estimate().camera(), -1), 0.05);
+        assertEquals(6, meanSquaredDistance(result, Quantity.camera(Axis.X), null, result.estimate().camera(), -1), 0.05);
         for (ModeEstimate mode : object.modes()) {
             // the heavier mode has the label 0
             int label = mode == object.modes().get(0) ? 0 : 1;
-            assertEquals(6, meanSquaredDistance(result, "object_5", mode.pose(), label), 0.3, "mode " + label);
+            assertEquals(6, meanSquaredDistance(result, Quantity.object(5, Axis.X), Quantity.objectMode(5),
+                    mode.pose(), label), 0.3, "mode " + label);
         }
     }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
@@ -24,7 +25,7 @@ class BudgetTest {
                 .estimate();
     }
 
-    private static double variance(VarianceBudget budget, String source, double std, int axis) {
+    private static double variance(VarianceBudget budget, VarianceSource source, double std, int axis) {
         return budget.shares(axis).get(source) * std * std;
     }
 
@@ -51,7 +52,7 @@ class BudgetTest {
             }
         }
         for (int axis = 0; axis < 3; axis++) {
-            double expected = variance(predicted.budget(), source, predicted.pose().std()[axis], axis);
+            double expected = variance(predicted.budget(), VarianceSource.ofKey(source), predicted.pose().std()[axis], axis);
             // a variance of 1500 is good to 3.7 %; what is not linear adds little at such sizes
             assertEquals(1, squares[axis] / expected, 4 * 0.037 + 0.02, source + " axis " + axis);
         }
@@ -80,7 +81,7 @@ class BudgetTest {
         for (int reference : new int[] {944, 1234, 911, 22}) {
             double[][] left = deviations(reference, 0.3, true);
             for (int axis = 0; axis < 3; axis++) {
-                String source = "placement of reference " + reference;
+                VarianceSource source = VarianceSource.placementOf(reference);
                 assertEquals(1 - left[0][axis] / with[0][axis], object.budget().gains(axis).get(source), 1e-4);
                 assertEquals(1 - left[1][axis] / with[1][axis], object.gripBudget().gains(axis).get(source), 1e-4);
                 largest = Math.max(largest, object.budget().gains(axis).get(source));
@@ -90,7 +91,7 @@ class BudgetTest {
         double[][] noObjectNoise = deviations(0, 0.3, false);
         for (int axis = 0; axis < 3; axis++) {
             assertEquals(1 - noObjectNoise[0][axis] / with[0][axis],
-                    object.budget().gains(axis).get("corner noise of object"), 1e-9);
+                    object.budget().gains(axis).get(VarianceSource.CORNER_NOISE_OF_OBJECT), 1e-9);
         }
         double all = 0;
         double left = 0;
@@ -103,7 +104,7 @@ class BudgetTest {
             left += Math.pow(ownNoise[0][axis], 2) + own;
             assertTrue(exactCorners[0][axis] >= ownNoise[0][axis]);
         }
-        assertEquals(1 - Math.sqrt(left / all), object.budget().gains().get("corner noise of references"), 1e-3);
+        assertEquals(1 - Math.sqrt(left / all), object.budget().gains().get(VarianceSource.CORNER_NOISE_OF_REFERENCES), 1e-3);
     }
 
     @Test
@@ -113,7 +114,7 @@ class BudgetTest {
             CellEstimate found = CellCheck.stream(scene.cell(), scene.exactDetections(),
                     CheckSettings.builder().estimate(estimate).build()).blockingFirst().estimate();
             for (ObjectEstimate object : found.objects()) {
-                List<Map<String, Double>> budgets = new ArrayList<>();
+                List<Map<VarianceSource, Double>> budgets = new ArrayList<>();
                 List<VarianceBudget> all = new ArrayList<>();
                 all.add(object.budget());
                 if (object.gripBudget() != null) {
@@ -125,7 +126,7 @@ class BudgetTest {
                         budgets.add(budget.shares(axis));
                     }
                 }
-                for (Map<String, Double> shares : budgets) {
+                for (Map<VarianceSource, Double> shares : budgets) {
                     double sum = 0;
                     for (double share : shares.values()) {
                         assertTrue(share >= 0, shares.toString());

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.List;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.settings.ObjectNoise;
@@ -33,8 +35,8 @@ class EffectiveDrawsTest {
     private static double least(CheckResult result) {
         double least = Double.POSITIVE_INFINITY;
         for (int id : new int[] {5, 20, 30}) {
-            for (String axis : new String[] {"x", "y", "z"}) {
-                ChainDiagnostics d = result.diagnostics().parameters().get("object_" + id + "_" + axis + "_mm");
+            for (Quantity.Axis axis : List.of(Quantity.Axis.X, Quantity.Axis.Y, Quantity.Axis.Z)) {
+                ChainDiagnostics d = result.diagnostics().of(Quantity.object(id, axis));
                 least = Math.min(least, d.essSquaredDeviation());
             }
         }

@@ -11,8 +11,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
@@ -94,9 +96,10 @@ class JudgementTest {
         double reach = 0;
         double beyond = 0;
         for (ObjectEstimate object : once.estimate().objects()) {
-            for (String axis : new String[] {"_x_mm", "_y_mm", "_z_mm", "_grip_x_mm", "_grip_y_mm", "_grip_z_mm"}) {
-                var d = once.diagnostics().parameters().get("object_" + object.id() + axis);
-                if (d != null) {
+            for (var e : once.diagnostics().parameters().entrySet()) {
+                Quantity q = e.getKey();
+                var d = e.getValue();
+                if (q.id().equals(OptionalInt.of(object.id())) && q.unit() == Quantity.Unit.MM) {
                     reach = Math.max(reach, d.std() + 2 * d.mcseSd());
                     beyond = Math.max(beyond, d.std() - 2 * d.mcseSd());
                 }

@@ -14,7 +14,7 @@ import java.util.OptionalInt;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.estimate.ObjectEstimate;
-import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
@@ -63,8 +63,7 @@ class ReasonTest {
         assertEquals(String.format("Largest deviation: %.2f mm in %s of object %d against a target of 3 mm; %.0f %% of "
                 + "this variance comes from noise in the object's own corners.", largest,
                 "xyz".charAt(reason.axis().getAsInt()), object.id(), 100 * share), reason.english());
-        assertEquals(Reason.Source.CORNER_NOISE_OF_OBJECT, reason.source());
-        assertEquals(OptionalInt.empty(), reason.sourceReferenceId());
+        assertEquals(VarianceSource.CORNER_NOISE_OF_OBJECT, reason.source());
         assertEquals(reason.english(), result.reason());
     }
 
@@ -79,10 +78,10 @@ class ReasonTest {
         assertEquals(OptionalInt.of(30), reason.objectId());
         assertEquals(result.estimate().object(30).grip().stdMm()[reason.axis().getAsInt()],
                 reason.stdMm().getAsDouble());
-        assertEquals(Reason.Source.PLACEMENT_OF_REFERENCE, reason.source(), reason.english());
+        assertEquals(VarianceSource.Kind.PLACEMENT_OF_REFERENCE, reason.source().kind(), reason.english());
         assertTrue(reason.english().contains(" of the gripping point of object 30 against a target of 0.25 mm; "));
         assertTrue(reason.english().endsWith(
-                "comes from the placement of reference " + reason.sourceReferenceId().getAsInt() + "."));
+                "comes from the placement of reference " + reason.source().referenceId().getAsInt() + "."));
     }
 
     @Test
@@ -168,9 +167,9 @@ class ReasonTest {
                 + "plane.", Reason.twoCameraPoses(0.12).english());
     }
 
-    /** Whatever a budget names must be known to the reason. */
+    /** Budgets name every kind of source, and each is found again by its key. */
     @Test
-    void everySourceOfABudgetIsKnown() {
+    void everyKindOfSourceIsNamedAndFoundByItsKey() {
         ThesisScene scene = ThesisScene.inPlane(2);
         Cell all = scene.cell();
         Cell cell = new Cell(all.camera(), all.family(), all.references(), all.objects(), all.pixelStdPx(),
@@ -180,12 +179,14 @@ class ReasonTest {
                 new PhotoLight(ToneCurve.SRGB, true, 0.7, 1, 100, 0.1));
         CheckResult result = CellCheck.run(cell, photo, CheckSettings.builder()
                 .estimate(Estimate.FOCAL).iterations(400).warmup(100).build());
-        List<Reason.Source> found = new ArrayList<>();
-        for (String name : result.estimate().objects().get(0).budget().shares().keySet()) {
-            found.add(Reason.sourceOf(name));
-            assertEquals(name.startsWith("placement"), VarianceBudget.referenceOf(name).isPresent());
+        List<VarianceSource.Kind> found = new ArrayList<>();
+        for (VarianceSource source : result.estimate().objects().get(0).budget().shares().keySet()) {
+            found.add(source.kind());
+            assertEquals(source, VarianceSource.ofKey(source.key()));
+            assertEquals(source.kind() == VarianceSource.Kind.PLACEMENT_OF_REFERENCE,
+                    source.referenceId().isPresent());
         }
-        assertTrue(found.containsAll(List.of(Reason.Source.values())), found.toString());
-        assertThrows(IllegalArgumentException.class, () -> Reason.sourceOf("weather"));
+        assertTrue(found.containsAll(List.of(VarianceSource.Kind.values())), found.toString());
+        assertThrows(IllegalArgumentException.class, () -> VarianceSource.ofKey("weather"));
     }
 }

@@ -14,6 +14,7 @@ import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
@@ -132,7 +133,7 @@ class SharedErrorsTest {
             assertEquals(1, errors.std(i) / stdZ(predicted, parts[i]), 0.09, "errors of " + parts[i]);
             assertEquals(1, stdZ(sampled, parts[i]) / stdZ(predicted, parts[i]), 0.06, "chains of " + parts[i]);
         }
-        assertTrue(predicted.object(30).budget().shares().get("edges of the photo") > 0.5);
+        assertTrue(predicted.object(30).budget().shares().get(VarianceSource.EDGES) > 0.5);
     }
 
     private static double[] deviations(ThesisScene scene, double pixelStdPx, double doubtPx, PrintPrecision prints) {
@@ -160,10 +161,10 @@ class SharedErrorsTest {
         double[] placed = deviations(withOneObject(ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(noisePx)
                 .placementOf(22, 1e-5, 1e-8)), noisePx, doubtPx, prints);
         for (int axis = 0; axis < 3; axis++) {
-            assertEquals(1 - knownEdges[axis] / with[axis], budget.gains(axis).get("edges of the photo"), 1e-4);
-            assertEquals(1 - knownSizes[axis] / with[axis], budget.gains(axis).get("size of prints"), 1e-4);
-            assertEquals(1 - flat[axis] / with[axis], budget.gains(axis).get("flatness of prints"), 1e-4);
-            assertEquals(1 - placed[axis] / with[axis], budget.gains(axis).get("placement of reference 22"), 1e-4);
+            assertEquals(1 - knownEdges[axis] / with[axis], budget.gains(axis).get(VarianceSource.EDGES), 1e-4);
+            assertEquals(1 - knownSizes[axis] / with[axis], budget.gains(axis).get(VarianceSource.SIZE_OF_PRINTS), 1e-4);
+            assertEquals(1 - flat[axis] / with[axis], budget.gains(axis).get(VarianceSource.FLATNESS_OF_PRINTS), 1e-4);
+            assertEquals(1 - placed[axis] / with[axis], budget.gains(axis).get(VarianceSource.placementOf(22)), 1e-4);
         }
         double[] exact = deviations(scene, 1e-4, doubtPx, prints);
         double left = 0;
@@ -173,14 +174,14 @@ class SharedErrorsTest {
         for (int axis = 0; axis < 3; axis++) {
             left += exact[axis] * exact[axis];
             all += with[axis] * with[axis];
-            assertTrue(exactBudget.gains(axis).get("corner noise of object") < 1e-3);
+            assertTrue(exactBudget.gains(axis).get(VarianceSource.CORNER_NOISE_OF_OBJECT) < 1e-3);
         }
         // taking either noise away leaves more than taking both
         double most = 1 - Math.sqrt(left / all);
-        assertTrue(budget.gains().get("corner noise of object") < most);
-        assertTrue(budget.gains().get("corner noise of references") < most);
+        assertTrue(budget.gains().get(VarianceSource.CORNER_NOISE_OF_OBJECT) < most);
+        assertTrue(budget.gains().get(VarianceSource.CORNER_NOISE_OF_REFERENCES) < most);
         // a hundred times what the comparisons above let pass
-        assertTrue(budget.gains().get("edges of the photo") > 0.01, budget.gains().toString());
+        assertTrue(budget.gains().get(VarianceSource.EDGES) > 0.01, budget.gains().toString());
     }
 
     /** Edges moved by twice the doubt make every marker smaller, and none of them misplaced. */

@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
@@ -31,8 +32,8 @@ class StatedNoiseTest {
         double[] object = result.estimate().object(20).pose().std();
         VarianceBudget budget = result.quickLook().object(20).budget();
         return new double[] {quick[0], quick[2], camera[0], camera[4], object[1], object[2],
-            budget.shares().get("corner noise of object"), budget.gains().get("corner noise of object"),
-            budget.gains().get("corner noise of references"), budget.gains().get("placement of reference 22"),
+            budget.shares().get(VarianceSource.CORNER_NOISE_OF_OBJECT), budget.gains().get(VarianceSource.CORNER_NOISE_OF_OBJECT),
+            budget.gains().get(VarianceSource.CORNER_NOISE_OF_REFERENCES), budget.gains().get(VarianceSource.placementOf(22)),
             result.referenceCheck().fits().get(1).chiSquare(), result.pixelStdPx()};
     }
 

@@ -12,6 +12,7 @@ import io.reactivex.rxjava3.subscribers.TestSubscriber;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
@@ -73,7 +74,7 @@ class StreamTest {
         CheckResult first = run(settings.seed(7));
         assertSameDraws(first, run(settings.seed(7)));
         CheckResult other = run(settings.seed(8));
-        int z = first.layout().indexOf("object_5_z_mm");
+        int z = first.layout().indexOf(Quantity.object(5, Quantity.Axis.Z));
         double[] a = first.draws().get(0).series(z);
         double[] b = other.draws().get(0).series(z);
         int equal = 0;

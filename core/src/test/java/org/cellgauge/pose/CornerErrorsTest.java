@@ -237,7 +237,7 @@ class CornerErrorsTest {
                 }
             }
         }
-        assertEquals(CornerErrors.SIZES, errors.source(1));
+        assertTrue(errors.isSizeOfPrints(1));
     }
 
     /** A stated noise is exact, whatever a detector says of corners. */

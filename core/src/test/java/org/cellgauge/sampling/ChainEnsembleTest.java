@@ -27,9 +27,9 @@ import org.junit.jupiter.api.parallel.Isolated;
 class ChainEnsembleTest {
     private static QuantityLayout layout() {
         QuantityLayout.Builder builder = new QuantityLayout.Builder();
-        builder.add("x_mm");
-        builder.addAngle("psi_rad", 3.1);
-        builder.group("pose", 0, 1);
+        builder.add(Quantity.camera(Quantity.Axis.X));
+        builder.addAngle(Quantity.camera(Quantity.Axis.PSI), 3.1);
+        builder.group(0, 1);
         return builder.build();
     }
 
@@ -90,7 +90,7 @@ class ChainEnsembleTest {
                 assertEquals(1400, ensemble.draws().get(c).count());
                 all[c] = ensemble.draws().get(c).series(0);
             }
-            all[4] = last.summary().mean("pose");
+            all[4] = last.summary().mean(0);
             first = first == null ? all : first;
             for (int c = 0; c < 5; c++) {
                 assertArrayEquals(first[c], all[c], 0);
@@ -170,11 +170,11 @@ class ChainEnsembleTest {
                 }
             }
         }
-        assertEquals(mean[0], last.summary().mean("pose")[0], 1e-10);
+        assertEquals(mean[0], last.summary().mean(0)[0], 1e-10);
         // mean direction, not mean: they differ by the third moment, 1e-3 of the spread here
-        assertEquals(mean[1], last.summary().mean("pose")[1], 1e-3);
+        assertEquals(mean[1], last.summary().mean(0)[1], 1e-3);
         for (int a = 0; a < 2; a++) {
-            assertArrayEquals(covariance[a], last.summary().covariance("pose")[a], 1e-10);
+            assertArrayEquals(covariance[a], last.summary().covariance(0)[a], 1e-10);
         }
         assertEquals(2, last.acceptance().size());
         assertEquals(3 * 1250, last.acceptance().get(0).accepted());
@@ -354,15 +354,15 @@ class ChainEnsembleTest {
     @Test
     void layoutNamesItsQuantities() {
         QuantityLayout layout = layout();
-        assertEquals(List.of("x_mm", "psi_rad"), layout.names());
-        assertEquals(1, layout.indexOf("psi_rad"));
+        assertEquals(List.of("camera_x_mm", "camera_psi_rad"), layout.names());
+        assertEquals(1, layout.indexOf(Quantity.camera(Quantity.Axis.PSI)));
         assertTrue(layout.isAngle(1));
         assertFalse(layout.isAngle(0));
         assertEquals(3.1, layout.referenceRad(1), 0);
-        assertThrows(IllegalArgumentException.class, () -> layout.indexOf("y_mm"));
+        assertThrows(IllegalArgumentException.class, () -> layout.indexOf(Quantity.camera(Quantity.Axis.Y)));
         QuantityLayout.Builder twice = new QuantityLayout.Builder();
-        twice.add("a");
-        assertThrows(IllegalArgumentException.class, () -> twice.add("a"));
+        twice.add(Quantity.ADDED_NOISE);
+        assertThrows(IllegalArgumentException.class, () -> twice.add(Quantity.ADDED_NOISE));
         assertSame(layout, new RunningSummary(layout).layout());
     }
 }

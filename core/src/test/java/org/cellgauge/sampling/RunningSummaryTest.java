@@ -14,10 +14,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 class RunningSummaryTest {
     private static QuantityLayout layout(double reference) {
         QuantityLayout.Builder builder = new QuantityLayout.Builder();
-        int x = builder.add("x_mm");
-        int a = builder.addAngle("psi_rad", reference);
-        builder.add("alone");
-        builder.group("pose", x, a);
+        int x = builder.add(Quantity.camera(Quantity.Axis.X));
+        int a = builder.addAngle(Quantity.camera(Quantity.Axis.PSI), reference);
+        builder.add(Quantity.EDGE_SHIFT);
+        builder.group(x, a);
         return builder.build();
     }
 
@@ -31,12 +31,12 @@ class RunningSummaryTest {
             summary.add(new double[] {i, Math.toRadians(degrees[i]), 7});
         }
         assertEquals(4, summary.count());
-        assertEquals(Math.PI, Math.abs(summary.mean("pose")[1]), 1e-12);
-        assertEquals(1.5, summary.mean("pose")[0], 1e-14);
+        assertEquals(Math.PI, Math.abs(summary.mean(0)[1]), 1e-12);
+        assertEquals(1.5, summary.mean(0)[0], 1e-14);
         // deviations -1, 1, -3, 3 degrees: variance 20/3; with x - 1.5 = -1.5, -0.5, 0.5, 1.5: covariance 4/3
         double degree = Math.toRadians(1);
-        assertEquals(20.0 / 3 * degree * degree, summary.covariance("pose")[1][1], 1e-12);
-        assertEquals(4.0 / 3 * degree, summary.covariance("pose")[0][1], 1e-12);
+        assertEquals(20.0 / 3 * degree * degree, summary.covariance(0)[1][1], 1e-12);
+        assertEquals(4.0 / 3 * degree, summary.covariance(0)[0][1], 1e-12);
         double resultant = (Math.cos(degree) + Math.cos(3 * degree)) / 2;
         assertEquals(resultant, summary.direction(1).resultantLength(), 1e-12);
         assertNull(summary.direction(0));
@@ -60,9 +60,9 @@ class RunningSummaryTest {
             assertEquals(part, one.count());
         }
         assertEquals(538, merged.count());
-        assertArrayEquals(all.mean("pose"), merged.mean("pose"), 1e-9);
+        assertArrayEquals(all.mean(0), merged.mean(0), 1e-9);
         for (int i = 0; i < 2; i++) {
-            assertArrayEquals(all.covariance("pose")[i], merged.covariance("pose")[i], 1e-10);
+            assertArrayEquals(all.covariance(0)[i], merged.covariance(0)[i], 1e-10);
         }
         assertEquals(all.direction(1).meanDirectionRad(), merged.direction(1).meanDirectionRad(), 1e-12);
     }
@@ -76,9 +76,9 @@ class RunningSummaryTest {
         QuantityLayout.Builder builder = new QuantityLayout.Builder();
         int[] group = new int[60];
         for (int i = 0; i < group.length; i++) {
-            group[i] = builder.add("q" + i);
+            group[i] = builder.add(Quantity.printSize(i));
         }
-        builder.group("all", group);
+        builder.group(group);
         RunningSummary summary = new RunningSummary(builder.build());
         double[] draw = new double[60];
         for (int i = 0; i < 2000; i++) {

@@ -27,8 +27,9 @@ import org.cellgauge.cell.InputChecks;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.output.ResultJson;
+import org.cellgauge.output.ResultRow;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.output.StanCsv;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.settings.CheckSettings;
@@ -306,14 +307,12 @@ public final class CheckCommand implements Callable<Integer> {
             withResult = true;
             note(CheckText.word(result.verdict()));
             exitCode = ExitCodes.moreSerious(exitCode, ExitCodes.of(result.verdict()));
-            ObjectEstimate worst = null;
-            for (ObjectEstimate object : result.estimate().objects()) {
-                worst = worst == null || object.worstStdMm() > worst.worstStdMm() ? object : worst;
-            }
-            String std = worst == null ? "-" : CheckText.fixed(worst.worstStdMm(), 2);
-            table.row(input.name(), CheckText.word(result.verdict()), std, worst == null ? "" : "object " + worst.id(),
-                    CheckText.fixed(result.diagnostics().rHatMax(), 4),
-                    CheckText.fixed(Math.min(result.diagnostics().essBulkMin(), result.diagnostics().essTailMin()), 0));
+            ResultView view = ResultView.of(result);
+            ResultRow worst = view.worstObject();
+            String std = worst == null ? "-" : CheckText.fixed(view.worstStdMm(worst), 2);
+            table.row(input.name(), CheckText.word(result.verdict()), std,
+                    worst == null ? "" : CheckText.name(worst), CheckText.fixed(view.chains().rHatMax(), 4),
+                    CheckText.fixed(Math.min(view.chains().essBulkMin(), view.chains().essTailMin()), 0));
             if (json) {
                 stdout.print(batch && done > 1 ? ",\n" + text.stripTrailing() : text.stripTrailing());
             } else if (!batch) {

@@ -6,17 +6,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.chains.Diagnostics;
 import org.cellgauge.chains.NoiseEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
-import org.cellgauge.estimate.PointEstimate;
-import org.cellgauge.estimate.PoseEstimate;
-import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.light.ToneCurve;
+import org.cellgauge.output.BudgetShare;
+import org.cellgauge.output.ModeView;
+import org.cellgauge.output.ResultRow;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.placement.NoiseFit;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.placement.ReferenceFit;
@@ -31,8 +31,6 @@ final class CheckText {
     private static final int WIDTH = 100;
     private static final double NEGLIGIBLE_SHARE = 0.005;
     private static final int MOST_GAINS = 3;
-    /** How the budget names the share of one reference's placement. */
-    private static final String PLACEMENT = "placement of reference ";
 
     private CheckText() {
     }
@@ -54,34 +52,41 @@ final class CheckText {
     }
 
     /** Words that stand beside every figure that must not be trusted; empty where all may be. */
-    static String caution(CheckResult result) {
-        return result.verdict() == Verdict.NOT_CONVERGED ? "not converged"
-                : result.verdict() == Verdict.AMBIGUOUS ? "ambiguous" : "";
+    static String caution(Verdict verdict) {
+        return verdict == Verdict.NOT_CONVERGED ? "not converged" : verdict == Verdict.AMBIGUOUS ? "ambiguous" : "";
     }
 
-    /** Whether one deviation is within the target: a word, or a caution where no figure can be trusted. */
-    static String mark(CheckResult result, double judgedMm) {
-        OptionalDouble target = result.cell().targetStdMm();
-        String caution = caution(result);
-        if (!caution.isEmpty()) {
-            return caution;
+    /** Whether one row's deviations are within the target: a word, or a caution where no figure can be trusted. */
+    static String mark(ResultRow row) {
+        switch (row.verdict()) {
+            case PASS:
+                return "pass";
+            case FAIL:
+                return "FAIL";
+            default:
+                return caution(row.verdict());
         }
-        return !target.isPresent() ? "" : judgedMm <= target.getAsDouble() ? "pass" : "FAIL";
+    }
+
+    /** What a row of objects and gripping points is called. */
+    static String name(ResultRow row) {
+        return row.kind() == ResultRow.Kind.GRIP ? "its gripping point" : "object " + row.id().getAsInt();
     }
 
     /** The whole result. */
     static String of(CheckResult result) {
         StringBuilder text = new StringBuilder();
-        String caution = caution(result);
+        ResultView view = ResultView.of(result);
+        String caution = caution(result.verdict());
         String beside = caution.isEmpty() ? "" : " - " + caution.toUpperCase(Locale.ROOT);
-        camera(result, beside, text);
-        if (!result.cell().objects().isEmpty()) {
-            objects(result, beside, text);
+        camera(view, beside, text);
+        if (!view.objects().isEmpty()) {
+            objects(view, beside, text);
         }
-        if (!result.estimate().objects().isEmpty()) {
-            budgets(result, text);
+        if (view.objects().stream().anyMatch(ResultRow::seen)) {
+            budgets(view, text);
         }
-        modes(result, text);
+        modes(view, text);
         references(result, text);
         text.append('\n').append(diagnosticsLine(result)).append('\n').append(acceptanceLine(result)).append('\n')
                 .append(laplaceLine(result)).append('\n');
@@ -143,79 +148,74 @@ final class CheckText {
         return String.format(Locale.ROOT, "%+.3f", value);
     }
 
-    private static void camera(CheckResult result, String beside, StringBuilder text) {
-        PoseEstimate pose = result.estimate().camera();
+    private static void camera(ResultView view, String beside, StringBuilder text) {
         text.append("\nCamera in world").append(beside).append('\n');
         TextTable table = new TextTable(1);
         table.row("", "x mm", "y mm", "z mm", "psi deg", "theta deg", "phi deg");
         String[] mean = {"mean", "", "", "", "", "", ""};
         String[] std = {"std", "", "", "", "", "", ""};
-        double[] m = pose.mean();
-        double[] s = pose.std();
+        double[] m = view.camera().mean();
+        double[] s = view.camera().std();
         for (int i = 0; i < 6; i++) {
             mean[i + 1] = i < 3 ? fixed(m[i], 2) : fixed(Math.toDegrees(m[i]), 3);
             std[i + 1] = i < 3 ? fixed(s[i], 2) : fixed(Math.toDegrees(s[i]), 3);
         }
         text.append(table.row(mean).row(std).text("  "));
-        if (result.estimate().intrinsics() != null) {
+        if (!view.intrinsics().isEmpty()) {
             text.append("\nIntrinsics").append(beside).append('\n');
             TextTable intrinsics = new TextTable(1).row("", "mean", "std");
-            double[] values = result.estimate().intrinsics().mean();
-            double[][] covariance = result.estimate().intrinsics().covariance();
-            for (int i = 0; i < values.length; i++) {
-                intrinsics.row(result.estimate().intrinsics().names().get(i), significant(values[i], 6),
-                        significant(Math.sqrt(covariance[i][i]), 3));
+            for (ResultView.Intrinsic intrinsic : view.intrinsics()) {
+                intrinsics.row(intrinsic.name(), significant(intrinsic.mean(), 6), significant(intrinsic.std(), 3));
             }
             text.append(intrinsics.text("  "));
         }
     }
 
-    private static void objects(CheckResult result, String beside, StringBuilder text) {
-        OptionalDouble target = result.cell().targetStdMm();
+    private static void objects(ResultView view, String beside, StringBuilder text) {
+        OptionalDouble target = view.targetStdMm();
         text.append("\nObjects in world, mm").append(target.isPresent()
                 ? ", against a target std of " + plain(target.getAsDouble()) + " mm" : "").append(beside).append('\n');
         TextTable table = new TextTable(1);
         table.row("", "x", "y", "z", "std x", "std y", "std z", target.isPresent() ? "target" : "");
-        for (ObjectMarker marker : result.cell().objects()) {
-            ObjectEstimate object = result.estimate().object(marker.id());
-            if (object == null) {
-                table.row("object " + marker.id(), "-", "-", "-", "-", "-", "-", "not seen");
+        for (ResultRow row : view.points()) {
+            String name = row.kind() == ResultRow.Kind.GRIP ? "  " + name(row) : name(row);
+            if (!row.seen()) {
+                table.row(name, "-", "-", "-", "-", "-", "-", "not seen");
                 continue;
             }
-            double[] mean = object.pose().mean();
-            double[] std = object.pose().std();
-            table.row("object " + object.id(), fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2),
-                    fixed(std[0], 2), fixed(std[1], 2), fixed(std[2], 2),
-                    mark(result, result.referenceCheck().judgedMm(object)));
-            PointEstimate grip = object.grip();
-            if (grip != null) {
-                double[] g = grip.meanMm();
-                double[] gs = grip.stdMm();
-                table.row("  its gripping point", fixed(g[0], 2), fixed(g[1], 2), fixed(g[2], 2), fixed(gs[0], 2),
-                        fixed(gs[1], 2), fixed(gs[2], 2), mark(result, result.referenceCheck().gripJudgedMm(object)));
-            }
+            double[] mean = row.mean();
+            double[] std = row.std();
+            table.row(name, fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2), fixed(std[0], 2),
+                    fixed(std[1], 2), fixed(std[2], 2), mark(row));
         }
         text.append(table.text("  "));
     }
 
-    private static void budgets(CheckResult result, StringBuilder text) {
+    private static void budgets(ResultView view, StringBuilder text) {
         text.append("\nWhere the variance comes from\n");
-        for (ObjectEstimate object : result.estimate().objects()) {
-            budget("object " + object.id(), object.budget(), text);
-            if (object.gripBudget() != null) {
-                budget("its gripping point", object.gripBudget(), text);
+        for (ResultRow row : view.points()) {
+            if (row.seen()) {
+                budget(row, text);
             }
         }
     }
 
-    private static void budget(String what, VarianceBudget budget, StringBuilder text) {
-        text.append(wrap("  " + what + ": " + sources(budget.shares()), "    "));
+    private static void budget(ResultRow row, StringBuilder text) {
+        Map<VarianceSource, Double> shares = new LinkedHashMap<>();
+        Map<VarianceSource, Double> gained = new LinkedHashMap<>();
+        for (BudgetShare part : row.budget()) {
+            shares.put(part.source(), part.share());
+            if (!Double.isNaN(part.gain())) {
+                gained.put(part.source(), part.gain());
+            }
+        }
+        text.append(wrap("  " + name(row) + ": " + sources(shares), "    "));
         List<String> gains = new ArrayList<>();
-        for (Map.Entry<String, Double> e : falling(budget.gains())) {
+        for (Map.Entry<VarianceSource, Double> e : falling(gained)) {
             if (gains.size() < MOST_GAINS && e.getValue() >= NEGLIGIBLE_SHARE) {
-                gains.add((e.getKey().startsWith(PLACEMENT)
-                        ? "reference " + e.getKey().substring(PLACEMENT.length()) + " placed exactly "
-                        : "no " + e.getKey() + " ") + percent(e.getValue()));
+                gains.add((e.getKey().referenceId().isPresent()
+                        ? "reference " + e.getKey().referenceId().getAsInt() + " placed exactly "
+                        : "no " + e.getKey().key() + " ") + percent(e.getValue()));
             }
         }
         if (!gains.isEmpty()) {
@@ -224,16 +224,16 @@ final class CheckText {
     }
 
     /** Sources by falling share, those of one kind together, those below half a percent left out. */
-    static String sources(Map<String, Double> shares) {
+    static String sources(Map<VarianceSource, Double> shares) {
         Map<String, Double> kinds = new LinkedHashMap<>();
         Map<String, List<String>> parts = new LinkedHashMap<>();
-        for (Map.Entry<String, Double> e : falling(shares)) {
-            String kind = e.getKey();
-            if (kind.startsWith(PLACEMENT)) {
+        for (Map.Entry<VarianceSource, Double> e : falling(shares)) {
+            String kind = e.getKey().key();
+            if (e.getKey().referenceId().isPresent()) {
                 kind = "placement of references";
                 if (e.getValue() >= NEGLIGIBLE_SHARE) {
                     parts.computeIfAbsent(kind, k -> new ArrayList<>())
-                            .add(e.getKey().substring(PLACEMENT.length()) + ": " + percent(e.getValue()));
+                            .add(e.getKey().referenceId().getAsInt() + ": " + percent(e.getValue()));
                 }
             }
             kinds.merge(kind, e.getValue(), Double::sum);
@@ -249,8 +249,8 @@ final class CheckText {
         return String.join(", ", words);
     }
 
-    private static List<Map.Entry<String, Double>> falling(Map<String, Double> shares) {
-        List<Map.Entry<String, Double>> sorted = new ArrayList<>(shares.entrySet());
+    private static <K> List<Map.Entry<K, Double>> falling(Map<K, Double> shares) {
+        List<Map.Entry<K, Double>> sorted = new ArrayList<>(shares.entrySet());
         sorted.sort((a, b) -> Double.compare(b.getValue(), a.getValue()));
         return sorted;
     }
@@ -259,30 +259,23 @@ final class CheckText {
         return Math.round(100 * share) + " %";
     }
 
-    private static void modes(CheckResult result, StringBuilder text) {
-        if (result.verdict() != Verdict.AMBIGUOUS) {
+    private static void modes(ResultView view, StringBuilder text) {
+        if (view.verdict() != Verdict.AMBIGUOUS) {
             return;
         }
         text.append("\nPoses that explain the photo\n");
         TextTable table = new TextTable(1);
         table.row("", "share", "x mm", "y mm", "z mm", "psi deg", "theta deg", "phi deg");
-        if (result.estimate().cameraModes().size() > 1) {
-            modeRows("camera", result.estimate().cameraModes(), table);
-        }
-        for (ObjectEstimate object : result.estimate().objects()) {
-            if (object.modes().size() > 1) {
-                modeRows("object " + object.id(), object.modes(), table);
+        for (ResultRow row : view.rows()) {
+            for (ModeView mode : row.modes()) {
+                double[] m = mode.pose().mean();
+                table.row(row.kind() == ResultRow.Kind.CAMERA ? "camera" : name(row),
+                        fixed(100 * mode.weight(), 1) + " %", fixed(m[0], 2), fixed(m[1], 2), fixed(m[2], 2),
+                        fixed(Math.toDegrees(m[3]), 2), fixed(Math.toDegrees(m[4]), 2),
+                        fixed(Math.toDegrees(m[5]), 2));
             }
         }
         text.append(table.text("  "));
-    }
-
-    private static void modeRows(String name, List<ModeEstimate> modes, TextTable table) {
-        for (ModeEstimate mode : modes) {
-            double[] m = mode.pose().mean();
-            table.row(name, fixed(100 * mode.weight(), 1) + " %", fixed(m[0], 2), fixed(m[1], 2), fixed(m[2], 2),
-                    fixed(Math.toDegrees(m[3]), 2), fixed(Math.toDegrees(m[4]), 2), fixed(Math.toDegrees(m[5]), 2));
-        }
     }
 
     private static void references(CheckResult result, StringBuilder text) {

@@ -5,17 +5,17 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.estimate.ModeEstimate;
-import org.cellgauge.estimate.ObjectEstimate;
-import org.cellgauge.estimate.PoseEstimate;
-import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.output.BudgetShare;
+import org.cellgauge.output.ModeView;
+import org.cellgauge.output.ResultRow;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.placement.ReferenceFit;
 import org.cellgauge.placement.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Setting;
 import org.cellgauge.settings.SettingTable;
@@ -73,10 +73,11 @@ final class HtmlReport {
      */
     void add(CheckInput input, CheckResult result, byte[] jpeg, String command) {
         String id = "photo-" + ++photos;
+        ResultView view = ResultView.of(result);
         String key = result.verdict().key();
-        double worst = result.estimate().objects().stream().mapToDouble(ObjectEstimate::worstStdMm).max()
+        double worst = view.objects().stream().filter(ResultRow::seen).mapToDouble(view::worstStdMm).max()
                 .orElse(Double.NaN);
-        overviewRow(id, input, key, CheckText.word(result.verdict()), CheckText.fixed(worst, 2) + caution(result),
+        overviewRow(id, input, key, CheckText.word(result.verdict()), CheckText.fixed(worst, 2) + caution(view),
                 CheckText.fixed(result.diagnostics().rHatMax(), 4), result.reason());
         section(id, input, key, CheckText.word(result.verdict()), result.reason());
         sections.append("<p><img alt=\"").append(escape(input.name() + ": markers, frames and 95 % ellipses"))
@@ -87,10 +88,10 @@ final class HtmlReport {
             result.warnings().forEach(w -> sections.append("<li>").append(escape(CommandWords.of(w))).append("</li>"));
             sections.append("</ul>\n");
         }
-        objects(result);
-        camera(result);
-        modes(result);
-        budgets(result);
+        objects(view);
+        camera(view);
+        modes(view);
+        budgets(view);
         references(result);
         without(result);
         diagnostics(result);
@@ -149,61 +150,52 @@ final class HtmlReport {
                 + "</svg> " + escape(word) + "</span>";
     }
 
-    private static String caution(CheckResult result) {
-        String caution = CheckText.caution(result);
+    private static String caution(ResultView view) {
+        String caution = CheckText.caution(view.verdict());
         return caution.isEmpty() ? "" : " <span class=\"caution\">" + caution + "</span>";
     }
 
     // ---- tables of one photo
 
-    private void objects(CheckResult result) {
-        if (result.cell().objects().isEmpty()) {
+    private void objects(ResultView view) {
+        if (view.objects().isEmpty()) {
             return;
         }
-        OptionalDouble target = result.cell().targetStdMm();
+        OptionalDouble target = view.targetStdMm();
         sections.append("<h3>Objects in world, mm").append(target.isPresent()
                 ? ", against a target std of " + CheckText.plain(target.getAsDouble()) + " mm" : "")
-                .append(caution(result)).append("</h3>\n");
+                .append(caution(view)).append("</h3>\n");
         header("", "x", "y", "z", "std x", "std y", "std z", "target");
-        for (ObjectMarker marker : result.cell().objects()) {
-            ObjectEstimate object = result.estimate().object(marker.id());
-            if (object == null) {
-                row(escape("object " + marker.id()), "-", "-", "-", "-", "-", "-", "not seen");
+        for (ResultRow row : view.points()) {
+            String name = escape(CheckText.name(row));
+            if (!row.seen()) {
+                row(name, "-", "-", "-", "-", "-", "-", "not seen");
                 continue;
             }
-            point(result, "object " + object.id(), object.pose().mean(), object.pose().std(),
-                    result.referenceCheck().judgedMm(object));
-            if (object.grip() != null) {
-                point(result, "its gripping point", object.grip().meanMm(), object.grip().stdMm(),
-                        result.referenceCheck().gripJudgedMm(object));
-            }
+            double[] mean = row.mean();
+            double[] std = row.std();
+            String mark = CheckText.mark(row);
+            String key = row.verdict() == Verdict.PASS || row.verdict() == Verdict.FAIL ? row.verdict().key()
+                    : Verdict.NOT_CONVERGED.key();
+            row(name, CheckText.fixed(mean[0], 3), CheckText.fixed(mean[1], 3), CheckText.fixed(mean[2], 3),
+                    CheckText.fixed(std[0], 3), CheckText.fixed(std[1], 3), CheckText.fixed(std[2], 3),
+                    mark.isEmpty() ? "" : verdict(key, mark));
         }
         end();
     }
 
-    private void point(CheckResult result, String name, double[] mean, double[] std, double judgedMm) {
-        String mark = CheckText.mark(result, judgedMm);
-        String key = mark.equals("pass") ? "pass" : mark.equals("FAIL") ? "fail" : "not-converged";
-        row(escape(name), CheckText.fixed(mean[0], 3), CheckText.fixed(mean[1], 3), CheckText.fixed(mean[2], 3),
-                CheckText.fixed(std[0], 3), CheckText.fixed(std[1], 3), CheckText.fixed(std[2], 3),
-                mark.isEmpty() ? "" : verdict(key, mark));
-    }
-
-    private void camera(CheckResult result) {
-        sections.append("<h3>Camera in world").append(caution(result)).append("</h3>\n");
+    private void camera(ResultView view) {
+        sections.append("<h3>Camera in world").append(caution(view)).append("</h3>\n");
         header("", "x mm", "y mm", "z mm", "psi deg", "theta deg", "phi deg");
-        PoseEstimate pose = result.estimate().camera();
-        poseRow("mean", pose.mean());
-        poseRow("std", pose.std());
+        poseRow("mean", view.camera().mean());
+        poseRow("std", view.camera().std());
         end();
-        if (result.estimate().intrinsics() != null) {
-            sections.append("<h3>Intrinsics").append(caution(result)).append("</h3>\n");
+        if (!view.intrinsics().isEmpty()) {
+            sections.append("<h3>Intrinsics").append(caution(view)).append("</h3>\n");
             header("", "mean", "std");
-            double[] mean = result.estimate().intrinsics().mean();
-            double[][] covariance = result.estimate().intrinsics().covariance();
-            for (int i = 0; i < mean.length; i++) {
-                row(escape(result.estimate().intrinsics().names().get(i)), CheckText.fixed(mean[i], 3),
-                        CheckText.fixed(Math.sqrt(covariance[i][i]), 3));
+            for (ResultView.Intrinsic intrinsic : view.intrinsics()) {
+                row(escape(intrinsic.name()), CheckText.fixed(intrinsic.mean(), 3),
+                        CheckText.fixed(intrinsic.std(), 3));
             }
             end();
         }
@@ -215,54 +207,43 @@ final class HtmlReport {
                 CheckText.fixed(Math.toDegrees(pose[5]), 4));
     }
 
-    private void modes(CheckResult result) {
-        if (result.verdict() != Verdict.AMBIGUOUS) {
+    private void modes(ResultView view) {
+        if (view.verdict() != Verdict.AMBIGUOUS) {
             return;
         }
         sections.append("<h3>Poses that explain the photo</h3>\n");
         header("", "x mm", "y mm", "z mm", "psi deg", "theta deg", "phi deg");
-        if (result.estimate().cameraModes().size() > 1) {
-            for (ModeEstimate mode : result.estimate().cameraModes()) {
-                poseRow("camera, " + CheckText.fixed(100 * mode.weight(), 1) + " %", mode.pose().mean());
-            }
-        }
-        for (ObjectEstimate object : result.estimate().objects()) {
-            if (object.modes().size() > 1) {
-                for (ModeEstimate mode : object.modes()) {
-                    poseRow("object " + object.id() + ", " + CheckText.fixed(100 * mode.weight(), 1) + " %",
-                            mode.pose().mean());
-                }
+        for (ResultRow row : view.rows()) {
+            for (ModeView mode : row.modes()) {
+                poseRow((row.kind() == ResultRow.Kind.CAMERA ? "camera" : CheckText.name(row)) + ", "
+                        + CheckText.fixed(100 * mode.weight(), 1) + " %", mode.pose().mean());
             }
         }
         end();
     }
 
-    private void budgets(CheckResult result) {
-        if (result.estimate().objects().isEmpty()) {
+    private void budgets(ResultView view) {
+        if (view.objects().stream().noneMatch(ResultRow::seen)) {
             return;
         }
         sections.append("<h3>Where the variance comes from</h3>\n");
         header("", "source", "share of the variance", "x", "y", "z", "taken away: off the deviation");
-        for (ObjectEstimate object : result.estimate().objects()) {
-            budget("object " + object.id(), object.budget());
-            if (object.gripBudget() != null) {
-                budget("its gripping point", object.gripBudget());
-            }
+        for (ResultRow row : view.points()) {
+            budget(row);
         }
         end();
     }
 
-    private void budget(String name, VarianceBudget budget) {
-        Map<String, Double> all = budget.shares();
-        String shown = escape(name);
-        for (Map.Entry<String, Double> e : all.entrySet()) {
-            sections.append("<tr><td>").append(shown).append("</td><td class=\"text\">").append(escape(e.getKey()))
-                    .append("</td>");
-            cell(percent(e.getValue()));
+    private void budget(ResultRow row) {
+        String shown = escape(CheckText.name(row));
+        for (BudgetShare part : row.budget()) {
+            sections.append("<tr><td>").append(shown).append("</td><td class=\"text\">")
+                    .append(escape(part.source().key())).append("</td>");
+            cell(percent(part.share()));
             for (int axis = 0; axis < 3; axis++) {
-                cell(percent(budget.shares(axis).get(e.getKey())));
+                cell(percent(part.share(axis)));
             }
-            cell(percent(budget.gains().getOrDefault(e.getKey(), Double.NaN)));
+            cell(percent(part.gain()));
             sections.append("</tr>\n");
             shown = "";
         }
@@ -318,9 +299,9 @@ final class HtmlReport {
                 .append(escape(CheckText.noiseLines(result).trim()).replace("\n", "<br>")).append("</p>\n");
         sections.append("<details><summary>Every quantity</summary><div class=\"scroll\">\n");
         header("", "mean", "std", "R-hat", "bulk draws", "tail draws", "MC error of mean", "MC error of std");
-        for (Map.Entry<String, ChainDiagnostics> e : result.diagnostics().parameters().entrySet()) {
+        for (Map.Entry<Quantity, ChainDiagnostics> e : result.diagnostics().parameters().entrySet()) {
             ChainDiagnostics d = e.getValue();
-            row(escape(e.getKey()), CheckText.fixed(d.mean(), 5), CheckText.fixed(d.std(), 5),
+            row(escape(e.getKey().name()), CheckText.fixed(d.mean(), 5), CheckText.fixed(d.std(), 5),
                     d.status() == ChainDiagnostics.Status.OK ? CheckText.fixed(d.rHat(), 4)
                             : escape(d.status().name().toLowerCase(Locale.ROOT).replace('_', ' ')),
                     CheckText.fixed(d.essBulk(), 0), CheckText.fixed(d.essTail(), 0), CheckText.fixed(d.mcseMean(), 6),

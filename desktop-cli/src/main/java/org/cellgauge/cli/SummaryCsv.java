@@ -2,9 +2,11 @@ package org.cellgauge.cli;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.check.Verdict;
+import org.cellgauge.output.ChainsView;
+import org.cellgauge.output.ResultRow;
+import org.cellgauge.output.ResultView;
 
 /** The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is unknown is left empty. */
 final class SummaryCsv {
@@ -22,11 +24,12 @@ final class SummaryCsv {
 
     /** Adds the rows of a result: each object of the cell, or one row where it has none. */
     void add(CheckInput input, CheckResult result) {
-        if (result.cell().objects().isEmpty()) {
-            row(input, result, null, null);
+        ResultView view = ResultView.of(result);
+        if (view.objects().isEmpty()) {
+            row(input, view, null);
         }
-        for (ObjectMarker marker : result.cell().objects()) {
-            row(input, result, marker, result.estimate().object(marker.id()));
+        for (ResultRow object : view.objects()) {
+            row(input, view, object);
         }
     }
 
@@ -40,27 +43,28 @@ final class SummaryCsv {
         line(cells);
     }
 
-    private void row(CheckInput input, CheckResult result, ObjectMarker marker, ObjectEstimate object) {
-        List<String> cells = new ArrayList<>(List.of(input.file().toString(), input.name(), result.verdict().key()));
-        cells.add(marker == null ? "" : String.valueOf(marker.id()));
-        cells.add(marker == null ? "" : String.valueOf(object != null));
-        numbers(cells, object == null ? null : object.pose().mean());
-        numbers(cells, object == null ? null : object.pose().std());
-        boolean grip = object != null && object.grip() != null;
-        numbers(cells, grip ? object.grip().meanMm() : null);
-        numbers(cells, grip ? object.grip().stdMm() : null);
-        cells.add(object == null ? "" : number(object.worstStdMm()));
-        cells.add(number(result.cell().targetStdMm().orElse(Double.NaN)));
-        boolean judged = object != null && result.cell().targetStdMm().isPresent()
-                && CheckText.caution(result).isEmpty();
-        cells.add(judged ? String.valueOf(result.referenceCheck().meets(object,
-                result.cell().targetStdMm().getAsDouble())) : "");
-        cells.add(String.valueOf(result.diagnostics().converged()));
-        cells.add(number(result.diagnostics().rHatMax()));
-        cells.add(number(result.diagnostics().essBulkMin()));
-        cells.add(number(result.diagnostics().essTailMin()));
-        cells.add(number(result.diagnostics().mcseStdRelMax()));
-        cells.add(result.reason());
+    private void row(CheckInput input, ResultView view, ResultRow object) {
+        List<String> cells = new ArrayList<>(List.of(input.file().toString(), input.name(), view.verdict().key()));
+        boolean seen = object != null && object.seen();
+        cells.add(object == null ? "" : String.valueOf(object.id().getAsInt()));
+        cells.add(object == null ? "" : String.valueOf(seen));
+        numbers(cells, seen ? object.mean() : null);
+        numbers(cells, seen ? object.std() : null);
+        ResultRow grip = seen ? view.grip(object.id().getAsInt()) : null;
+        numbers(cells, grip != null ? grip.mean() : null);
+        numbers(cells, grip != null ? grip.std() : null);
+        cells.add(seen ? number(view.worstStdMm(object)) : "");
+        cells.add(number(view.targetStdMm().orElse(Double.NaN)));
+        boolean judged = seen && view.targetStdMm().isPresent() && view.trusted();
+        cells.add(judged ? String.valueOf(object.verdict() == Verdict.PASS
+                && (grip == null || grip.verdict() == Verdict.PASS)) : "");
+        ChainsView chains = view.chains();
+        cells.add(String.valueOf(chains.converged()));
+        cells.add(number(chains.rHatMax()));
+        cells.add(number(chains.essBulkMin()));
+        cells.add(number(chains.essTailMin()));
+        cells.add(number(chains.mcseStdRelMax()));
+        cells.add(view.reason());
         line(cells);
     }
 

@@ -149,12 +149,12 @@ final class Wording {
     String reason(Reason reason) {
         switch (reason.kind()) {
             case NOT_CONVERGED:
-                return get(R.string.not_converged, reason.worstParameter(), number(reason.rHat(), 3),
+                return get(R.string.not_converged, reason.worstParameter().name(), number(reason.rHat(), 3),
                         number(reason.effectiveDraws(), 0));
             case NEVER_MOVED:
-                return get(R.string.never_moved, reason.worstParameter());
+                return get(R.string.never_moved, reason.worstParameter().name());
             case NON_FINITE:
-                return get(R.string.non_finite, reason.worstParameter());
+                return get(R.string.non_finite, reason.worstParameter().name());
             case TOO_SHORT:
                 return get(R.string.chains_too_short, ChainDiagnostics.MIN_DRAWS);
             case TWO_CAMERA_POSES:
@@ -242,9 +242,9 @@ final class Wording {
     }
 
     private String source(Reason reason) {
-        switch (reason.source()) {
+        switch (reason.source().kind()) {
             case PLACEMENT_OF_REFERENCE:
-                return get(R.string.source_placement, reason.sourceReferenceId().getAsInt());
+                return get(R.string.source_placement, reason.source().referenceId().getAsInt());
             case CORNER_NOISE_OF_REFERENCES:
                 return get(R.string.source_reference_corners);
             case CORNER_NOISE_OF_OBJECT:

@@ -7,8 +7,9 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Reason;
-import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.live.LiveState;
+import org.cellgauge.output.ResultRow;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.overlay.CellOverlay;
 import org.cellgauge.overlay.Overlay;
 import org.cellgauge.overlay.OverlayStyle;
@@ -22,47 +23,50 @@ final class CheckFigures {
     /** The rows of all objects of a cell. */
     static List<ObjectRow> rows(Cell cell, LiveState live, CheckResult result) {
         List<ObjectRow> rows = new ArrayList<>();
-        CellEstimate estimate = result != null ? result.estimate()
-                : live.update() != null ? live.update().estimate() : null;
+        CellEstimate estimate = live.update() == null ? null : live.update().estimate();
+        ResultView view = result != null ? ResultView.of(result)
+                : estimate != null ? ResultView.preliminary(cell, estimate) : null;
         for (ObjectMarker marker : cell.objects()) {
-            ObjectEstimate object = estimate == null ? null : estimate.object(marker.id());
-            if (object == null) {
-                boolean seen = estimate == null && !live.missingObjects().contains(marker.id());
+            ResultRow object = view == null ? null : view.object(marker.id());
+            if (object == null || !object.seen()) {
+                boolean seen = view == null && !live.missingObjects().contains(marker.id());
                 rows.add(new ObjectRow(marker.id(), seen ? ObjectRow.Mark.NO_FIGURE : ObjectRow.Mark.NOT_SEEN, null,
                         null, null, null));
             } else {
-                rows.add(result != null ? judged(object, result) : preliminary(object, estimate));
+                rows.add(result != null ? judged(marker.id(), view, result)
+                        : preliminary(marker.id(), view, estimate));
             }
         }
         return rows;
     }
 
-    private static ObjectRow preliminary(ObjectEstimate object, CellEstimate estimate) {
-        if (estimate.isAmbiguous(object.id())) {
-            return new ObjectRow(object.id(), ObjectRow.Mark.AMBIGUOUS, null, null, null, null);
+    private static ObjectRow preliminary(int id, ResultView view, CellEstimate estimate) {
+        if (view.camera().ambiguous() || view.object(id).ambiguous()) {
+            return new ObjectRow(id, ObjectRow.Mark.AMBIGUOUS, null, null, null, null);
         }
-        return figures(object, ObjectRow.Mark.PRELIMINARY, estimate.largestDeviation(object.id()));
+        return figures(id, view, ObjectRow.Mark.PRELIMINARY, estimate.largestDeviation(id));
     }
 
-    private static ObjectRow judged(ObjectEstimate object, CheckResult result) {
-        switch (result.verdict(object.id())) {
+    private static ObjectRow judged(int id, ResultView view, CheckResult result) {
+        switch (result.verdict(id)) {
             case PASS:
-                return figures(object, ObjectRow.Mark.OK, result.finding(object.id()));
+                return figures(id, view, ObjectRow.Mark.OK, result.finding(id));
             case FAIL:
-                return figures(object, ObjectRow.Mark.NOT_OK, result.finding(object.id()));
+                return figures(id, view, ObjectRow.Mark.NOT_OK, result.finding(id));
             case NO_TARGET:
-                return figures(object, ObjectRow.Mark.NOT_JUDGED, result.finding(object.id()));
+                return figures(id, view, ObjectRow.Mark.NOT_JUDGED, result.finding(id));
             case AMBIGUOUS:
-                return new ObjectRow(object.id(), ObjectRow.Mark.AMBIGUOUS, null, null, null,
-                        result.finding(object.id()));
+                return new ObjectRow(id, ObjectRow.Mark.AMBIGUOUS, null, null, null,
+                        result.finding(id));
             default:
-                return new ObjectRow(object.id(), ObjectRow.Mark.NOT_CONVERGED, null, null, null, null);
+                return new ObjectRow(id, ObjectRow.Mark.NOT_CONVERGED, null, null, null, null);
         }
     }
 
-    private static ObjectRow figures(ObjectEstimate object, ObjectRow.Mark mark, Reason reason) {
-        return new ObjectRow(object.id(), mark, object.pose().std(),
-                object.grip() == null ? null : object.grip().stdMm(), object.ellipse95Px(), reason);
+    private static ObjectRow figures(int id, ResultView view, ObjectRow.Mark mark, Reason reason) {
+        ResultRow grip = view.grip(id);
+        return new ObjectRow(id, mark, view.object(id).std(), grip == null ? null : grip.std(),
+                view.object(id).ellipse95Px(), reason);
     }
 
     /** What is drawn over the picture. */

@@ -1,0 +1,36 @@
+package org.cellgauge.output;
+
+/** Numbers as files hold them: what is not finite is no number there. */
+final class Figures {
+    private Figures() {
+    }
+
+    static double finite(double value) {
+        return Double.isFinite(value) ? value : Double.NaN;
+    }
+
+    static double[] finite(double[] values) {
+        double[] out = values.clone();
+        for (int i = 0; i < out.length; i++) {
+            out[i] = finite(out[i]);
+        }
+        return out;
+    }
+
+    static double[][] finite(double[][] rows) {
+        double[][] out = new double[rows.length][];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = finite(rows[i]);
+        }
+        return out;
+    }
+
+    /** Roots of a covariance's diagonal. */
+    static double[] std(double[][] covariance) {
+        double[] std = new double[covariance.length];
+        for (int i = 0; i < std.length; i++) {
+            std[i] = Math.sqrt(covariance[i][i]);
+        }
+        return std;
+    }
+}

@@ -1,0 +1,278 @@
+package org.cellgauge.output;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalInt;
+import org.cellgauge.check.Verdict;
+import org.cellgauge.estimate.ModeEstimate;
+import org.cellgauge.estimate.PointEstimate;
+import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.statistics.Ellipse;
+
+/**
+ * One row of a {@link ResultView}: the camera, an object or its gripping point; immutable. Two are equal where a file
+ * would hold the same of them.
+ */
+public final class ResultRow {
+    /** What a row is about. */
+    public enum Kind {
+        /** The camera; the first row, and the only one of its kind. */
+        CAMERA,
+        /** An object of the cell, seen or not. */
+        OBJECT,
+        /** The gripping point of the object in the row before. */
+        GRIP
+    }
+
+    private final Kind kind;
+    private final OptionalInt id;
+    private double[] mean;
+    private double[][] covariance;
+    private PoseView pose;
+    private List<ModeView> modes = Collections.emptyList();
+    private List<BudgetShare> budget = Collections.emptyList();
+    private Ellipse ellipse95Px;
+    private Verdict verdict;
+    private Boolean withinTarget;
+
+    private ResultRow(Kind kind, OptionalInt id) {
+        this.kind = kind;
+        this.id = id;
+    }
+
+    /** Puts a row together, and is of no more use afterwards. */
+    static final class Builder {
+        private final ResultRow row;
+
+        Builder(Kind kind, OptionalInt id) {
+            row = new ResultRow(kind, id);
+        }
+
+        Builder pose(PoseView pose) {
+            row.pose = pose;
+            row.mean = pose.mean();
+            row.covariance = pose.covariance();
+            return this;
+        }
+
+        Builder pose(PoseEstimate pose) {
+            return pose(PoseView.of(pose));
+        }
+
+        Builder point(double[] meanMm, double[][] covarianceMm2) {
+            row.mean = Figures.finite(meanMm);
+            row.covariance = Figures.finite(covarianceMm2);
+            return this;
+        }
+
+        Builder point(PointEstimate point) {
+            return point(point.meanMm(), point.covarianceMm2());
+        }
+
+        Builder modeEstimates(List<ModeEstimate> modes) {
+            List<ModeView> views = new ArrayList<>();
+            if (modes.size() > 1) {
+                modes.forEach(mode -> views.add(new ModeView(mode.weight(), PoseView.of(mode.pose()))));
+            }
+            return modes(views);
+        }
+
+        Builder modes(List<ModeView> modes) {
+            row.modes = Collections.unmodifiableList(modes);
+            return this;
+        }
+
+        Builder budget(List<BudgetShare> budget) {
+            row.budget = Collections.unmodifiableList(budget);
+            return this;
+        }
+
+        Builder ellipse95Px(Ellipse ellipse) {
+            row.ellipse95Px = ellipse;
+            return this;
+        }
+
+        Builder verdict(Verdict verdict) {
+            row.verdict = verdict;
+            return this;
+        }
+
+        Builder withinTarget(Boolean within) {
+            row.withinTarget = within;
+            return this;
+        }
+
+        ResultRow build() {
+            return row;
+        }
+    }
+
+    /**
+     * What it is about.
+     *
+     * @return never null
+     */
+    public Kind kind() {
+        return kind;
+    }
+
+    /**
+     * The object's marker.
+     *
+     * @return its id; empty for the camera
+     */
+    public OptionalInt id() {
+        return id;
+    }
+
+    /**
+     * Whether the photo showed it.
+     *
+     * @return false for an object that has no figures
+     */
+    public boolean seen() {
+        return mean != null;
+    }
+
+    /**
+     * The mean.
+     *
+     * @return x, y, z in mm and, of camera and objects, psi, theta, phi in rad; null where not seen
+     */
+    public double[] mean() {
+        return mean == null ? null : mean.clone();
+    }
+
+    /**
+     * Standard deviations.
+     *
+     * @return in the order of {@link #mean()}; null where not seen
+     */
+    public double[] std() {
+        return covariance == null ? null : Figures.std(covariance);
+    }
+
+    /**
+     * The covariance.
+     *
+     * @return in the order of {@link #mean()}, a copy; null where not seen
+     */
+    public double[][] covariance() {
+        return covariance == null ? null : Figures.finite(covariance);
+    }
+
+    /**
+     * The largest deviation of the position along any axis.
+     *
+     * @return mm; NaN where not seen
+     */
+    public double largestStdMm() {
+        if (covariance == null) {
+            return Double.NaN;
+        }
+        double[] std = std();
+        return Math.max(std[0], Math.max(std[1], std[2]));
+    }
+
+    /**
+     * The whole pose.
+     *
+     * @return null of a gripping point, and where not seen
+     */
+    public PoseView pose() {
+        return pose;
+    }
+
+    /**
+     * The poses that explain the photo, where there are two; heavier first.
+     *
+     * @return unmodifiable; empty where there is but one. Of a result read back: where the pose is ambiguous
+     */
+    public List<ModeView> modes() {
+        return modes;
+    }
+
+    /**
+     * Whether no single figure describes this pose.
+     *
+     * @return true if poses other than the first of {@link #modes()} hold more than
+     *     {@link ModeEstimate#AMBIGUOUS_SHARE}
+     */
+    public boolean ambiguous() {
+        return modes.size() > 1 && 1 - modes.get(0).weight() > ModeEstimate.AMBIGUOUS_SHARE;
+    }
+
+    /**
+     * Where the variance comes from.
+     *
+     * @return unmodifiable; empty of the camera, and where not seen
+     */
+    public List<BudgetShare> budget() {
+        return budget;
+    }
+
+    /**
+     * The source of most of the variance, all axes together.
+     *
+     * @return the first of the largest; null where there is no budget
+     */
+    public BudgetShare largestShare() {
+        BudgetShare largest = null;
+        for (BudgetShare share : budget) {
+            largest = largest == null || share.share() > largest.share() ? share : largest;
+        }
+        return largest;
+    }
+
+    /**
+     * The 95 % region in the image.
+     *
+     * @return in px; null of the camera, and where the mean is not in front of it
+     */
+    public Ellipse ellipse95Px() {
+        return ellipse95Px;
+    }
+
+    /**
+     * How this row's deviations alone stand against the target, errors of misplaced references included; no allowance
+     * is made for the Monte Carlo error.
+     *
+     * @return {@link Verdict#NOT_CONVERGED} and {@link Verdict#AMBIGUOUS} of a whole result hold for each row; null of
+     *     the camera, where not seen, of what is preliminary, and where a file does not say it
+     */
+    public Verdict verdict() {
+        return verdict;
+    }
+
+    /**
+     * Whether object and gripping point together are within the target, by more than the Monte Carlo error.
+     *
+     * @return null of other rows than objects, without a target, and where no figure is to be trusted
+     */
+    public Boolean withinTarget() {
+        return withinTarget;
+    }
+
+    private Object[] figures() {
+        double[] ellipse = ellipse95Px == null ? null : new double[] {ellipse95Px.centreX(), ellipse95Px.centreY(),
+            ellipse95Px.semiMajor(), ellipse95Px.semiMinor(), ellipse95Px.angleRad()};
+        return new Object[] {kind, id, mean, covariance, pose, modes, budget, ellipse, verdict, withinTarget};
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof ResultRow && Arrays.deepEquals(figures(), ((ResultRow) other).figures());
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.deepHashCode(figures());
+    }
+
+    @Override
+    public String toString() {
+        return kind + (id.isPresent() ? " " + id.getAsInt() : "") + " " + Arrays.toString(mean);
+    }
+}

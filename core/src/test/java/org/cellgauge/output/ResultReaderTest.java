@@ -1,0 +1,136 @@
+package org.cellgauge.output;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.harrel.jsonschema.Validator;
+import dev.harrel.jsonschema.ValidatorFactory;
+import dev.harrel.jsonschema.providers.GsonNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.check.CellCheck;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.ThesisScene;
+import org.cellgauge.check.Verdict;
+import org.cellgauge.estimate.VarianceSource;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.vision.Detections;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Results written, held against the schema and read back. */
+class ResultReaderTest {
+    private static String schema;
+    private static CheckResult whole;
+    private static String json;
+
+    @BeforeAll
+    static void check() throws IOException {
+        schema = Files.readString(Path.of(System.getProperty("cellgauge.root"), "docs", "result.schema.json"));
+        // object 20 is not in the photo
+        ThesisScene scene = ThesisScene.oneRaised(4).placement(5, 0.01).pixelStd(0.3).grip(5, 10, 20, 100).target(6);
+        Detections all = scene.detections(0.3, RandomStreams.of(1), 5, 0.01);
+        Detections seen = new Detections("scene", all.widthPx(), all.heightPx(),
+                all.markers().stream().filter(m -> m.id() != 20).toList(), List.of(), null);
+        whole = CellCheck.run(scene.cell(), seen, CheckSettings.builder().build());
+        json = ResultJson.of(whole, "scene.json", null, "1");
+    }
+
+    private static void assertReadBack(CheckResult result) {
+        String text = ResultJson.of(result, "scene.json", "0".repeat(64), "1");
+        Validator.Result valid = new ValidatorFactory().withJsonNodeFactory(new GsonNode.Factory())
+                .validate(schema, text);
+        assertTrue(valid.isValid(), () -> valid.getErrors().stream()
+                .map(e -> e.getInstanceLocation() + ": " + e.getError()).toList().toString());
+        assertEquals(ResultView.of(result), ResultReader.of(text, "r.json"));
+    }
+
+    @Test
+    void whatIsWrittenIsReadBack() {
+        assertReadBack(whole);
+        ResultView view = ResultReader.of(json, "r.json");
+        // against the result itself, not its view
+        assertEquals(whole.verdict(), view.verdict());
+        assertEquals(whole.reason(), view.reason());
+        assertEquals(whole.estimate().object(5).pose().std()[2], view.object(5).std()[2]);
+        assertEquals(whole.estimate().object(5).grip().meanMm()[0], view.grip(5).mean()[0]);
+        assertEquals(whole.estimate().object(5).gripBudget().gains(1).get(VarianceSource.placementOf(22)),
+                view.grip(5).budget().stream().filter(b -> b.source().equals(VarianceSource.placementOf(22)))
+                        .findFirst().orElseThrow().gain(1));
+        assertEquals(whole.estimate().object(30).ellipse95Px().semiMajor(), view.object(30).ellipse95Px().semiMajor());
+        assertEquals(whole.estimate().camera().covariance()[0][5], view.camera().covariance()[0][5]);
+        assertEquals(whole.diagnostics().rHatMax(), view.chains().rHatMax());
+        assertFalse(view.object(20).seen());
+        assertNull(view.grip(30));
+        assertEquals(List.of(5, 20, 30), view.objects().stream().map(row -> row.id().getAsInt()).toList());
+        double worst = Math.max(whole.estimate().object(5).worstStdMm(), whole.estimate().object(30).worstStdMm());
+        assertEquals(worst, view.worstStdMm(view.worstObject()));
+        for (int k = 0; k < 9; k++) {
+            assertEquals(whole.estimate().camera().meanTransform().rotation()[k],
+                    view.camera().pose().transform().rotation()[k], 1e-14);
+        }
+    }
+
+    @Test
+    void unknownIntrinsicsAndChainsThatDidNotConvergeAreReadBack() {
+        ThesisScene scene = ThesisScene.oneRaised(4).placement(5, 0.01).pixelStd(0.3);
+        CheckResult few = CellCheck.run(scene.cell(), scene.exactDetections(), CheckSettings.builder()
+                .estimate(Estimate.FOCAL).iterations(220).warmup(200).build());
+        assertReadBack(few);
+        ResultView view = ResultView.of(few);
+        assertEquals("fx_px", view.intrinsics().get(0).name());
+        assertEquals(Verdict.NOT_CONVERGED, view.object(5).verdict());
+        assertNull(view.object(5).withinTarget());
+    }
+
+    @Test
+    void aPoseWithTwoModesIsReadBack() {
+        ThesisScene scene = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.5)
+                .object(5, RigidTransform.ofEuler(418, 106, 0, 0.25, 0.1, 0.4)).target(1000);
+        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
+                CheckSettings.builder().iterations(3000).warmup(500).build());
+        assertReadBack(result);
+        assertTrue(ResultView.of(result).object(5).ambiguous());
+    }
+
+    @Test
+    void viewsThatDifferAreNotEqual() {
+        ResultView view = ResultReader.of(json, "r.json");
+        double std = whole.estimate().object(5).pose().mean()[0];
+        assertTrue(json.contains(Double.toString(std)));
+        assertNotEquals(view, ResultReader.of(json.replace(Double.toString(std), Double.toString(std + 1)), "r.json"));
+        assertNotEquals(view, ResultView.preliminary(whole.cell(), whole.quickLook()));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "\"schema\": 1 | \"schema\": 2 | r.json, schema: version 2 of the format is not known",
+        "\"decided\": | \"undecided\": | r.json: the key \"decided\" is missing",
+        "\"frame\": \"camera in world\" | \"frame\": 7 | r.json, camera.frame: a text in quotes should stand here",
+        "\"verdict\": | \"verdict\": \"fine\", \"was\": | r.json, verdict: \"fine\" means nothing here",
+        "\"corner noise of object\": | \"weather\": | r.json, objects.5.budget: \"weather\" means nothing here",
+        "\"warnings\": [ | \"warnings\": [[], | r.json, warnings[0]: a text in quotes should stand here",
+        "\"converged\": | \"converged\": 1, \"was\": | r.json, diagnostics.converged: true or false should stand here",
+        "\"schema\": 1, | \"schema\": 1,, | r.json, line 2, column 15: this is no JSON"})
+    void faultsAreNamedWithTheirPlace(String part, String by, String message) {
+        assertTrue(json.contains(part), part);
+        String text = json.replaceFirst(java.util.regex.Pattern.quote(part),
+                java.util.regex.Matcher.quoteReplacement(by));
+        InputRefusedException e = assertThrows(InputRefusedException.class, () -> ResultReader.of(text, "r.json"));
+        assertTrue(e.getMessage().startsWith(message), e.getMessage());
+        String remedy = message.contains("schema") ? "; read it with" : "; name a result file";
+        assertTrue(e.getMessage().contains(remedy), e.getMessage());
+    }
+}
