@@ -1,6 +1,7 @@
 package org.cellgauge.geometry;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Intrinsics of a pinhole camera with radial and tangential (Brown-Conrady) distortion and its image size; immutable.
@@ -255,7 +256,7 @@ public final class PinholeCamera {
      * @param z z in the camera frame, mm
      * @return u, v in px, or null if the point is not in front of the camera (z not positive)
      */
-    public double[] project(double x, double y, double z) {
+    public double @Nullable [] project(double x, double y, double z) {
         double[] uv = new double[2];
         return Projection.project(intrinsics, x, y, z, uv, 0) ? uv : null;
     }

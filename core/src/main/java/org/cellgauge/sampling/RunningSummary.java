@@ -2,9 +2,11 @@ package org.cellgauge.sampling;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import org.cellgauge.statistics.Angles;
 import org.cellgauge.statistics.CircularMoments;
 import org.cellgauge.statistics.RunningMoments;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Running means, covariances per group and mean directions of all draws so far, in memory that does not grow with them.
@@ -54,7 +56,7 @@ public final class RunningSummary {
                         ? layout.referenceRad(q) + Angles.difference(quantities[q], layout.referenceRad(q))
                         : quantities[q];
             }
-            moments.get(group.getKey()).add(values);
+            Objects.requireNonNull(moments.get(group.getKey())).add(values);
         }
         for (int i = 0; i < directions.length; i++) {
             if (directions[i] != null) {
@@ -70,7 +72,7 @@ public final class RunningSummary {
      */
     public void merge(RunningSummary other) {
         count += other.count;
-        moments.forEach((name, m) -> m.merge(other.moments.get(name)));
+        moments.forEach((name, m) -> m.merge(Objects.requireNonNull(other.moments.get(name))));
         for (int i = 0; i < directions.length; i++) {
             if (directions[i] != null) {
                 directions[i].merge(other.directions[i]);
@@ -103,8 +105,8 @@ public final class RunningSummary {
      * @return a new array
      */
     public double[] mean(String group) {
-        int[] indices = layout.groups().get(group);
-        double[] mean = moments.get(group).mean();
+        int[] indices = Objects.requireNonNull(layout.groups().get(group), group);
+        double[] mean = Objects.requireNonNull(moments.get(group), group).mean();
         for (int i = 0; i < indices.length; i++) {
             if (layout.isAngle(indices[i])) {
                 double direction = directions[indices[i]].meanDirectionRad();
@@ -121,7 +123,7 @@ public final class RunningSummary {
      * @return a new matrix, unbiased (divided by count - 1)
      */
     public double[][] covariance(String group) {
-        return moments.get(group).covariance();
+        return Objects.requireNonNull(moments.get(group), group).covariance();
     }
 
     /**
@@ -130,7 +132,7 @@ public final class RunningSummary {
      * @param index position of the angle
      * @return a copy, or null for what is no angle
      */
-    public CircularMoments direction(int index) {
+    public @Nullable CircularMoments direction(int index) {
         return directions[index] == null ? null : directions[index].copy();
     }
 }
