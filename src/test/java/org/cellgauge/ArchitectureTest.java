@@ -13,15 +13,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMethodCall;
 import com.tngtech.archunit.core.domain.Source;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.net.URL;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,6 +48,9 @@ class ArchitectureTest {
 
     private static final String[] BOOFCV = {"boofcv..", "georegression.."};
     private static final String RXJAVA = "io.reactivex..";
+
+    private static final List<String> SHARED_POOL = List.of("parallel", "parallelStream", "parallelSort",
+            "parallelSetAll", "parallelPrefix", "supplyAsync", "runAsync");
 
     private static final int JAVA_11_CLASS_FILE = 55;
 
@@ -96,6 +103,24 @@ class ArchitectureTest {
         noClasses().should().dependOnClassesThat()
                 .resideInAnyPackage("java.awt..", "javax.swing..", "javax.imageio..", "android..", "androidx..")
                 .check(core);
+    }
+
+    /** Remedies are data: whoever runs core, a tablet too, says how they are taken. */
+    @Test
+    void coreNamesNoOptionOfTheCommandLine() throws IOException {
+        Pattern option = Pattern.compile("(?<![-\\w])--[a-z]");
+        List<String> named = new ArrayList<>();
+        int read = 0;
+        Path sources = Path.of(System.getProperty("cellgauge.root", "."), "core/src/main/java");
+        try (Stream<Path> files = Files.walk(sources)) {
+            for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
+                read++;
+                Files.readAllLines(file).stream().filter(line -> option.matcher(line).find())
+                        .forEach(line -> named.add(file.getFileName() + ": " + line.trim()));
+            }
+        }
+        assertTrue(read > 100, read + " files were read");
+        assertEquals(List.of(), named);
     }
 
     /** A package the order does not name would escape it. */
@@ -161,6 +186,20 @@ class ArchitectureTest {
     @Test
     void nothingStaticIsMutable() {
         fields().that().areStatic().should().beFinal().check(product);
+    }
+
+    /** Who asks core for one thread gets one: the pool that a whole program shares is that program's. */
+    @Test
+    void coreUsesNoSharedPool() {
+        noClasses().should().callMethodWhere(new DescribedPredicate<>("work is given to the common pool") {
+            @Override
+            public boolean test(JavaMethodCall call) {
+                return SHARED_POOL.contains(call.getTarget().getName())
+                        && call.getTargetOwner().getPackageName().startsWith("java.util");
+            }
+        }).check(core);
+        noClasses().should().dependOnClassesThat().haveFullyQualifiedName("java.util.concurrent.ForkJoinPool")
+                .check(core);
     }
 
     @Test

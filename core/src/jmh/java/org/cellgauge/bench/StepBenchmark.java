@@ -4,16 +4,17 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.pose.PoseMode;
+import org.cellgauge.pose.StateLayout;
 import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.posterior.CentredChart;
 import org.cellgauge.posterior.CornerCubeLikelihood;
 import org.cellgauge.posterior.EulerChart;
 import org.cellgauge.posterior.RigidMarkerLikelihood;
-import org.cellgauge.settings.RotationPrior;
 import org.cellgauge.sampling.MetropolisChain;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.StudentTMixture;
 import org.cellgauge.sampling.ThesisMixture;
+import org.cellgauge.settings.RotationPrior;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -51,7 +52,7 @@ public class StepBenchmark {
         thesisMixture = new MetropolisChain(
                 new CameraPosterior(euler, new CornerCubeLikelihood(scene.view, 0.5),
                         RotationPrior.FLAT_IN_EULER_ANGLES, IntrinsicsPrior.KNOWN, null),
-                ThesisMixture.proposals(0), euler.encode(mode.state()), RandomStreams.of(4));
+                ThesisMixture.proposals(StateLayout.of(1, IntrinsicsPrior.KNOWN, 0)), euler.encode(mode.state()), RandomStreams.of(4));
     }
 
     /** Independence t mixture, rigid-marker likelihood, centred chart: the default. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.cell.MarkerFamily;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.light.ToneCurve;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -60,7 +61,7 @@ public class DetectionBenchmark {
         double[] sharp = new double[WIDTH * HEIGHT];
         Arrays.fill(sharp, LIGHT_OF_GROUND);
         boolean[] marked = new boolean[WIDTH * HEIGHT];
-        MarkerPattern patterns = new MarkerPattern(MarkerFamily.SQUARE_BINARY);
+        FamilyPatterns patterns = new FamilyPatterns(MarkerFamily.SQUARE_BINARY);
         int size = patterns.cells() * CELL_PX;
         for (int m = 0; m < IDS.length; m++) {
             boolean[] white = patterns.white(IDS[m]);
@@ -83,7 +84,7 @@ public class DetectionBenchmark {
         }
         image = GreyImage.packed(grey, WIDTH, HEIGHT);
         double[] values = PinholeCamera.ideal(WIDTH, HEIGHT, 581, 581, WIDTH / 2.0, HEIGHT / 2.0).intrinsics();
-        values[PinholeCamera.K1] = k1;
+        values[BrownLens.K1] = k1;
         List<Integer> ids = Arrays.asList(IDS);
         detector = new BoofMarkerDetector(PinholeCamera.of(WIDTH, HEIGHT, values), MarkerFamily.SQUARE_BINARY, ids,
                 BoofMarkerDetector.RESIDUAL_LIMIT_PER_SIDE, light.endsWith("stated") ? ToneCurve.SRGB : null);

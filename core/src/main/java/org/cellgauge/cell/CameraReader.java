@@ -3,17 +3,23 @@ package org.cellgauge.cell;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.KannalaBrandtLens;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 import org.cellgauge.light.ToneCurve;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Refusal;
 
 /**
- * Reads and judges BoofCV's calibration files (YAML) of the models {@code pinhole} and
- * {@code pinhole_radial_tangential}; the same keys may stand in a cell file.
+ * Reads and judges BoofCV's calibration files (YAML) of the models {@code pinhole}, {@code pinhole_radial_tangential}
+ * and {@code kannala_brandt} (a fisheye); the same keys may stand in a cell file.
  *
  * <p>A key that BoofCV does not write may stand beside them: {@code tone_curve}, how the camera makes grey values of
  * light ({@code auto}, {@code srgb}, {@code linear} or {@code gamma G}). {@code skew}, the radial coefficients (up to
- * 3) and {@code t1}, {@code t2} are 0 where they are left out.
+ * 3) and {@code t1}, {@code t2} are 0 where they are left out. Of a fisheye, {@code symmetric} holds up to 5
+ * coefficients of the angle's odd powers; the first is taken into the focal lengths and the skew. Its asymmetric part
+ * ({@code radial} and {@code tangent} with their {@code _trig}) is refused where it is not 0.
  */
 public final class CameraReader {
     /** Largest camera file that is read, bytes. */
@@ -22,15 +28,17 @@ public final class CameraReader {
     /** The key of a camera file, and of a cell file, that states the tone curve. */
     static final String TONE_CURVE = "tone_curve";
 
-    private static final String WHAT = "camera file";
-    private static final String TONE_CURVE_REMEDY =
-            "auto, srgb, linear or gamma G (for instance gamma 2.2, then grey = light^(1/2.2))";
+    private static final CellPhrase WHAT = CellPhrase.CAMERA_FILE;
     private static final String PINHOLE_EXAMPLE =
             "pinhole: {fx: 581, fy: 581, cx: 640, cy: 360, width: 1280, height: 720}";
-    private static final String EXAMPLE = "the keys of a BoofCV calibration file: model: pinhole_radial_tangential, "
-            + PINHOLE_EXAMPLE;
-    private static final String WITH_DISTORTION = "pinhole_radial_tangential";
-    private static final String WITHOUT_DISTORTION = "pinhole";
+    private static final Refusal EXAMPLE = Refusal.of(CellPhrase.CAMERA_KEYS, PINHOLE_EXAMPLE);
+    private static final String WITH_DISTORTION = BrownLens.MODEL.modelName();
+    private static final String WITHOUT_DISTORTION = CameraWriter.WITHOUT_DISTORTION;
+    private static final String FISHEYE = KannalaBrandtLens.MODEL.modelName();
+    private static final int MAX_SYMMETRIC = 5;
+    private static final int BORDER_SIDES = 4;
+    private static final String SYMMETRIC = "symmetric";
+    private static final String SYMMETRIC_EXAMPLE = "symmetric: [1, k1, k2, k3, k4]";
     private static final int MAX_SIDE_PX = 30_000;
     // 0.05 image widths is a field of view of 169 degrees, 1000 one of 0.06 degrees: no lens of this model is outside
     private static final double MIN_FOCAL_PER_SIDE = 0.05;
@@ -87,16 +95,16 @@ public final class CameraReader {
         if (value == null) {
             return null;
         }
-        String words = value.text(TONE_CURVE_REMEDY).trim();
+        String words = value.text(CellPhrase.TONE_CURVE).trim();
         if (words.equalsIgnoreCase("auto")) {
             return null;
         }
         try {
             return ToneCurve.of(words);
         } catch (IllegalArgumentException e) {
-            String hint = words.matches("[\\d.]+") ? "; for a power write gamma " + words : "";
-            throw value.refused("\"" + words + "\" is no tone curve; write " + TONE_CURVE_REMEDY + ", G from "
-                    + plain(ToneCurve.LEAST_GAMMA) + " to " + plain(ToneCurve.LARGEST_GAMMA) + hint);
+            Object hint = words.matches("[\\d.]+") ? Refusal.of(CellPhrase.GAMMA_HINT, words) : "";
+            throw value.refused(CellRefusal.NO_TONE_CURVE, words, CellPhrase.TONE_CURVE, plain(ToneCurve.LEAST_GAMMA),
+                    plain(ToneCurve.LARGEST_GAMMA), hint);
         }
     }
 
@@ -104,46 +112,58 @@ public final class CameraReader {
     static PinholeCamera of(YamlValue value) {
         YamlMapping file = value.mapping(EXAMPLE);
         if (file.optional("cellgauge") != null) {
-            throw file.optional("cellgauge").refused("this is a cell file; name a camera file here");
+            throw file.optional("cellgauge").refused(CellRefusal.IS_CELL_FILE);
         }
         String model = file.required("model", "model: " + WITH_DISTORTION).text("model: " + WITH_DISTORTION);
         boolean distorted = model.equals(WITH_DISTORTION);
-        if (!distorted && !model.equals(WITHOUT_DISTORTION)) {
-            throw file.optional("model").refused("the camera model \"" + model
-                    + "\" cannot be used; calibrate with the model " + WITH_DISTORTION + " or " + WITHOUT_DISTORTION);
+        boolean fisheye = model.equals(FISHEYE);
+        if (!distorted && !fisheye && !model.equals(WITHOUT_DISTORTION)) {
+            throw file.optional("model").refused(CellRefusal.CAMERA_MODEL, model,
+                    Listing.or(Arrays.asList(WITH_DISTORTION, WITHOUT_DISTORTION)), FISHEYE);
         }
-        file.refuseUnknown(Arrays.asList("model", "pinhole", "radial_tangential", "version", TONE_CURVE));
+        file.refuseUnknown(fisheye
+                ? Arrays.asList("model", "pinhole", SYMMETRIC, "radial", "radial_trig", "tangent", "tangent_trig",
+                        "version", TONE_CURVE)
+                : Arrays.asList("model", "pinhole", "radial_tangential", "version", TONE_CURVE));
         toneCurve(file.optional(TONE_CURVE));
         YamlValue version = file.optional("version");
         if (version != null) {
-            version.whole(0, 0, "version: 0, or calibrate with a BoofCV of that version");
+            version.whole(0, 0, CellPhrase.BOOFCV_VERSION);
         }
 
         YamlMapping pinhole = file.required("pinhole", PINHOLE_EXAMPLE)
                 .mapping(PINHOLE_EXAMPLE, "fx", "fy", "cx", "cy", "width", "height", "skew");
-        double[] k = new double[PinholeCamera.INTRINSICS];
-        k[PinholeCamera.FX] = pinhole.required("fx", "the focal length in px").positive("the focal length in px");
-        k[PinholeCamera.FY] = pinhole.required("fy", "the focal length in px").positive("the focal length in px");
-        k[PinholeCamera.CX] = pinhole.required("cx", "the principal point in px").number("the principal point in px");
-        k[PinholeCamera.CY] = pinhole.required("cy", "the principal point in px").number("the principal point in px");
+        Lens lens = fisheye ? KannalaBrandtLens.MODEL : BrownLens.MODEL;
+        double[] k = new double[lens.parameterCount()];
+        k[PinholeCamera.FX] = pinhole.required("fx", CellPhrase.FOCAL_LENGTH).positive(CellPhrase.FOCAL_LENGTH);
+        k[PinholeCamera.FY] = pinhole.required("fy", CellPhrase.FOCAL_LENGTH).positive(CellPhrase.FOCAL_LENGTH);
+        k[PinholeCamera.CX] = pinhole.required("cx", CellPhrase.PRINCIPAL_POINT).number(CellPhrase.PRINCIPAL_POINT);
+        k[PinholeCamera.CY] = pinhole.required("cy", CellPhrase.PRINCIPAL_POINT).number(CellPhrase.PRINCIPAL_POINT);
         YamlValue skew = pinhole.optional("skew");
-        k[PinholeCamera.SKEW] = skew == null ? 0 : skew.number("the skew in px, mostly 0");
-        int width = pinhole.required("width", "the image width in px")
-                .whole(1, MAX_SIDE_PX, "the width in px of the images that the camera was calibrated with");
-        int height = pinhole.required("height", "the image height in px")
-                .whole(1, MAX_SIDE_PX, "the height in px of the images that the camera was calibrated with");
+        k[PinholeCamera.SKEW] = skew == null ? 0 : skew.number(CellPhrase.SKEW);
+        int width = pinhole.required("width", CellPhrase.IMAGE_WIDTH)
+                .whole(1, MAX_SIDE_PX, CellPhrase.CALIBRATED_WIDTH);
+        int height = pinhole.required("height", CellPhrase.IMAGE_HEIGHT)
+                .whole(1, MAX_SIDE_PX, CellPhrase.CALIBRATED_HEIGHT);
+        if (fisheye) {
+            readFisheye(file, k);
+        }
         judgePinhole(pinhole, k, width, height);
+        if (fisheye) {
+            PinholeCamera camera = PinholeCamera.of(lens, width, height, k);
+            judgeFisheye(file.optional(SYMMETRIC), camera);
+            return camera;
+        }
 
         YamlValue block = file.optional("radial_tangential");
         if (block != null && !block.isEmpty()) {
             if (!distorted) {
-                throw block.refused("lens distortion contradicts model: pinhole; write model: " + WITH_DISTORTION
-                        + " or delete this block");
+                throw block.refused(CellRefusal.DISTORTION_CONTRADICTS_MODEL, WITH_DISTORTION);
             }
             readDistortion(block, k);
         }
         PinholeCamera camera = PinholeCamera.of(width, height, k);
-        if (camera.hasDistortion()) {
+        if (camera.isDistorting()) {
             judgeDistortion(block, camera);
         }
         return camera;
@@ -155,17 +175,70 @@ public final class CameraReader {
         if (radial != null && !radial.isEmpty()) {
             List<YamlValue> coefficients = radial.items();
             if (coefficients.size() > 3) {
-                throw radial.refused("expected at most 3 coefficients, got " + coefficients.size()
-                        + "; calibrate with 2 or 3 radial coefficients");
+                throw radial.refused(CellRefusal.TOO_MANY_COEFFICIENTS, coefficients.size());
             }
             for (int i = 0; i < coefficients.size(); i++) {
-                k[PinholeCamera.K1 + i] = coefficients.get(i).number("a radial coefficient");
+                k[BrownLens.K1 + i] = coefficients.get(i).number(CellPhrase.RADIAL);
             }
         }
         YamlValue t1 = distortion.optional("t1");
         YamlValue t2 = distortion.optional("t2");
-        k[PinholeCamera.P1] = t1 == null ? 0 : t1.number("a tangential coefficient, mostly 0");
-        k[PinholeCamera.P2] = t2 == null ? 0 : t2.number("a tangential coefficient, mostly 0");
+        k[BrownLens.P1] = t1 == null ? 0 : t1.number(CellPhrase.TANGENTIAL);
+        k[BrownLens.P2] = t2 == null ? 0 : t2.number(CellPhrase.TANGENTIAL);
+    }
+
+    /** The polynomial of a fisheye; its first coefficient goes into the scale of the image. */
+    private static void readFisheye(YamlMapping file, double[] k) {
+        for (String part : new String[] {"radial", "tangent"}) {
+            if (holdsMoreThanZeros(file.optional(part)) && holdsMoreThanZeros(file.optional(part + "_trig"))) {
+                throw file.optional(part).refused(CellRefusal.ASYMMETRIC_LENS);
+            }
+        }
+        YamlValue symmetric = file.required(SYMMETRIC, SYMMETRIC_EXAMPLE);
+        List<YamlValue> coefficients = symmetric.items();
+        if (coefficients.isEmpty() || coefficients.size() > MAX_SYMMETRIC) {
+            throw symmetric.refused(CellRefusal.SYMMETRIC_COEFFICIENTS, MAX_SYMMETRIC, coefficients.size());
+        }
+        double first = coefficients.get(0).positive(CellPhrase.COEFFICIENT_OF_ANGLE);
+        for (int i = 1; i < coefficients.size(); i++) {
+            k[KannalaBrandtLens.K1 + i - 1] = coefficients.get(i).number(CellPhrase.SYMMETRIC) / first;
+        }
+        k[PinholeCamera.FX] *= first;
+        k[PinholeCamera.FY] *= first;
+        k[PinholeCamera.SKEW] *= first;
+    }
+
+    private static boolean holdsMoreThanZeros(YamlValue list) {
+        if (list == null || list.isEmpty()) {
+            return false;
+        }
+        boolean any = false;
+        for (YamlValue value : list.items()) {
+            any |= value.number(CellPhrase.COEFFICIENT) != 0;
+        }
+        return any;
+    }
+
+    /**
+     * Refuses a polynomial that turns back within the image before it reaches a right angle. Beyond that it may: a lens
+     * shows a disc there, and the image's corners are black.
+     */
+    private static void judgeFisheye(YamlValue symmetric, PinholeCamera camera) {
+        double[] values = camera.intrinsics();
+        double reach = camera.lens().reachRad(values);
+        if (reach >= Math.PI / 2) {
+            return;
+        }
+        double[] uv = new double[2];
+        for (int i = 0; i < BORDER_SIDES; i++) {
+            double c = Math.cos(i * Math.PI / 2);
+            double s = Math.sin(i * Math.PI / 2);
+            camera.lens().project(values, Math.sin(reach) * c, Math.sin(reach) * s, Math.cos(reach), uv, 0);
+            if (uv[0] >= 0 && uv[1] >= 0 && uv[0] <= camera.widthPx() && uv[1] <= camera.heightPx()) {
+                throw symmetric.refused(CellRefusal.FISHEYE_TURNS_BACK, (int) Math.round(Math.toDegrees(reach)),
+                        (int) Math.round(uv[0]), (int) Math.round(uv[1]));
+            }
+        }
     }
 
     private static void judgePinhole(YamlMapping pinhole, double[] k, int width, int height) {
@@ -173,33 +246,28 @@ public final class CameraReader {
         for (String key : new String[] {"fx", "fy"}) {
             double f = k[key.equals("fx") ? PinholeCamera.FX : PinholeCamera.FY];
             if (!(f >= MIN_FOCAL_PER_SIDE * side && f <= MAX_FOCAL_PER_SIDE * side)) {
-                throw pinhole.optional(key).refused("a focal length of " + plain(f) + " px does not go with an image "
-                        + "of " + width + " x " + height + " px; write it in px (not in mm), or calibrate again");
+                throw pinhole.optional(key).refused(CellRefusal.FOCAL_LENGTH, plain(f), width, height);
             }
         }
         double ratio = k[PinholeCamera.FX] / k[PinholeCamera.FY];
         if (!(ratio <= MAX_FOCAL_RATIO && ratio >= 1 / MAX_FOCAL_RATIO)) {
-            throw pinhole.optional("fy").refused("fx " + plain(k[PinholeCamera.FX]) + " and fy "
-                    + plain(k[PinholeCamera.FY]) + " contradict each other; they are nearly equal for real cameras, "
-                    + "check both");
+            throw pinhole.optional("fy").refused(CellRefusal.FOCAL_LENGTHS_DIFFER, plain(k[PinholeCamera.FX]),
+                    plain(k[PinholeCamera.FY]));
         }
-        judgePrincipalPoint(pinhole, "cx", k[PinholeCamera.CX], width, "width");
-        judgePrincipalPoint(pinhole, "cy", k[PinholeCamera.CY], height, "height");
+        judgePrincipalPoint(pinhole, "cx", k[PinholeCamera.CX], width, CellPhrase.WIDTH);
+        judgePrincipalPoint(pinhole, "cy", k[PinholeCamera.CY], height, CellPhrase.HEIGHT);
         if (k[PinholeCamera.CX] == 0 && k[PinholeCamera.CY] == 0) {
-            throw pinhole.optional("cx").refused("the principal point (0, 0) is the image's corner; write the "
-                    + "calibrated point, which is near the image's middle");
+            throw pinhole.optional("cx").refused(CellRefusal.PRINCIPAL_POINT_ZERO);
         }
         if (Math.abs(k[PinholeCamera.SKEW]) > 0.5 * k[PinholeCamera.FX]) {
-            throw pinhole.optional("skew").refused("a skew of " + plain(k[PinholeCamera.SKEW])
-                    + " px is no camera's; write the calibrated value, mostly 0");
+            throw pinhole.optional("skew").refused(CellRefusal.SKEW, plain(k[PinholeCamera.SKEW]));
         }
     }
 
-    private static void judgePrincipalPoint(YamlMapping pinhole, String key, double c, int side, String name) {
+    private static void judgePrincipalPoint(YamlMapping pinhole, String key, double c, int side, CellPhrase name) {
         // a part cut out of a larger image may have its principal point outside, but not by more than its own size
         if (!(c >= -side && c <= 2.0 * side)) {
-            throw pinhole.optional(key).refused("the principal point " + plain(c) + " px lies far outside of the "
-                    + "image, whose " + name + " is " + side + " px; check both");
+            throw pinhole.optional(key).refused(CellRefusal.PRINCIPAL_POINT_OUTSIDE, plain(c), name, side);
         }
     }
 
@@ -213,9 +281,8 @@ public final class CameraReader {
             double[][] border = {{s * w, 0}, {w, s * h}, {w - s * w, h}, {0, h - s * h}};
             for (double[] uv : border) {
                 if (!camera.toNormalised(uv[0], uv[1], point) || foldsBefore(camera, point)) {
-                    throw block.refused("this lens distortion folds the image over near pixel (" + Math.round(uv[0])
-                            + ", " + Math.round(uv[1]) + "), so the coefficients cannot be right; calibrate again with "
-                            + "the target also near the image's borders, or with fewer coefficients");
+                    throw block.refused(CellRefusal.DISTORTION_FOLDS, (int) Math.round(uv[0]),
+                            (int) Math.round(uv[1]));
                 }
             }
         }
@@ -226,7 +293,7 @@ public final class CameraReader {
         double[] d = new double[6];
         for (int i = 1; i <= STEPS_FROM_CENTRE; i++) {
             double s = i / (double) STEPS_FROM_CENTRE;
-            Projection.projectWithDerivatives(camera.intrinsics(), s * point[0], s * point[1], 1, uv, d, null);
+            camera.lens().projectWithDerivatives(camera.intrinsics(), s * point[0], s * point[1], 1, uv, d, null);
             // rows of the 2x3 derivative; at z = 1 the first two columns are those by the normalised point
             if (!(d[0] * d[4] - d[1] * d[3] > 0)) {
                 return true;

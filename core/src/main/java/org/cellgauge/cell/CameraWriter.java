@@ -1,5 +1,7 @@
 package org.cellgauge.cell;
 
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.light.ToneCurve;
 
@@ -10,6 +12,9 @@ import org.cellgauge.light.ToneCurve;
  * language.
  */
 public final class CameraWriter {
+    /** BoofCV's name for a {@link BrownLens} that does not distort. */
+    static final String WITHOUT_DISTORTION = "pinhole";
+
     private CameraWriter() {
     }
 
@@ -46,8 +51,8 @@ public final class CameraWriter {
      */
     static String text(PinholeCamera camera, String indent) {
         StringBuilder out = new StringBuilder();
-        out.append(indent).append("model: ").append(camera.hasDistortion() ? "pinhole_radial_tangential" : "pinhole")
-                .append('\n');
+        out.append(indent).append("model: ").append(
+                camera.isDistorting() ? camera.lens().modelName() : WITHOUT_DISTORTION).append('\n');
         out.append(indent).append("pinhole: {fx: ").append(number(camera.get(PinholeCamera.FX)))
                 .append(", fy: ").append(number(camera.get(PinholeCamera.FY)))
                 .append(", cx: ").append(number(camera.get(PinholeCamera.CX)))
@@ -55,12 +60,19 @@ public final class CameraWriter {
                 .append(", skew: ").append(number(camera.get(PinholeCamera.SKEW)))
                 .append(", width: ").append(camera.widthPx()).append(", height: ").append(camera.heightPx())
                 .append("}\n");
-        if (camera.hasDistortion()) {
-            out.append(indent).append("radial_tangential: {radial: [").append(number(camera.get(PinholeCamera.K1)))
-                    .append(", ").append(number(camera.get(PinholeCamera.K2)))
-                    .append(", ").append(number(camera.get(PinholeCamera.K3)))
-                    .append("], t1: ").append(number(camera.get(PinholeCamera.P1)))
-                    .append(", t2: ").append(number(camera.get(PinholeCamera.P2))).append("}\n");
+        if (camera.lens() == KannalaBrandtLens.MODEL) {
+            out.append(indent).append("symmetric: [1.0");
+            for (int i = KannalaBrandtLens.K1; i <= KannalaBrandtLens.K4; i++) {
+                // BoofCV takes no whole numbers in this list
+                out.append(", ").append(camera.get(i));
+            }
+            out.append("]\n");
+        } else if (camera.isDistorting()) {
+            out.append(indent).append("radial_tangential: {radial: [").append(number(camera.get(BrownLens.K1)))
+                    .append(", ").append(number(camera.get(BrownLens.K2)))
+                    .append(", ").append(number(camera.get(BrownLens.K3)))
+                    .append("], t1: ").append(number(camera.get(BrownLens.P1)))
+                    .append(", t2: ").append(number(camera.get(BrownLens.P2))).append("}\n");
         }
         return out.toString();
     }

@@ -10,12 +10,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
+import org.cellgauge.warning.Decimal;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Reads and judges cell files (YAML, version 1).
@@ -32,13 +33,10 @@ public final class CellReader {
     /** Version of the format that is read. */
     public static final int VERSION = 1;
 
-    private static final String WHAT = "cell file";
+    private static final CellPhrase WHAT = CellPhrase.CELL_FILE;
     private static final String PLACEMENT_EXAMPLE = "placement: {std_mm: [5, 5, 5], std_deg: 0.5}";
     private static final String MARKERS_EXAMPLE = "markers: {family: square-binary, size_mm: 47}";
-    private static final String CAMERA_EXAMPLE = "camera: camera.yaml (a BoofCV calibration file)";
-    private static final String REFERENCES_EXAMPLE =
-            "references:, and below it at least one line such as \"944: {position_mm: [492, 380, 0]}\"";
-    private static final String POSITION_EXAMPLE = "[x, y, z] in mm";
+    private static final String POSITION = "[x, y, z] in mm";
     private static final double MIN_SIZE_MM = 0.5;
     private static final double MAX_LENGTH_MM = 1e6;
     private static final double MAX_STD_DEG = 90;
@@ -127,23 +125,23 @@ public final class CellReader {
             return new StatedCamera(StatedCamera.Kind.NONE, null);
         }
         return camera.isMapping() ? new StatedCamera(StatedCamera.Kind.INLINE, null)
-                : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CAMERA_EXAMPLE));
+                : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CellPhrase.CAMERA));
     }
 
     /** The mapping at the top of a cell file, its kind and version judged. */
     private static YamlMapping cellFile(YamlValue top) {
-        YamlMapping file = top.mapping("a cell file, which begins with cellgauge: 1");
+        YamlMapping file = top.mapping(CellPhrase.A_CELL_FILE);
         YamlValue version = file.optional("cellgauge");
         if (version == null) {
             if (file.optional("pinhole") != null) {
-                throw top.refused("this is a camera file; name a cell file and refer to this one under camera:");
+                throw top.refused(CellRefusal.IS_CAMERA_FILE);
             }
             if (file.optional("corners_px") != null || file.optional("image") != null) {
-                throw top.refused("this is a detections file; name a cell file, and this one after --detections");
+                throw top.refused(CellRefusal.IS_DETECTIONS_FILE);
             }
-            throw file.missing("cellgauge", "is missing; add the line cellgauge: " + VERSION);
+            throw file.missing("cellgauge", CellRefusal.MISSING, Refusal.of(CellPhrase.VERSION_LINE, VERSION));
         }
-        version.whole(VERSION, VERSION, "cellgauge: " + VERSION + ", the format of this program");
+        version.whole(VERSION, VERSION, Refusal.of(CellPhrase.VERSION, VERSION));
         return file;
     }
 
@@ -151,7 +149,7 @@ public final class CellReader {
         YamlMapping file = cellFile(top);
         file.refuseUnknown(Arrays.asList("cellgauge", "camera", "markers", "placement", "pixel_std_px",
                 CameraReader.TONE_CURVE, "references", "objects", "target"));
-        PinholeCamera camera = given != null ? given : camera(file.required("camera", CAMERA_EXAMPLE));
+        PinholeCamera camera = given != null ? given : camera(file.required("camera", CellPhrase.CAMERA));
         YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm",
                 "size_std_mm", "flatness_mm", "print_gain_std_mm");
         family = family(markers.required("family", "family: square-binary"));
@@ -167,8 +165,9 @@ public final class CellReader {
         List<ObjectMarker> objects = objects(file.optional("objects"), markers, lines);
         OptionalDouble target = OptionalDouble.empty();
         if (file.optional("target") != null) {
-            target = OptionalDouble.of(file.optional("target").mapping("{std_mm: 1.0}, or delete it", "std_mm")
-                    .required("std_mm", "std_mm: 1.0").positive("the largest deviation allowed, in mm"));
+            target = OptionalDouble.of(file.optional("target")
+                    .mapping(Refusal.of(CellPhrase.OR_DELETE, "{std_mm: 1.0}"), "std_mm")
+                    .required("std_mm", "std_mm: 1.0").positive(CellPhrase.TARGET_STD));
         }
         YamlValue toneCurve = file.optional(CameraReader.TONE_CURVE);
         return new Cell(camera, family, references, objects, pixelStdPx, target, prints(markers))
@@ -177,22 +176,22 @@ public final class CellReader {
 
     private static PrintPrecision prints(YamlMapping markers) {
         return new PrintPrecision(
-                std(markers, "size_std_mm", "the deviation of printed sizes in mm, such as 0.1",
+                std(markers, "size_std_mm", CellPhrase.SIZE_STD,
                         PrintPrecision.USUAL.sizeStdMm()),
-                std(markers, "flatness_mm", "the deviation of corners off their marker's plane in mm, such as 0.2",
+                std(markers, "flatness_mm", CellPhrase.FLATNESS_STD,
                         PrintPrecision.USUAL.flatnessMm()),
-                std(markers, "print_gain_std_mm", "the deviation of how far ink spreads in mm, such as 0.05",
+                std(markers, "print_gain_std_mm", CellPhrase.PRINT_GAIN_STD,
                         PrintPrecision.USUAL.printGainStdMm()));
     }
 
-    private static double std(YamlMapping markers, String key, String remedy, double usual) {
+    private static double std(YamlMapping markers, String key, CellPhrase remedy, double usual) {
         YamlValue value = markers.optional(key);
         if (value == null) {
             return usual;
         }
         double std = value.number(remedy);
         if (!(std >= 0)) {
-            throw value.refused("a deviation is not negative; write " + remedy);
+            throw value.refused(CellRefusal.NEGATIVE_DEVIATION, remedy);
         }
         return bounded(value, std, remedy);
     }
@@ -201,7 +200,7 @@ public final class CellReader {
         if (value.isMapping()) {
             return camera(value, null, null);
         }
-        String name = value.text(CAMERA_EXAMPLE);
+        String name = value.text(CellPhrase.CAMERA);
         if (folder == null) {
             String text;
             try {
@@ -215,16 +214,16 @@ public final class CellReader {
         try {
             path = folder.resolveSibling(name);
         } catch (InvalidPathException e) {
-            throw value.refused("\"" + name + "\" is no file name; write " + CAMERA_EXAMPLE);
+            throw value.refused(CellRefusal.NO_FILE_NAME, name, CellPhrase.CAMERA);
         }
         if (!Files.exists(path)) {
             throw noCamera(value, path.toString(), new FileNotFoundException());
         }
         String text;
         try {
-            text = InputFiles.text(path, "camera file", CameraReader.MAX_BYTES);
+            text = InputFiles.text(path, CellPhrase.CAMERA_FILE, CameraReader.MAX_BYTES);
         } catch (InputRefusedException e) {
-            throw new InputRefusedException(value.refused(e.getMessage()).getMessage(), e);
+            throw new InputRefusedException(value.refusal(CellRefusal.CAMERA_FILE, e.refusal()), e);
         }
         return camera(null, text, path.toString());
     }
@@ -237,41 +236,40 @@ public final class CellReader {
     }
 
     private static InputRefusedException noCamera(YamlValue value, String name, IOException e) {
-        String reason = e instanceof FileNotFoundException || e instanceof NoSuchFileException
-                ? "there is no file \"" + name + "\"; write the camera file's path relative to this file, or make one "
-                        + "with cellgauge calibrate"
-                : "\"" + name + "\": " + InputFiles.reason(e, "camera file");
-        return new InputRefusedException(value.refused(reason).getMessage(), e);
+        return new InputRefusedException(e instanceof FileNotFoundException || e instanceof NoSuchFileException
+                ? value.refusal(CellRefusal.NO_CAMERA_FILE, name)
+                : value.refusal(CellRefusal.CAMERA_FILE_NOT_OPENED, name,
+                        InputFiles.reason(e, CellPhrase.CAMERA_FILE)), e);
     }
 
     private static MarkerFamily family(YamlValue value) {
-        try {
-            return MarkerFamily.of(value.text("family: square-binary"));
-        } catch (IllegalArgumentException e) {
-            throw value.refused(e.getMessage());
+        String name = value.text("family: square-binary");
+        MarkerFamily family = MarkerFamily.find(name);
+        if (family == null) {
+            throw value.refused(CellRefusal.NO_FAMILY, name, MarkerFamily.suggestion(name));
         }
+        return family;
     }
 
     private static double size(YamlValue value) {
-        double size = value.positive("the outer edge of the black border in mm");
+        double size = value.positive(CellPhrase.MARKER_SIZE);
         if (size < MIN_SIZE_MM) {
-            throw value.refused("a marker of " + CameraReader.plain(size) + " mm is too small to be seen; write the "
-                    + "outer edge of the black border in mm, not in m");
+            throw value.refused(CellRefusal.MARKER_TOO_SMALL, CameraReader.plain(size));
         }
-        return bounded(value, size, "the outer edge of the black border in mm");
+        return bounded(value, size, CellPhrase.MARKER_SIZE);
     }
 
-    private static double bounded(YamlValue value, double lengthMm, String remedy) {
+    private static double bounded(YamlValue value, double lengthMm, Object remedy) {
         if (!(Math.abs(lengthMm) <= MAX_LENGTH_MM)) {
-            throw value.refused(CameraReader.plain(lengthMm) + " mm is more than a kilometre; write " + remedy);
+            throw value.refused(CellRefusal.TOO_LONG, CameraReader.plain(lengthMm), remedy);
         }
         return lengthMm;
     }
 
     private static double[] point(YamlValue value) {
-        double[] point = value.numbers(3, POSITION_EXAMPLE);
+        double[] point = value.numbers(3, POSITION);
         for (double v : point) {
-            bounded(value, v, POSITION_EXAMPLE);
+            bounded(value, v, POSITION);
         }
         return point;
     }
@@ -289,20 +287,18 @@ public final class CellReader {
     }
 
     private static double[] placementStdMm(YamlValue value) {
-        String remedy = "[x, y, z] in mm, each greater than 0, such as [5, 5, 5]";
-        double[] std = value.numbers(3, remedy);
+        double[] std = value.numbers(3, CellPhrase.PLACEMENT_STDS);
         for (YamlValue item : value.items()) {
-            bounded(item, item.positive("a deviation in mm; for an exactly placed marker a small one such as 0.01"),
-                    remedy);
+            bounded(item, item.positive(CellPhrase.PLACEMENT_STD), CellPhrase.PLACEMENT_STDS);
         }
         return std;
     }
 
     private static double placementStdDeg(YamlValue value) {
-        double std = value.positive("a deviation in degrees; for an exactly turned marker a small one such as 0.01");
+        double std = value.positive(CellPhrase.TURN_STD);
         if (std > MAX_STD_DEG) {
-            throw value.refused("a deviation of " + CameraReader.plain(std) + " degrees leaves the direction unknown; "
-                    + "write at most " + CameraReader.plain(MAX_STD_DEG));
+            throw value.refused(CellRefusal.DIRECTION_UNKNOWN, CameraReader.plain(std),
+                    CameraReader.plain(MAX_STD_DEG));
         }
         return std;
     }
@@ -311,25 +307,25 @@ public final class CellReader {
         if (value == null || value.is("auto")) {
             return OptionalDouble.empty();
         }
-        return OptionalDouble.of(value.positive("the deviation of a corner in px, such as 0.3, or auto"));
+        return OptionalDouble.of(value.positive(CellPhrase.PIXEL_STD));
     }
 
     private List<Reference> references(YamlMapping file, YamlMapping markers, YamlMapping general,
             Map<Integer, YamlValue> lines) {
-        YamlValue value = file.required("references", REFERENCES_EXAMPLE);
+        YamlValue value = file.required("references", CellPhrase.REFERENCES);
         if (value.isEmpty() || value.isList() && value.items().isEmpty()) {
-            throw value.refused("no reference stands here; add " + REFERENCES_EXAMPLE);
+            throw value.refused(CellRefusal.NO_REFERENCE, CellPhrase.REFERENCES);
         }
-        YamlMapping mapping = value.mapping(REFERENCES_EXAMPLE);
+        YamlMapping mapping = value.mapping(CellPhrase.REFERENCES);
         if (mapping.keys().isEmpty()) {
-            throw value.refused("no reference stands here; add " + REFERENCES_EXAMPLE);
+            throw value.refused(CellRefusal.NO_REFERENCE, CellPhrase.REFERENCES);
         }
         List<Reference> references = new ArrayList<>();
         for (Map.Entry<String, YamlValue> e : mapping.values().entrySet()) {
             int id = id(e.getKey(), e.getValue(), lines);
             YamlMapping entry = e.getValue().mapping("{position_mm: [x, y, z], rotation_deg: [psi, theta, phi]}",
                     "position_mm", "rotation_deg", "placement", "size_mm");
-            YamlValue positionValue = entry.required("position_mm", "position_mm: " + POSITION_EXAMPLE);
+            YamlValue positionValue = entry.required("position_mm", "position_mm: " + POSITION);
             double[] position = point(positionValue);
             double[] rotation = rotation(entry.optional("rotation_deg"));
             RigidTransform worldFromMarker = RigidTransform.ofEuler(position[0], position[1], position[2],
@@ -348,12 +344,10 @@ public final class CellReader {
         if (value == null) {
             return new double[3];
         }
-        String remedy = "[psi, theta, phi] in degrees, from -360 to 360";
-        double[] rotation = value.numbers(3, remedy);
+        double[] rotation = value.numbers(3, CellPhrase.ROTATION);
         for (double angle : rotation) {
             if (!(Math.abs(angle) <= MAX_ANGLE_DEG)) {
-                throw value.refused("an angle of " + CameraReader.plain(angle) + " degrees is more than a full turn; "
-                        + "write " + remedy);
+                throw value.refused(CellRefusal.MORE_THAN_A_TURN, CameraReader.plain(angle), CellPhrase.ROTATION);
             }
         }
         return rotation;
@@ -362,8 +356,8 @@ public final class CellReader {
     private static Placement placement(YamlMapping file, YamlMapping entry, YamlMapping general) {
         YamlMapping own = entry.optional("placement") == null ? null : placement(entry.optional("placement"));
         if (general == null && own == null) {
-            throw file.missing("placement", "is missing, and " + entry.self().path() + " (line " + entry.self().line()
-                    + ") states none of its own; add " + PLACEMENT_EXAMPLE);
+            throw file.missing("placement", CellRefusal.MISSING_AND_NO_OWN, entry.self().path(), entry.self().line(),
+                    PLACEMENT_EXAMPLE);
         }
         double[] stdMm = placementStdMm(stated("std_mm", own, general));
         return new Placement(stdMm[0], stdMm[1], stdMm[2],
@@ -378,15 +372,15 @@ public final class CellReader {
             return general.optional(key);
         }
         YamlMapping where = general == null ? own : general;
-        throw where.missing(key, "is missing; add "
-                + (key.equals("std_mm") ? "std_mm: [5, 5, 5]" : "std_deg: 0.5"));
+        throw where.missing(key, CellRefusal.MISSING,
+                key.equals("std_mm") ? "std_mm: [5, 5, 5]" : "std_deg: 0.5");
     }
 
     private double size(YamlMapping entry, YamlMapping markers) {
         YamlValue own = entry.optional("size_mm");
         if (own == null && generalSize == null) {
-            throw markers.missing("size_mm", "is missing, and " + entry.self().path() + " (line " + entry.self().line()
-                    + ") states none of its own; add size_mm: 47 (outer edge of the black border)");
+            throw markers.missing("size_mm", CellRefusal.MISSING_AND_NO_OWN, entry.self().path(),
+                    entry.self().line(), CellPhrase.MARKER_SIZE_KEY);
         }
         return size(own == null ? generalSize : own);
     }
@@ -396,7 +390,7 @@ public final class CellReader {
         if (value == null || value.isEmpty()) {
             return objects;
         }
-        for (Map.Entry<String, YamlValue> e : value.mapping("lines such as \"5: {}\" below objects:").values()
+        for (Map.Entry<String, YamlValue> e : value.mapping(CellPhrase.OBJECTS).values()
                 .entrySet()) {
             int id = id(e.getKey(), e.getValue(), lines);
             double[] grip = null;
@@ -404,12 +398,12 @@ public final class CellReader {
             if (e.getValue().isEmpty()) {
                 // "5:" says the same as "5: {}"
                 if (generalSize == null) {
-                    throw markers.missing("size_mm", "is missing, and " + e.getValue().path() + " (line "
-                            + e.getValue().line() + ") states none of its own; add size_mm: 47");
+                    throw markers.missing("size_mm", CellRefusal.MISSING_AND_NO_OWN, e.getValue().path(),
+                            e.getValue().line(), "size_mm: 47");
                 }
                 size = size(generalSize);
             } else {
-                YamlMapping entry = e.getValue().mapping("{} or {grip_mm: [x, y, z]}", "grip_mm", "size_mm");
+                YamlMapping entry = e.getValue().mapping(CellPhrase.OBJECT, "grip_mm", "size_mm");
                 grip = entry.optional("grip_mm") == null ? null : point(entry.optional("grip_mm"));
                 size = size(entry, markers);
             }
@@ -420,21 +414,18 @@ public final class CellReader {
 
     private int id(String key, YamlValue value, Map<Integer, YamlValue> lines) {
         if (!key.matches("0|[1-9]\\d{0,8}")) {
-            throw value.refused("\"" + key + "\" is no marker id; write a whole number from 0 to " + (family.size() - 1)
-                    + " without leading zeros");
+            throw value.refused(CellRefusal.NO_ID, key, family.size() - 1);
         }
         int id = Integer.parseInt(key);
         if (!family.has(id)) {
-            throw value.refused(family + " has no marker " + id + "; its ids run from 0 to " + (family.size() - 1));
+            throw value.refused(CellRefusal.ID_NOT_IN_FAMILY, family.toString(), id, family.size() - 1);
         }
         if (family.isAmbiguous(id)) {
-            throw value.refused("marker " + id + " of " + family + " looks like another marker or like itself turned; "
-                    + "choose another id");
+            throw value.refused(CellRefusal.ID_AMBIGUOUS, id, family.toString());
         }
         YamlValue earlier = lines.putIfAbsent(id, value);
         if (earlier != null) {
-            throw value.refused("marker " + id + " already stands on line " + earlier.line() + " as " + earlier.path()
-                    + "; a marker is either a reference or an object, so delete one of the two");
+            throw value.refused(CellRefusal.MARKER_TWICE, id, earlier.line(), earlier.path());
         }
         return id;
     }
@@ -449,9 +440,8 @@ public final class CellReader {
         double cosine = ra[2] * rb[2] + ra[5] * rb[5] + ra[8] * rb[8];
         // two faces of a thin plate lie at one place too, but look away from each other
         if (distance < 0.5 * Math.max(reference.sizeMm(), other.sizeMm()) && cosine > SAME_PLANE_COSINE) {
-            throw position.refused("references " + other.id() + " (line " + otherLine.line() + ") and " + reference.id()
-                    + " would lie on each other, " + String.format(Locale.ROOT, "%.1f", distance)
-                    + " mm apart; correct one of the two positions");
+            throw position.refused(CellRefusal.SAME_PLACE, other.id(), otherLine.line(), reference.id(),
+                    Decimal.of(distance, 1));
         }
     }
 }

@@ -20,15 +20,14 @@ public final class InputChecks {
         if (widthPx == width && heightPx == height) {
             return;
         }
-        String remedy;
+        CellPhrase remedy;
         if (widthPx == height && heightPx == width) {
-            remedy = "the image is turned; store it as the camera took it";
+            remedy = CellPhrase.IMAGE_TURNED;
         } else if ((long) widthPx * height == (long) heightPx * width) {
-            remedy = "the image is scaled; take it in the calibrated size, or calibrate the camera in this size";
+            remedy = CellPhrase.IMAGE_SCALED;
         } else {
-            remedy = "take the image in the calibrated size, or calibrate the camera in this size";
+            remedy = CellPhrase.OTHER_SIZE;
         }
-        throw new InputRefusedException(name + ": the image is " + widthPx + " x " + heightPx
-                + " px, but the camera is calibrated for " + width + " x " + height + " px; " + remedy);
+        throw new InputRefusedException(name, CellRefusal.IMAGE_SIZE, widthPx, heightPx, width, height, remedy);
     }
 }

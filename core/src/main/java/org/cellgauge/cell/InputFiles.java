@@ -12,6 +12,9 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.RefusalKind;
 
 /** Reads text files that people wrote or tools made, and refuses what is none in words that say what to do. */
 public final class InputFiles {
@@ -22,27 +25,23 @@ public final class InputFiles {
      * The text of a UTF-8 file, without a byte order mark.
      *
      * @param file the file
-     * @param what what it should be, for the message: "cell file", "camera file"
+     * @param what what it should be, without places, such as {@link CellPhrase#CELL_FILE}
      * @param maxBytes largest size that such a file can sensibly have, bytes
      * @return its text; may be empty
      * @throws InputRefusedException if it is missing, a folder, not readable, larger than allowed or no UTF-8 text
      */
-    public static String text(Path file, String what, int maxBytes) {
+    public static String text(Path file, RefusalKind what, int maxBytes) {
         byte[] bytes;
         if (Files.isDirectory(file)) {
-            throw new InputRefusedException(file + ": this is a folder; name the " + what + " in it");
+            throw new InputRefusedException(file.toString(), CellRefusal.IS_FOLDER, what);
         }
         // bounded rather than by the stated size, so that an endless device cannot fill the memory
         try (InputStream in = Files.newInputStream(file)) {
             bytes = bounded(in, maxBytes);
         } catch (IOException e) {
-            throw new InputRefusedException(file + ": " + reason(e, what), e);
+            throw unreadable(file.toString(), e, what);
         }
-        if (bytes.length > maxBytes) {
-            throw new InputRefusedException(file + ": larger than " + maxBytes / 1024 + " KiB, which no " + what
-                    + " is; check the name of the file");
-        }
-        return decode(bytes, file.toString(), what);
+        return decode(bytes, file.toString(), what, maxBytes);
     }
 
     /**
@@ -50,35 +49,35 @@ public final class InputFiles {
      *
      * @param in the stream, read to its end but not closed
      * @param name the name that messages give it
-     * @param what what it should be, for the message
+     * @param what what it should be, without places
      * @param maxBytes largest size that such a file can sensibly have, bytes
      * @return its text; may be empty
      * @throws InputRefusedException if it cannot be read, is larger than allowed or no UTF-8 text
      */
-    public static String text(InputStream in, String name, String what, int maxBytes) {
+    public static String text(InputStream in, String name, RefusalKind what, int maxBytes) {
         byte[] bytes;
         try {
             bytes = bounded(in, maxBytes);
         } catch (IOException e) {
-            throw new InputRefusedException(name + ": " + reason(e, what), e);
+            throw unreadable(name, e, what);
         }
-        if (bytes.length > maxBytes) {
-            throw new InputRefusedException(name + ": larger than " + maxBytes / 1024 + " KiB, which no " + what
-                    + " is; check the name of the file");
-        }
-        return decode(bytes, name, what);
+        return decode(bytes, name, what, maxBytes);
+    }
+
+    private static InputRefusedException unreadable(String name, IOException e, RefusalKind what) {
+        return new InputRefusedException(reason(e, what).withPlace(Place.of(name)), e);
     }
 
     /** Why a file could not be read, with the remedy, without its name. */
-    static String reason(IOException e, String what) {
+    static Refusal reason(IOException e, RefusalKind what) {
         if (e instanceof NoSuchFileException || e instanceof FileNotFoundException) {
-            return "there is no such file; check the name and the folder of the " + what;
+            return Refusal.of(CellRefusal.NO_SUCH_FILE, what);
         }
         if (e instanceof AccessDeniedException) {
-            return "no permission to read this file; allow reading it or copy it elsewhere";
+            return Refusal.of(CellRefusal.NOT_PERMITTED);
         }
         String message = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-        return "the " + what + " cannot be read (" + message + "); check the disk or copy the file elsewhere";
+        return Refusal.of(CellRefusal.NOT_READABLE, what, message);
     }
 
     private static byte[] bounded(InputStream in, int maxBytes) throws IOException {
@@ -92,21 +91,23 @@ public final class InputFiles {
         return out.toByteArray();
     }
 
-    private static String decode(byte[] bytes, String name, String what) {
+    private static String decode(byte[] bytes, String name, RefusalKind what, int maxBytes) {
+        if (bytes.length > maxBytes) {
+            throw new InputRefusedException(name, CellRefusal.TOO_LARGE, maxBytes / 1024, what);
+        }
         if (bytes.length >= 2 && ((bytes[0] == (byte) 0xFE && bytes[1] == (byte) 0xFF)
                 || (bytes[0] == (byte) 0xFF && bytes[1] == (byte) 0xFE))) {
-            throw new InputRefusedException(name + ": this text is stored as UTF-16; save the " + what + " as UTF-8");
+            throw new InputRefusedException(name, CellRefusal.UTF_16, what);
         }
         String text;
         try {
             text = StandardCharsets.UTF_8.newDecoder().onMalformedInput(CodingErrorAction.REPORT)
                     .onUnmappableCharacter(CodingErrorAction.REPORT).decode(ByteBuffer.wrap(bytes)).toString();
         } catch (CharacterCodingException e) {
-            throw new InputRefusedException(name + ": this is no text in UTF-8; name a " + what
-                    + ", and save it as UTF-8 if it is one", e);
+            throw new InputRefusedException(Refusal.at(Place.of(name), CellRefusal.NO_UTF_8, what), e);
         }
         if (text.indexOf('\0') >= 0) {
-            throw new InputRefusedException(name + ": this is a binary file; name a " + what + " instead");
+            throw new InputRefusedException(name, CellRefusal.BINARY, what);
         }
         return text.startsWith("\uFEFF") ? text.substring(1) : text;
     }

@@ -1,35 +1,57 @@
 package org.cellgauge.cell;
 
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.RefusalKind;
+
 /**
- * An input cannot be used: the message names the file, the place in it and the remedy, in words for the user.
+ * An input cannot be used: the refusal names the file, the place in it and the remedy.
  *
  * <p>It is the one exception by which every package refuses files, images and detections; a program that meets it shows
- * its message and nothing else. Control characters that the message repeats from a file are shown as spaces.
+ * its message, or the refusal in the user's language, and nothing else.
  */
 public final class InputRefusedException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
+    private final transient Refusal refusal;
+
     /**
      * A refusal.
      *
-     * @param message one sentence or two: file, place, what is wrong, remedy
+     * @param refusal file, place, what is wrong, remedy
      */
-    public InputRefusedException(String message) {
-        super(printable(message));
+    public InputRefusedException(Refusal refusal) {
+        this(refusal, null);
     }
 
     /**
      * A refusal with the error that led to it.
      *
-     * @param message one sentence or two: file, place, what is wrong, remedy
-     * @param cause the error behind it
+     * @param refusal file, place, what is wrong, remedy
+     * @param cause the error behind it, or null
      */
-    public InputRefusedException(String message, Throwable cause) {
-        super(printable(message), cause);
+    public InputRefusedException(Refusal refusal, Throwable cause) {
+        super(refusal.toString(), cause);
+        this.refusal = refusal;
     }
 
-    /** Messages repeat what stands in files; a control character there must not reach a terminal. */
-    private static String printable(String message) {
-        return message.replaceAll("\\p{Cntrl}", " ");
+    /**
+     * A refusal of a file or photo as a whole.
+     *
+     * @param file its name as people know it
+     * @param kind why
+     * @param arguments what stands in the places of the kind's pattern
+     */
+    public InputRefusedException(String file, RefusalKind kind, Object... arguments) {
+        this(Refusal.at(Place.of(file), kind, arguments));
+    }
+
+    /**
+     * File, place, what is wrong and the remedy, as data; {@link #getMessage()} is the same in English.
+     *
+     * @return the refusal
+     */
+    public Refusal refusal() {
+        return refusal;
     }
 }

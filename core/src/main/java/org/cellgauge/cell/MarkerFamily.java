@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.cellgauge.warning.Refusal;
 
 /**
  * A family of square fiducial markers: BoofCV's square-binary, or one of its predefined Hamming-coded dictionaries.
@@ -57,13 +58,27 @@ public final class MarkerFamily {
      * @throws IllegalArgumentException if there is no family of this name; the message says which name may be meant
      */
     public static MarkerFamily of(String name) {
+        MarkerFamily family = find(name);
+        if (family == null) {
+            throw new IllegalArgumentException(
+                    Refusal.of(CellRefusal.NO_FAMILY, name, suggestion(name)).toString());
+        }
+        return family;
+    }
+
+    /** Which family may be meant by a name that none has. */
+    static Refusal suggestion(String name) {
+        return Suggestions.remedy(name, ALL.stream().map(f -> f.name).collect(Collectors.toList()));
+    }
+
+    /** The family of a name, or null. */
+    static MarkerFamily find(String name) {
         for (MarkerFamily family : ALL) {
             if (family.name.equals(name)) {
                 return family;
             }
         }
-        throw new IllegalArgumentException("there is no marker family \"" + name + "\"; "
-                + Suggestions.remedy(name, ALL.stream().map(f -> f.name).collect(Collectors.toList())));
+        return null;
     }
 
     /**

@@ -1,5 +1,6 @@
 package org.cellgauge.cell;
 
+import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.geometry.RigidTransform;
 
 /** A marker with a known place in the world; immutable. */
@@ -61,5 +62,23 @@ public final class Reference {
      */
     public Placement placement() {
         return placement;
+    }
+
+    /**
+     * Where it might really stand: its nominal pose off by a draw from its placement.
+     *
+     * @param random source of randomness; six normal numbers are taken from it, three of the place first
+     * @return worldFromMarker
+     */
+    public RigidTransform drawn(RandomGenerator random) {
+        double[] shift = new double[3];
+        double[] turn = new double[3];
+        for (int i = 0; i < 3; i++) {
+            shift[i] = placement.stdMm(i) * random.nextGaussian();
+        }
+        for (int i = 0; i < 3; i++) {
+            turn[i] = placement.stdRad() * random.nextGaussian();
+        }
+        return worldFromMarker.displaced(shift, turn);
     }
 }

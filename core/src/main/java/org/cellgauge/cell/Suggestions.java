@@ -1,7 +1,10 @@
 package org.cellgauge.cell;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Locale;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Refusal;
 
 /** Finds what a mistyped word was meant to be. */
 final class Suggestions {
@@ -13,9 +16,9 @@ final class Suggestions {
      *
      * @param word what stands in the file
      * @param known what could stand there
-     * @return "did you mean "x"?" where one is near, else the list of all
+     * @return {@link CellPhrase#DID_YOU_MEAN} where one is near, else {@link CellPhrase#KNOWN_HERE}
      */
-    static String remedy(String word, Collection<String> known) {
+    static Refusal remedy(String word, Collection<String> known) {
         String best = null;
         int bestDistance = Integer.MAX_VALUE;
         String given = normalise(word);
@@ -29,9 +32,9 @@ final class Suggestions {
         }
         // a third of the letters may differ: beyond that a suggestion misleads more often than it helps
         if (best != null && bestDistance <= Math.max(1, Math.max(given.length(), best.length()) / 3)) {
-            return "did you mean \"" + best + "\"?";
+            return Refusal.of(CellPhrase.DID_YOU_MEAN, best);
         }
-        return "known here: " + String.join(", ", known);
+        return Refusal.of(CellPhrase.KNOWN_HERE, Listing.comma(new ArrayList<>(known)));
     }
 
     private static String normalise(String word) {

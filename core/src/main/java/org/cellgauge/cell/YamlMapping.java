@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import org.cellgauge.warning.RefusalKind;
 import org.yaml.snakeyaml.nodes.MappingNode;
 import org.yaml.snakeyaml.nodes.Node;
 import org.yaml.snakeyaml.nodes.NodeTuple;
@@ -22,19 +23,17 @@ final class YamlMapping {
             Node keyNode = tuple.getKeyNode();
             int line = keyNode.getStartMark().getLine() + 1;
             if (!(keyNode instanceof ScalarNode)) {
-                throw YamlValue.refused(self.file(), line, self.path(),
-                        "a key must be one word or number; write key: value");
+                throw YamlValue.refused(self.file(), line, self.path(), CellRefusal.KEY_NO_WORD);
             }
             String key = ((ScalarNode) keyNode).getValue();
             String path = self.path().isEmpty() ? key : self.path() + "." + key;
             if (Tag.MERGE.equals(keyNode.getTag())) {
-                throw YamlValue.refused(self.file(), line, path,
-                        "merge keys are not understood; write the keys out");
+                throw YamlValue.refused(self.file(), line, path, CellRefusal.MERGE_KEY);
             }
             YamlValue value = new YamlValue(self.file(), path, line, tuple.getValueNode());
             YamlValue earlier = values.putIfAbsent(key, value);
             if (earlier != null) {
-                throw value.refused("stands twice, first on line " + earlier.line() + "; keep one of the two");
+                throw value.refused(CellRefusal.TWICE, earlier.line());
             }
         }
     }
@@ -43,9 +42,9 @@ final class YamlMapping {
         for (Map.Entry<String, YamlValue> e : values.entrySet()) {
             if (!known.contains(e.getKey())) {
                 // {size_mm: 47,5} reads as the keys size_mm and 5
-                String comma = e.getKey().matches("\\d+") && e.getValue().isEmpty()
-                        ? " (decimal numbers take a point, not a comma)" : "";
-                throw e.getValue().refused("unknown key; " + Suggestions.remedy(e.getKey(), known) + comma);
+                boolean comma = e.getKey().matches("\\d+") && e.getValue().isEmpty();
+                throw e.getValue().refused(CellRefusal.UNKNOWN_KEY, Suggestions.remedy(e.getKey(), known),
+                        comma ? CellPhrase.POINT_NOT_COMMA : "");
             }
         }
     }
@@ -70,19 +69,19 @@ final class YamlMapping {
     /**
      * The value of a key that must stand there.
      *
-     * @param remedy how to write it, for the message
+     * @param remedy how to write it, as an argument of a refusal
      */
-    YamlValue required(String key, String remedy) {
+    YamlValue required(String key, Object remedy) {
         YamlValue value = values.get(key);
         if (value == null) {
-            throw missing(key, "is missing; add " + remedy);
+            throw missing(key, CellRefusal.MISSING, remedy);
         }
         return value;
     }
 
     /** A refusal for a key that does not stand there, on the mapping's own line. */
-    InputRefusedException missing(String key, String problem) {
+    InputRefusedException missing(String key, RefusalKind kind, Object... arguments) {
         String path = self.path().isEmpty() ? key : self.path() + "." + key;
-        return YamlValue.refused(self.file(), self.line(), path, problem);
+        return YamlValue.refused(self.file(), self.line(), path, kind, arguments);
     }
 }

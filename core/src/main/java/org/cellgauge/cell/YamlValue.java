@@ -5,6 +5,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.RefusalKind;
 import org.yaml.snakeyaml.DumperOptions;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.Yaml;
@@ -48,15 +51,14 @@ final class YamlValue {
      *
      * @param text YAML text
      * @param file its name for messages
-     * @param what what it should be, "cell file"
+     * @param what what it should be, such as {@link CellPhrase#CELL_FILE}
      * @param maxChars largest length
      * @return the value at its top
      * @throws InputRefusedException if it is empty, too long or no YAML
      */
-    static YamlValue parse(String text, String file, String what, int maxChars) {
+    static YamlValue parse(String text, String file, RefusalKind what, int maxChars) {
         if (text.length() > maxChars) {
-            throw new InputRefusedException(file + ": larger than " + maxChars / 1024 + " KiB, which no " + what
-                    + " is; check the name of the file");
+            throw new InputRefusedException(file, CellRefusal.TOO_LARGE, maxChars / 1024, what);
         }
         LoaderOptions options = new LoaderOptions();
         options.setCodePointLimit(maxChars + 1);
@@ -69,31 +71,26 @@ final class YamlValue {
         } catch (MarkedYAMLException e) {
             throw new InputRefusedException(syntax(e, file), e);
         } catch (YAMLException e) {
-            throw new InputRefusedException(file + ": not readable as YAML (" + firstLine(e.getMessage())
-                    + "); check that this is a " + what, e);
+            throw new InputRefusedException(Refusal.at(Place.of(file), CellRefusal.NOT_YAML,
+                    firstLine(e.getMessage()), what), e);
         }
         if (root == null) {
-            throw new InputRefusedException(file + ": the file is empty; name a filled " + what);
+            throw new InputRefusedException(file, CellRefusal.EMPTY, what);
         }
         return new YamlValue(file, "", root.getStartMark().getLine() + 1, root);
     }
 
-    private static String syntax(MarkedYAMLException e, String file) {
+    private static Refusal syntax(MarkedYAMLException e, String file) {
         String problem = e.getProblem() == null ? String.valueOf(e.getContext()) : e.getProblem();
-        StringBuilder s = new StringBuilder(file);
-        if (e.getProblemMark() != null) {
-            s.append(", line ").append(e.getProblemMark().getLine() + 1).append(", column ")
-                    .append(e.getProblemMark().getColumn() + 1);
-        }
-        s.append(": ");
+        Place place = e.getProblemMark() == null ? Place.of(file)
+                : Place.of(file, e.getProblemMark().getLine() + 1, e.getProblemMark().getColumn() + 1, "");
         if (problem.contains("TAB")) {
-            return s.append("a tab stands where YAML allows only spaces; indent with spaces").toString();
+            return Refusal.at(place, CellRefusal.TAB);
         }
         if (problem.contains("but found another document")) {
-            return s.append("a second document begins here; delete \"---\" and keep one document").toString();
+            return Refusal.at(place, CellRefusal.SECOND_DOCUMENT);
         }
-        return s.append("not valid YAML (").append(firstLine(problem))
-                .append("); check brackets, quotes, colons and indentation near this place").toString();
+        return Refusal.at(place, CellRefusal.YAML_SYNTAX, firstLine(problem));
     }
 
     private static String firstLine(String message) {
@@ -102,14 +99,22 @@ final class YamlValue {
         return end < 0 ? m : m.substring(0, end);
     }
 
-    /** A refusal of this value: file, line, key path and the given words. */
-    InputRefusedException refused(String problem) {
-        return refused(file, line, path, problem);
+    /** A refusal of this value: file, line, key path, and what is wrong with it. */
+    InputRefusedException refused(RefusalKind kind, Object... arguments) {
+        return new InputRefusedException(refusal(kind, arguments));
     }
 
-    static InputRefusedException refused(String file, int line, String path, String problem) {
-        return new InputRefusedException(file + ", line " + line + (path.isEmpty() ? "" : ", " + path) + ": "
-                + problem);
+    static InputRefusedException refused(String file, int line, String path, RefusalKind kind, Object... arguments) {
+        return new InputRefusedException(Refusal.at(Place.of(file, line, 0, path), kind, arguments));
+    }
+
+    /** The same as data. */
+    Refusal refusal(RefusalKind kind, Object... arguments) {
+        return Refusal.at(Place.of(file, line, 0, path), kind, arguments);
+    }
+
+    private InputRefusedException expected(Object what, Object got, Object remedy, Object hint) {
+        return refused(CellRefusal.EXPECTED, what, got, remedy, hint);
     }
 
     int line() {
@@ -149,12 +154,12 @@ final class YamlValue {
     /**
      * This value as a mapping with none but the known keys.
      *
-     * @param example how to write it, for the remedy
+     * @param example how to write it, as an argument of a refusal
      * @param known keys that may stand in it, or none where keys are ids
      */
-    YamlMapping mapping(String example, String... known) {
+    YamlMapping mapping(Object example, String... known) {
         if (!isMapping() || !Tag.MAP.equals(node.getTag())) {
-            throw refused("expected a mapping of keys, got " + described() + "; write " + example);
+            throw expected(CellPhrase.MAPPING, described(), example, "");
         }
         YamlMapping mapping = new YamlMapping(this, (MappingNode) node);
         if (known.length > 0) {
@@ -164,9 +169,9 @@ final class YamlValue {
     }
 
     /** This value as a text, quoted or not. */
-    String text(String example) {
+    String text(Object example) {
         if (!(node instanceof ScalarNode) || isEmpty() || ((ScalarNode) node).getValue().trim().isEmpty()) {
-            throw refused("expected a text, got " + described() + "; write " + example);
+            throw expected(CellPhrase.TEXT, described(), example, "");
         }
         standardTag();
         return ((ScalarNode) node).getValue();
@@ -175,60 +180,60 @@ final class YamlValue {
     /**
      * This value as a finite number.
      *
-     * @param remedy what to write, as in "a length in mm"
+     * @param remedy what to write, as an argument of a refusal
      */
-    double number(String remedy) {
-        String text = scalar("a number", remedy);
+    double number(Object remedy) {
+        String text = scalar(CellPhrase.NUMBER, remedy);
         if (NOT_FINITE.matcher(text).matches()) {
-            throw refused("expected a finite number, got " + text + "; write " + remedy);
+            throw expected(CellPhrase.FINITE_NUMBER, text, remedy, "");
         }
         if (!NUMBER.matcher(text).matches() || octal(text)) {
-            String hint = "";
+            Object hint = "";
             if (text.matches("[-+]?\\d+,\\d+")) {
-                hint = ", with a decimal point: " + text.replace(',', '.');
+                hint = Refusal.of(CellPhrase.WITH_POINT, text.replace(',', '.'));
             } else if (WITH_UNIT.matcher(text).matches()) {
-                hint = ", the number alone without its unit";
+                hint = CellPhrase.WITHOUT_UNIT;
             }
-            throw refused("expected a number, got \"" + text + "\"; write " + remedy + hint);
+            throw expected(CellPhrase.NUMBER, Refusal.of(CellPhrase.WORD, text), remedy, hint);
         }
         double value = Double.parseDouble(text);
         if (Double.isInfinite(value)) {
-            throw refused("expected a finite number, got " + text + "; write " + remedy);
+            throw expected(CellPhrase.FINITE_NUMBER, text, remedy, "");
         }
         return value;
     }
 
     /** This value as a finite number above 0. */
-    double positive(String remedy) {
+    double positive(Object remedy) {
         double value = number(remedy);
         if (!(value > 0)) {
-            throw refused("must be greater than 0, got " + ((ScalarNode) node).getValue() + "; write " + remedy);
+            throw refused(CellRefusal.NOT_POSITIVE, ((ScalarNode) node).getValue(), remedy);
         }
         return value;
     }
 
     /** This value as a whole number within a range. */
-    int whole(int min, int max, String remedy) {
-        String text = scalar("a whole number", remedy);
+    int whole(int min, int max, Object remedy) {
+        String text = scalar(CellPhrase.WHOLE_NUMBER, remedy);
         if (!WHOLE.matcher(text).matches() || octal(text)) {
-            throw refused("expected a whole number, got \"" + text + "\"; write " + remedy);
+            throw expected(CellPhrase.WHOLE_NUMBER, Refusal.of(CellPhrase.WORD, text), remedy, "");
         }
         double value = Double.parseDouble(text);
         if (!(value >= min && value <= max)) {
-            throw refused("must be from " + min + " to " + max + ", got " + text + "; write " + remedy);
+            throw refused(CellRefusal.OUT_OF_RANGE, min, max, text, remedy);
         }
         return (int) value;
     }
 
     /** This value as a list of as many finite numbers. */
-    double[] numbers(int count, String remedy) {
+    double[] numbers(int count, Object remedy) {
         if (!isList()) {
-            throw refused("expected " + count + " numbers, got " + described() + "; write " + remedy);
+            throw expected(Refusal.of(CellPhrase.NUMBERS, count), described(), remedy, "");
         }
         List<YamlValue> items = items();
         if (items.size() != count) {
-            String hint = items.size() == 2 * count ? " (decimal numbers take a point, not a comma)" : "";
-            throw refused("expected " + count + " numbers, got " + items.size() + "; write " + remedy + hint);
+            throw expected(Refusal.of(CellPhrase.NUMBERS, count), items.size(), remedy,
+                    items.size() == 2 * count ? CellPhrase.POINT_NOT_COMMA : "");
         }
         double[] values = new double[count];
         for (int i = 0; i < count; i++) {
@@ -240,7 +245,7 @@ final class YamlValue {
     /** The values of a list. */
     List<YamlValue> items() {
         if (!isList() || !Tag.SEQ.equals(node.getTag())) {
-            throw refused("expected a list, got " + described() + "; write [a, b, ...]");
+            throw expected(CellPhrase.LIST, described(), "[a, b, ...]", "");
         }
         List<YamlValue> items = new ArrayList<>();
         for (Node item : ((SequenceNode) node).getValue()) {
@@ -249,22 +254,22 @@ final class YamlValue {
         return items;
     }
 
-    private String scalar(String expected, String remedy) {
+    private String scalar(CellPhrase expected, Object remedy) {
         if (!(node instanceof ScalarNode) || isEmpty()) {
-            throw refused("expected " + expected + ", got " + described() + "; write " + remedy);
+            throw expected(expected, described(), remedy, "");
         }
         ScalarNode scalar = (ScalarNode) node;
         standardTag();
         if (scalar.getScalarStyle() != DumperOptions.ScalarStyle.PLAIN) {
-            throw refused("expected " + expected + ", got the text \"" + scalar.getValue() + "\"; write " + remedy
-                    + ", without quotes");
+            throw expected(expected, Refusal.of(CellPhrase.QUOTED, scalar.getValue()), remedy,
+                    CellPhrase.WITHOUT_QUOTES);
         }
         return scalar.getValue();
     }
 
     private void standardTag() {
         if (!node.getTag().getValue().startsWith(Tag.PREFIX) || Tag.BINARY.equals(node.getTag())) {
-            throw refused("the tag " + node.getTag().getValue() + " is not understood; delete it");
+            throw refused(CellRefusal.TAG, node.getTag().getValue());
         }
     }
 
@@ -272,18 +277,18 @@ final class YamlValue {
         return text.matches("[-+]?0\\d.*");
     }
 
-    /** What stands here, for messages. */
-    String described() {
+    /** What stands here. */
+    private Refusal described() {
         if (node instanceof SequenceNode) {
-            return "a list";
+            return Refusal.of(CellPhrase.LIST);
         }
         if (node instanceof MappingNode) {
-            return "a mapping of keys";
+            return Refusal.of(CellPhrase.MAPPING);
         }
         if (isEmpty() || ((ScalarNode) node).getValue().trim().isEmpty()) {
-            return "nothing";
+            return Refusal.of(CellPhrase.NOTHING);
         }
         String value = ((ScalarNode) node).getValue();
-        return "\"" + (value.length() > 40 ? value.substring(0, 40) + "..." : value) + "\"";
+        return Refusal.of(CellPhrase.WORD, value.length() > 40 ? value.substring(0, 40) + "..." : value);
     }
 }

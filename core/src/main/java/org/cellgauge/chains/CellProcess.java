@@ -116,7 +116,7 @@ public final class CellProcess implements ChainProcess {
         private void solveAt(CameraState camera) {
             base.copyFrom(mode);
             double stretch = camera.intrinsics[PinholeCamera.FX] / base.intrinsics[PinholeCamera.FX];
-            System.arraycopy(camera.intrinsics, 0, base.intrinsics, 0, PinholeCamera.INTRINSICS);
+            base.copyIntrinsics(camera);
             base.offset[2] *= stretch;
             fit.fit(base);
             posterior.setBase(base);

@@ -17,9 +17,6 @@ import org.cellgauge.sampling.QuantityLayout;
  * rotation in world axes in rad.
  */
 public final class CellQuantities {
-    private static final String[] INTRINSIC_NAMES = {"fx_px", "fy_px", "cx_px", "cy_px", "skew_px", "k1", "k2", "k3",
-        "p1", "p2"};
-
     /** Shift of the photo's edges into the dark, px. */
     static final String EDGE_SHIFT = "edge_shift_px";
     /** Noise of corners on top of what the detector says, px. */
@@ -46,7 +43,7 @@ public final class CellQuantities {
         }
         int[] intrinsics = new int[camera.intrinsicsPrior.count()];
         for (int i = 0; i < intrinsics.length; i++) {
-            intrinsics[i] = b.add(INTRINSIC_NAMES[camera.intrinsicsPrior.index(i)]);
+            intrinsics[i] = b.add(state.lens.parameterNames().get(camera.intrinsicsPrior.index(i)));
         }
         if (intrinsics.length > 0) {
             b.group("intrinsics", intrinsics);
@@ -111,10 +108,6 @@ public final class CellQuantities {
             out[next++] = Math.sqrt(errors.added().variancePx2(state.noise));
         }
         return next;
-    }
-
-    public static String intrinsicName(int index) {
-        return INTRINSIC_NAMES[index];
     }
 
     private static void addPose(QuantityLayout.Builder b, String name, double[] reference) {

@@ -4,8 +4,8 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.IntStream;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.OwnThreads;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Convergence;
@@ -92,12 +92,17 @@ public final class Diagnostics {
         heaviest = name;
     }
 
-    /** The same with the tails of what {@link #mcseStdRelMax()} is about: once, at the end, for the fits take time. */
-    public Diagnostics withTails() {
+    /**
+     * The same with the tails of what {@link #mcseStdRelMax()} is about: once, at the end, for the fits take time.
+     *
+     * @param threads how many threads work, the calling one among them; no figure depends on it
+     * @return the diagnostics
+     */
+    public Diagnostics withTails(int threads) {
         String[] names = parameters.keySet().toArray(new String[0]);
         double[] k = new double[names.length];
-        IntStream.range(0, k.length).parallel()
-                .forEach(i -> k[i] = measured[i] ? parameters.get(names[i]).paretoK() : Double.NaN);
+        OwnThreads.forEach(k.length, threads,
+                i -> k[i] = measured[i] ? parameters.get(names[i]).paretoK() : Double.NaN);
         Map<String, Double> all = new LinkedHashMap<>();
         for (int i = 0; i < k.length; i++) {
             if (!Double.isNaN(k[i])) {
@@ -114,12 +119,14 @@ public final class Diagnostics {
      * @param layout quantities of a draw
      * @param judged whether a quantity counts for the overall judgement; the others are reported alone
      * @param measured whether the Monte Carlo error of its deviation counts too
+     * @param threads how many threads work, the calling one among them; no figure depends on it
      * @return the diagnostics
      */
-    public static Diagnostics of(List<Draws> chains, QuantityLayout layout, boolean[] judged, boolean[] measured) {
+    public static Diagnostics of(List<Draws> chains, QuantityLayout layout, boolean[] judged, boolean[] measured,
+            int threads) {
         ChainDiagnostics[] all = new ChainDiagnostics[layout.size()];
         // quantities do not depend on each other, so the order in which threads take them changes nothing
-        IntStream.range(0, all.length).parallel().forEach(q -> {
+        OwnThreads.forEach(all.length, threads, q -> {
             double[][] series = new double[chains.size()][];
             for (int c = 0; c < series.length; c++) {
                 series[c] = chains.get(c).series(q);

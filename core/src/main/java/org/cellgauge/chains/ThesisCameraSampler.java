@@ -26,8 +26,7 @@ final class ThesisCameraSampler implements CameraSampler {
                     start = posterior.chart().encode(state);
                 }
                 return new CameraChain(new MetropolisChain(posterior,
-                        ThesisMixture.proposals(target.fit.intrinsicsPrior.count(),
-                                posterior.dimension() - 6 - target.fit.intrinsicsPrior.count()), start, chainRandom),
+                        ThesisMixture.proposals(posterior.chart().layout()), start, chainRandom),
                         posterior.chart(), () -> { });
             }
 

@@ -34,6 +34,7 @@ import org.cellgauge.statistics.CoverageRegion;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.CheckPhrase;
+import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Listing;
@@ -53,8 +54,6 @@ final class CellModes {
     private static final int NOISE_STRIDE = 5;
     /** Logarithm of the mass, against the most, at which the noise is followed no further. */
     private static final double NEGLIGIBLE_LOG_NOISE = 12;
-    private static final double PRIOR_STD_MM = 1000;
-    private static final double PRIOR_STD_RAD = 0.7;
     /** Quantile of chi-square within which the residuals at a mode must be for a given start to count as a good one. */
     private static final double EXPLAINED = 0.999;
     private static final double SMALLEST_SIDE_PX = 25;
@@ -106,7 +105,7 @@ final class CellModes {
         if (camera.posePrior == null) {
             return null;
         }
-        double share = LinearModel.priorShare(camera.mode(), PRIOR_STD_MM, PRIOR_STD_RAD);
+        double share = LinearModel.priorShare(camera.mode(), PosePrior.WEAK_STD_MM, PosePrior.WEAK_STD_RAD);
         return share < LEANING_SHARE ? null
                 : Warning.of(CheckWarning.DIRECTION_OPEN, Decimal.of(100 * share, 0), weakPrior());
     }
@@ -142,7 +141,7 @@ final class CellModes {
     }
 
     private static Warning weakPrior() {
-        return Warning.of(CheckPhrase.WEAK_PRIOR, Decimal.of(PRIOR_STD_MM, 0), Decimal.of(PRIOR_STD_RAD, 1));
+        return Warning.of(CheckPhrase.WEAK_PRIOR, Decimal.of(PosePrior.WEAK_STD_MM, 0), Decimal.of(PosePrior.WEAK_STD_RAD, 1));
     }
 
     /** The ids of some references. */
@@ -326,7 +325,7 @@ final class CellModes {
         }
 
         private CameraFit cameraFitOf(ReferenceView view, IntrinsicsPrior intrinsics) {
-            boolean needsPosePrior = settings.model().posePriorAllowed() && view.size() <= 2;
+            boolean needsPosePrior = settings.model().posePriorAllowed() && PosePrior.isNeededFor(view.size());
             if (worldFromCameraStart != null && !needsPosePrior) {
                 CameraFit fromStart = fitFromStart(view, intrinsics);
                 if (fromStart != null) {
@@ -343,8 +342,7 @@ final class CellModes {
             }
             PosePrior posePrior = null;
             if (needsPosePrior) {
-                posePrior = new PosePrior(CameraState.of(view.cameraFromSet(initial), cell.camera()), PRIOR_STD_MM,
-                        PRIOR_STD_RAD);
+                posePrior = PosePrior.weak(CameraState.of(view.cameraFromSet(initial), cell.camera()));
             }
             CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, posePrior, errors,
                     observed.noiseLevel);
@@ -370,8 +368,7 @@ final class CellModes {
         }
 
         private InputRefusedException noPose() {
-            return new InputRefusedException(detections.imageName() + ": no camera pose explains the corners of the "
-                    + "references; check their ids, positions and sizes in the cell file");
+            return new InputRefusedException(detections.imageName(), CheckRefusal.NO_CAMERA_POSE);
         }
 
         private static int foreignReference(CameraFit fit) {
@@ -390,8 +387,7 @@ final class CellModes {
         private ObjectFit objectFit(ObjectMarker marker, CameraState atMode) {
             List<PoseMode> modes = ObjectFit.modes(marker, errors, atMode);
             if (modes.isEmpty()) {
-                throw new InputRefusedException(detections.imageName() + ": the corners of object " + marker.id()
-                        + " are of no square in front of the camera; check the order of its corners");
+                throw new InputRefusedException(detections.imageName(), CheckRefusal.NO_OBJECT_POSE, marker.id());
             }
             boolean noisy = settings.model().objectNoise() == ObjectNoise.DETECTION;
             modes = noisy ? notNegligible(modes) : modes.subList(0, 1);

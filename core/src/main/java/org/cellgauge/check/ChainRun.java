@@ -22,10 +22,15 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.sampling.RunLength;
+import org.cellgauge.sampling.StartException;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.ObjectNoise;
 import org.cellgauge.settings.SamplerKind;
+import org.cellgauge.warning.CheckPhrase;
+import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.Warning;
 
 /** One run of the chains of a photo, from its quick look to draws that suffice; for one subscription. */
@@ -67,28 +72,33 @@ final class ChainRun {
                 processes.add(new CellProcess(quantities, tuned, seed, c));
             }
         } catch (IllegalStateException e) {
-            throw new InputRefusedException(observed.detections.imageName() + ": the chains cannot start, "
-                    + e.getMessage() + "; check the references' positions in the cell file or use --initial pnp", e);
+            Object why = e instanceof StartException
+                    ? Warning.of(CheckPhrase.DENSITY_AT_START, String.valueOf(((StartException) e).logDensity()))
+                    : e.getMessage();
+            throw new InputRefusedException(Refusal.at(Place.of(observed.detections.imageName()),
+                    CheckRefusal.CHAINS_CANNOT_START, why, CheckPhrase.INITIAL_PNP), e);
         }
         boolean[] judged = quantities.judged();
         int cap = settings.sampling().iterations().orElse(settings.sampling().maxIterations());
         int warmup = settings.sampling().warmup(samplerUsed);
         RunLength length = new RunLength(warmup, settings.sampling().iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> preciseEnough(diagnosed(draws, judged), settings) && !undecided(), threads);
+                draws -> preciseEnough(diagnosed(draws, judged, threads.getAsInt()), settings) && !undecided(), threads);
         return ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null)
                     : quickLook.estimate();
             if (!snapshot.last()) {
                 return new CheckUpdate(CheckUpdate.Phase.SAMPLING, running, snapshot.iterationsPerChain(), null);
             }
-            CheckResult result = CheckResult.of(sampled(estimates, judged, ensemble.draws(), snapshot));
+            CheckResult result = CheckResult.of(
+                    sampled(estimates, judged, ensemble.draws(), snapshot, threads.getAsInt()));
             return new CheckUpdate(CheckUpdate.Phase.RESULT, result.estimate(), snapshot.iterationsPerChain(), result);
         });
     }
 
-    private SampledCell sampled(Estimates estimates, boolean[] judged, List<Draws> draws, EnsembleSnapshot last) {
-        Diagnostics all = diagnosed(draws, judged).withTails();
+    private SampledCell sampled(Estimates estimates, boolean[] judged, List<Draws> draws, EnsembleSnapshot last,
+            int threads) {
+        Diagnostics all = diagnosed(draws, judged, threads).withTails(threads);
         return new SampledCell(quickLook, quantities, estimates.of(last.summary(), draws), draws, last, all,
                 samplerUsed, tuningEvaluations, warnings);
     }
@@ -125,10 +135,10 @@ final class ChainRun {
     }
 
     /** Diagnostics of draws, kept: the draws that suffice are those of the result. */
-    private Diagnostics diagnosed(List<Draws> draws, boolean[] judged) {
+    private Diagnostics diagnosed(List<Draws> draws, boolean[] judged, int threads) {
         int count = draws.get(0).count();
         if (diagnostics == null || diagnosedDraws != count) {
-            diagnostics = Diagnostics.of(draws, quantities.layout, judged, quantities.measured());
+            diagnostics = Diagnostics.of(draws, quantities.layout, judged, quantities.measured(), threads);
             diagnosedDraws = count;
         }
         return diagnostics;

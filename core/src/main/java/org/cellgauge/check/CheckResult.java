@@ -23,6 +23,7 @@ import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.settings.SettingTable;
 import org.cellgauge.statistics.ParetoTail;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.CheckPhrase;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Warning;
@@ -103,7 +104,8 @@ public final class CheckResult {
         if (diagnostics.converged() && !settings.sampling().iterations().isPresent() && !sampled.preciseEnough()) {
             warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(sampled.last.iterationsPerChain(), 0),
                     diagnostics.leastPreciseParameter(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
-                    Decimal.shortest(Math.rint(1e11 * settings.sampling().targetMcseStdRel()) / 1e9)));
+                    Decimal.shortest(Math.rint(1e11 * settings.sampling().targetMcseStdRel()) / 1e9),
+                    CheckPhrase.MORE_ITERATIONS));
         }
         if (diagnostics.converged() && diagnostics.heavyTails()) {
             warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter(),

@@ -14,6 +14,7 @@ import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Listing;
@@ -55,9 +56,7 @@ final class Observed {
         Cell cell = settings.model().targetStdMm().isPresent()
                 ? stated.withTarget(settings.model().targetStdMm()) : stated;
         if (detections.light() != null && detections.light().toneCurveOpen()) {
-            throw new InputRefusedException(detections.imageName() + ": whites are clipped, and then nothing in the "
-                    + "photo tells its tone curve, without which edges are not where they seem; expose less, or state "
-                    + "tone_curve in the cell file");
+            throw new InputRefusedException(detections.imageName(), CheckRefusal.TONE_CURVE_OPEN);
         }
         List<Warning> warnings = new ArrayList<>(detections.warnings());
         warnOfReferencesNotSeen(cell, detections, warnings);
@@ -82,8 +81,8 @@ final class Observed {
             }
         }
         if (unseen.size() == cell.references().size()) {
-            throw new InputRefusedException(detections.imageName() + ": none of the references " + Listing.and(unseen)
-                    + " is in the photo; check the marker family of the cell file, the light and the focus");
+            throw new InputRefusedException(detections.imageName(), CheckRefusal.NO_REFERENCE_SEEN,
+                    Listing.and(unseen));
         }
         if (!unseen.isEmpty()) {
             warnings.add(Warning.of(CheckWarning.REFERENCES_NOT_SEEN, Listing.and(unseen)));

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.IntSupplier;
-import org.cellgauge.chains.CellQuantities;
 import org.cellgauge.estimate.ImageEllipses;
 import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.estimate.ModeEstimate;
@@ -94,7 +93,7 @@ public final class QuickLook {
             List<String> names = new ArrayList<>();
             double[] mean = new double[camera.intrinsicsPrior.count()];
             for (int i = 0; i < mean.length; i++) {
-                names.add(CellQuantities.intrinsicName(camera.intrinsicsPrior.index(i)));
+                names.add(state.lens.parameterNames().get(camera.intrinsicsPrior.index(i)));
                 mean[i] = state.intrinsics[camera.intrinsicsPrior.index(i)];
             }
             intrinsics = new IntrinsicsEstimate(names, mean, linear.intrinsicsCovariance());

@@ -1,7 +1,6 @@
 package org.cellgauge.estimate;
 
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.statistics.Ellipse;
 
@@ -22,7 +21,7 @@ public final class ImageEllipses {
         for (int i = 0; i < mean.length; i++) {
             intrinsics[unknown.index(i)] = mean[i];
         }
-        return PinholeCamera.of(file.widthPx(), file.heightPx(), intrinsics);
+        return file.withIntrinsics(intrinsics);
     }
 
     /** The ellipse in px, or null where the point is not in front of the camera or its covariance is not finite. */
@@ -31,7 +30,7 @@ public final class ImageEllipses {
         double[] r = cameraPose.meanTransform().rotation();
         double[] uv = new double[2];
         double[] byPoint = new double[6];
-        if (!Projection.projectWithDerivatives(camera.intrinsics(), p[0], p[1], p[2], uv, byPoint, null)) {
+        if (!camera.lens().projectWithDerivatives(camera.intrinsics(), p[0], p[1], p[2], uv, byPoint, null)) {
             return null;
         }
         double[][] byWorld = new double[2][3];

@@ -40,4 +40,46 @@ public final class MarkerGeometry {
         }
         return corners;
     }
+
+    /**
+     * Where a camera sees the corners of a marker.
+     *
+     * @param camera intrinsics
+     * @param cameraFromMarker pose of the marker in the camera frame
+     * @param sizeMm outer edge, mm
+     * @return 8 values: u, v of each corner, px; null if one is not in front of the camera
+     */
+    public static double[] cornersPx(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
+        double[] corners = cornersMm(cameraFromMarker, sizeMm);
+        double[] px = new double[2 * CORNERS];
+        for (int k = 0; k < CORNERS; k++) {
+            double[] uv = camera.project(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+            if (uv == null) {
+                return null;
+            }
+            System.arraycopy(uv, 0, px, 2 * k, 2);
+        }
+        return px;
+    }
+
+    /**
+     * Where a camera sees the corners of a marker that it sees from the front and wholly in the image.
+     *
+     * @param camera intrinsics
+     * @param cameraFromMarker pose of the marker in the camera frame
+     * @param sizeMm outer edge, mm
+     * @return 8 values: u, v of each corner, px; null if it shows its back, or some corner is outside the image
+     */
+    public static double[] seenPx(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
+        double[] r = cameraFromMarker.rotation();
+        double[] t = cameraFromMarker.translationMm();
+        // the marker's normal must point towards the camera, which is at the origin
+        double[] px = r[2] * t[0] + r[5] * t[1] + r[8] * t[2] < 0 ? cornersPx(camera, cameraFromMarker, sizeMm) : null;
+        for (int i = 0; px != null && i < px.length; i += 2) {
+            if (!(px[i] >= 0 && px[i] <= camera.widthPx() && px[i + 1] >= 0 && px[i + 1] <= camera.heightPx())) {
+                return null;
+            }
+        }
+        return px;
+    }
 }

@@ -4,16 +4,10 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Intrinsics of a pinhole camera with radial and tangential (Brown-Conrady) distortion and its image size; immutable.
+ * A camera: a lens with the values of its parameters, and the size of its image; immutable.
  *
- * <p>The model is BoofCV's {@code pinhole_radial_tangential}: with the undistorted normalised point
- * {@code (x, y) = (X/Z, Y/Z)} and {@code r² = x² + y²}
- * <pre>
- * xd = x (1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1 x y + p2 (r² + 2 x²)
- * yd = y (1 + k1 r² + k2 r⁴ + k3 r⁶) + p1 (r² + 2 y²) + 2 p2 x y
- * u  = fx xd + skew yd + cx,   v = fy yd + cy
- * </pre>
- * (D. C. Brown, "Decentering distortion of lenses", 1966; BoofCV calls p1, p2 t1, t2). Pixel centres are at +0.5.
+ * <p>The lens is a {@link BrownLens}, a pinhole with radial and tangential distortion or none, unless another is named.
+ * Whatever the lens, the first five values are fx, fy, cx, cy and skew. Pixel centres are at +0.5.
  */
 public final class PinholeCamera {
     /** Index of fx (px) in an intrinsics array; also the order of derivatives by intrinsics. */
@@ -26,41 +20,49 @@ public final class PinholeCamera {
     public static final int CY = 3;
     /** Index of the skew (px). */
     public static final int SKEW = 4;
-    /** Index of the first radial coefficient. */
-    public static final int K1 = 5;
-    /** Index of the second radial coefficient. */
-    public static final int K2 = 6;
-    /** Index of the third radial coefficient. */
-    public static final int K3 = 7;
-    /** Index of the first tangential coefficient. */
-    public static final int P1 = 8;
-    /** Index of the second tangential coefficient. */
-    public static final int P2 = 9;
-    /** Length of an intrinsics array. */
-    public static final int INTRINSICS = 10;
+    /** Two vectors along one direction differ by less, in units of their length. */
+    private static final double SAME_RAY = 2e-6;
 
+    private final Lens lens;
     private final int widthPx;
     private final int heightPx;
     private final double[] intrinsics;
 
-    private PinholeCamera(int widthPx, int heightPx, double[] intrinsics) {
+    private PinholeCamera(Lens lens, int widthPx, int heightPx, double[] intrinsics) {
+        this.lens = lens;
         this.widthPx = widthPx;
         this.heightPx = heightPx;
         this.intrinsics = intrinsics;
     }
 
     /**
-     * A camera of an intrinsics array.
+     * A camera with a {@link BrownLens}.
      *
      * @param widthPx image width, at least 1
      * @param heightPx image height, at least 1
-     * @param intrinsics {@value #INTRINSICS} values in the order of the index constants; copied
+     * @param intrinsics {@value BrownLens#PARAMETERS} values in the order of the index constants; copied
      * @return the camera
      * @throws IllegalArgumentException if a value is not finite, a focal length not positive or the size not positive
      */
     public static PinholeCamera of(int widthPx, int heightPx, double[] intrinsics) {
-        if (intrinsics.length != INTRINSICS) {
-            throw new IllegalArgumentException("intrinsics take " + INTRINSICS + " values, not " + intrinsics.length);
+        return of(BrownLens.MODEL, widthPx, heightPx, intrinsics);
+    }
+
+    /**
+     * A camera with any lens.
+     *
+     * @param lens its model
+     * @param widthPx image width, at least 1
+     * @param heightPx image height, at least 1
+     * @param intrinsics values of the lens's parameters; copied
+     * @return the camera
+     * @throws IllegalArgumentException if there are more or fewer values than parameters, one is not finite, a focal
+     *     length not positive or the size not positive
+     */
+    public static PinholeCamera of(Lens lens, int widthPx, int heightPx, double[] intrinsics) {
+        if (intrinsics.length != lens.parameterCount()) {
+            throw new IllegalArgumentException("intrinsics take " + lens.parameterCount() + " values, not "
+                    + intrinsics.length);
         }
         for (double v : intrinsics) {
             if (!Double.isFinite(v)) {
@@ -73,7 +75,7 @@ public final class PinholeCamera {
         if (widthPx < 1 || heightPx < 1) {
             throw new IllegalArgumentException("image size must be positive: " + widthPx + " x " + heightPx);
         }
-        return new PinholeCamera(widthPx, heightPx, intrinsics.clone());
+        return new PinholeCamera(lens, widthPx, heightPx, intrinsics.clone());
     }
 
     /**
@@ -89,7 +91,7 @@ public final class PinholeCamera {
      * @throws IllegalArgumentException as {@link #of(int, int, double[])}
      */
     public static PinholeCamera ideal(int widthPx, int heightPx, double fxPx, double fyPx, double cxPx, double cyPx) {
-        double[] values = new double[INTRINSICS];
+        double[] values = new double[BrownLens.PARAMETERS];
         values[FX] = fxPx;
         values[FY] = fyPx;
         values[CX] = cxPx;
@@ -108,7 +110,18 @@ public final class PinholeCamera {
         double[] values = intrinsics.clone();
         values[FX] = fxPx;
         values[FY] = fyPx;
-        return of(widthPx, heightPx, values);
+        return withIntrinsics(values);
+    }
+
+    /**
+     * The same camera with other values of its lens's parameters.
+     *
+     * @param values as in {@link #intrinsics()}; copied
+     * @return a new camera
+     * @throws IllegalArgumentException as {@link #of(Lens, int, int, double[])}
+     */
+    public PinholeCamera withIntrinsics(double[] values) {
+        return of(lens, widthPx, heightPx, values);
     }
 
     /**
@@ -153,7 +166,7 @@ public final class PinholeCamera {
         values[SKEW] *= x;
         values[FY] *= y;
         values[CY] *= y;
-        return of(newWidthPx, newHeightPx, values);
+        return of(lens, newWidthPx, newHeightPx, values);
     }
 
     /**
@@ -170,7 +183,7 @@ public final class PinholeCamera {
         double[] values = intrinsics.clone();
         values[CX] -= leftPx;
         values[CY] -= topPx;
-        return of(newWidthPx, newHeightPx, values);
+        return of(lens, newWidthPx, newHeightPx, values);
     }
 
     /**
@@ -202,6 +215,15 @@ public final class PinholeCamera {
     }
 
     /**
+     * The model of the lens.
+     *
+     * @return the lens
+     */
+    public Lens lens() {
+        return lens;
+    }
+
+    /**
      * Image width.
      *
      * @return px
@@ -222,8 +244,8 @@ public final class PinholeCamera {
     /**
      * One intrinsic value.
      *
-     * @param index one of the index constants
-     * @return the value (px for fx, fy, cx, cy, skew; no unit for the distortion coefficients)
+     * @param index one of the index constants, of this class or of the lens
+     * @return the value (px for fx, fy, cx, cy, skew; no unit for the coefficients of the lens)
      */
     public double get(int index) {
         return intrinsics[index];
@@ -232,20 +254,19 @@ public final class PinholeCamera {
     /**
      * All intrinsics.
      *
-     * @return a copy, {@value #INTRINSICS} values
+     * @return a copy, in the order of {@link Lens#parameterNames()}
      */
     public double[] intrinsics() {
         return intrinsics.clone();
     }
 
     /**
-     * Whether the lens distorts at all.
+     * Whether the lens bends straight lines, {@link Lens#isDistorting}.
      *
-     * @return true if a distortion coefficient differs from 0
+     * @return false for an ideal pinhole
      */
-    public boolean hasDistortion() {
-        return intrinsics[K1] != 0 || intrinsics[K2] != 0 || intrinsics[K3] != 0 || intrinsics[P1] != 0
-                || intrinsics[P2] != 0;
+    public boolean isDistorting() {
+        return lens.isDistorting(intrinsics);
     }
 
     /**
@@ -254,28 +275,66 @@ public final class PinholeCamera {
      * @param x x in the camera frame, mm
      * @param y y in the camera frame, mm
      * @param z z in the camera frame, mm
-     * @return u, v in px, or null if the point is not in front of the camera (z not positive)
+     * @return u, v in px, or null if the lens cannot see the point, {@link Lens#project}
      */
     public double @Nullable [] project(double x, double y, double z) {
         double[] uv = new double[2];
-        return Projection.project(intrinsics, x, y, z, uv, 0) ? uv : null;
+        return lens.project(intrinsics, x, y, z, uv, 0) ? uv : null;
     }
 
     /**
-     * Inverse of the lens model: the undistorted normalised point of a pixel position, by Newton's method on the
-     * distortion from the optical axis outwards.
+     * Projects a point of the camera frame, and makes sure that it is the one seen there: beyond the radius where a
+     * lens model folds over, a point has an image where the light of another one falls.
+     *
+     * @param x x in the camera frame, mm
+     * @param y y in the camera frame, mm
+     * @param z z in the camera frame, mm
+     * @return u, v in px, or null if the camera cannot see the point
+     */
+    public double[] image(double x, double y, double z) {
+        double[] uv = new double[2];
+        double[] ray = new double[3];
+        if (!lens.project(intrinsics, x, y, z, uv, 0) || !lens.toRay(intrinsics, uv[0], uv[1], ray)) {
+            return null;
+        }
+        double scale = Math.sqrt((ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]) / (x * x + y * y + z * z));
+        return Math.abs(ray[0] - scale * x) + Math.abs(ray[1] - scale * y) + Math.abs(ray[2] - scale * z) < SAME_RAY
+                ? uv : null;
+    }
+
+    /**
+     * The direction that a pixel position shows, {@link Lens#toRay}.
+     *
+     * @param u pixel x
+     * @param v pixel y
+     * @param ray a vector along the direction in the camera frame, 3 values
+     * @return whether there is one
+     */
+    public boolean toRay(double u, double v, double[] ray) {
+        return lens.toRay(intrinsics, u, v, ray);
+    }
+
+    /**
+     * The undistorted normalised point of a pixel position: where the direction that it shows meets the plane z = 1.
      *
      * @param u pixel x
      * @param v pixel y
      * @param out x/z and y/z, 2 values
-     * @return whether it converged (to 1e-12); beyond the radius where the polynomial turns back it has no inverse
+     * @return whether there is one; not beyond the radius where the lens's polynomial turns back, and not at a right
+     *     angle to the axis or further off
      */
     public boolean toNormalised(double u, double v, double[] out) {
-        return Projection.toNormalised(intrinsics, u, v, out);
+        double[] ray = new double[3];
+        if (!lens.toRay(intrinsics, u, v, ray) || !(ray[2] > 0)) {
+            return false;
+        }
+        out[0] = ray[0] / ray[2];
+        out[1] = ray[1] / ray[2];
+        return true;
     }
 
     @Override
     public String toString() {
-        return widthPx + " x " + heightPx + " px, " + Arrays.toString(intrinsics);
+        return widthPx + " x " + heightPx + " px, " + lens.modelName() + " " + Arrays.toString(intrinsics);
     }
 }

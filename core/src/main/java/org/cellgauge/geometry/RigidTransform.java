@@ -117,6 +117,18 @@ public final class RigidTransform {
     }
 
     /**
+     * The pose moved in frame a: shifted along its axes, and turned about the pose's own origin.
+     *
+     * @param shiftMm 3 values along the axes of a, mm
+     * @param turnRad rotation vector in the axes of a, 3 values, rad
+     * @return {@code aFromB} of the moved b
+     */
+    public RigidTransform displaced(double[] shiftMm, double[] turnRad) {
+        RigidTransform turned = ofRotationVector(turnRad, new double[3]).compose(new RigidTransform(rotation, 0, 0, 0));
+        return of(turned.rotation, new double[] {tx + shiftMm[0], ty + shiftMm[1], tz + shiftMm[2]});
+    }
+
+    /**
      * Moves a point.
      *
      * @param x x in frame b, mm

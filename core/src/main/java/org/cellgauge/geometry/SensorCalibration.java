@@ -1,13 +1,13 @@
 package org.cellgauge.geometry;
 
+import static org.cellgauge.geometry.BrownLens.K1;
+import static org.cellgauge.geometry.BrownLens.P1;
+import static org.cellgauge.geometry.BrownLens.P2;
+import static org.cellgauge.geometry.BrownLens.PARAMETERS;
 import static org.cellgauge.geometry.PinholeCamera.CX;
 import static org.cellgauge.geometry.PinholeCamera.CY;
 import static org.cellgauge.geometry.PinholeCamera.FX;
 import static org.cellgauge.geometry.PinholeCamera.FY;
-import static org.cellgauge.geometry.PinholeCamera.INTRINSICS;
-import static org.cellgauge.geometry.PinholeCamera.K1;
-import static org.cellgauge.geometry.PinholeCamera.P1;
-import static org.cellgauge.geometry.PinholeCamera.P2;
 import static org.cellgauge.geometry.PinholeCamera.SKEW;
 
 import java.util.Arrays;
@@ -57,7 +57,7 @@ public final class SensorCalibration {
             throw new IllegalArgumentException("a calibration takes 5 values and 5 of distortion, not "
                     + Arrays.toString(intrinsicCalibration) + " and " + Arrays.toString(distortion));
         }
-        double[] values = new double[INTRINSICS];
+        double[] values = new double[PARAMETERS];
         values[FX] = intrinsicCalibration[0];
         values[FY] = intrinsicCalibration[1];
         values[CX] = intrinsicCalibration[2] + before.leftPx();
@@ -91,7 +91,7 @@ public final class SensorCalibration {
      */
     public static SensorCalibration ofDataSheet(double focalLengthMm, double sensorWidthMm, double sensorHeightMm,
             int sensorWidthPx, int sensorHeightPx, PixelArea active) {
-        double[] values = new double[INTRINSICS];
+        double[] values = new double[PARAMETERS];
         values[FX] = focalLengthMm / sensorWidthMm * sensorWidthPx;
         values[FY] = focalLengthMm / sensorHeightMm * sensorHeightPx;
         values[CX] = active.leftPx() + active.widthPx() / 2;
@@ -124,7 +124,7 @@ public final class SensorCalibration {
         values[CX] = scale * (values[CX] - seen.leftPx());
         values[CY] = scale * (values[CY] - seen.topPx());
         if (lensCorrected) {
-            Arrays.fill(values, K1, INTRINSICS, 0);
+            Arrays.fill(values, K1, PARAMETERS, 0);
         }
         return PinholeCamera.of(streamWidthPx, streamHeightPx, values);
     }

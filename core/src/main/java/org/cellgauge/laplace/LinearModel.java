@@ -12,8 +12,10 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.CornerErrors;
+import org.cellgauge.pose.Observations;
 import org.cellgauge.pose.PoseMode;
 import org.cellgauge.pose.ReferenceNoise;
+import org.cellgauge.pose.StateLayout;
 import org.cellgauge.settings.ObjectNoise;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
@@ -48,27 +50,44 @@ public final class LinearModel {
 
     /** Camera pose at the mode with its Laplace covariance. */
     public PoseEstimate cameraPose() {
-        double[][] a = new double[6][columns];
-        double[] p = state.offset;
+        return cameraPose(camera.view, mode, 0);
+    }
+
+    /**
+     * Camera pose of a view at a mode of any number of views, with its Laplace covariance.
+     *
+     * @param seen what the mode was fitted to
+     * @param mode the mode
+     * @param view 0 to views - 1
+     * @return pose in the world
+     */
+    public static PoseEstimate cameraPose(Observations seen, PoseMode mode, int view) {
+        RigidTransform cameraFromSet = mode.state().cameraFromSet(view);
+        double[] worldFromCamera = new double[9];
+        Rotations.transpose(cameraFromSet.rotation(), worldFromCamera);
+        double[] p = cameraFromSet.translationMm();
+        int columns = mode.dimension();
+        int dp = mode.layout().pose(view);
+        int dw = dp + 3;
+        double[][] a = new double[StateLayout.POSE][columns];
         for (int i = 0; i < 3; i++) {
             double rx = worldFromCamera[3 * i];
             double ry = worldFromCamera[3 * i + 1];
             double rz = worldFromCamera[3 * i + 2];
-            a[i][0] = -rx;
-            a[i][1] = -ry;
-            a[i][2] = -rz;
+            a[i][dp] = -rx;
+            a[i][dp + 1] = -ry;
+            a[i][dp + 2] = -rz;
             // minus R^T (p x dw)
-            a[i][3] = -(ry * p[2] - rz * p[1]);
-            a[i][4] = -(rz * p[0] - rx * p[2]);
-            a[i][5] = -(rx * p[1] - ry * p[0]);
-            a[3 + i][3] = -rx;
-            a[3 + i][4] = -ry;
-            a[3 + i][5] = -rz;
+            a[i][dw] = -(ry * p[2] - rz * p[1]);
+            a[i][dw + 1] = -(rz * p[0] - rx * p[2]);
+            a[i][dw + 2] = -(rx * p[1] - ry * p[0]);
+            a[3 + i][dw] = -rx;
+            a[3 + i][dw + 1] = -ry;
+            a[3 + i][dw + 2] = -rz;
         }
-        double[][] tangent = new double[6][6];
+        double[][] tangent = new double[StateLayout.POSE][StateLayout.POSE];
         Matrices.addSandwich(a, mode.covariance(), columns, tangent);
-        RigidTransform pose = camera.view.worldFromCamera(state.cameraFromSet());
-        return pose("camera in world", pose, tangent);
+        return pose("camera in world", seen.worldFromCamera(cameraFromSet), tangent);
     }
 
     /** A pose of its transform and tangent covariance. */
@@ -110,12 +129,13 @@ public final class LinearModel {
 
     /** Covariance of the unknown intrinsics. */
     public double[][] intrinsicsCovariance() {
-        int n = camera.intrinsicsPrior.count();
+        int n = mode.layout().intrinsicsCount();
+        int first = mode.layout().intrinsics();
         double[][] out = new double[n][n];
         double[] c = mode.covariance();
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {
-                out[i][j] = c[(6 + i) * columns + 6 + j];
+                out[i][j] = c[(first + i) * columns + first + j];
             }
         }
         return out;
@@ -165,10 +185,11 @@ public final class LinearModel {
                     a[3 + i][5] = -rz;
                 }
             }
-            for (int f = 6; f < columns; f++) {
+            int poses = mode.layout().poses();
+            for (int f = poses; f < columns; f++) {
                 for (int i = 0; i < a.length; i++) {
                     for (int k = 0; k < 6; k++) {
-                        a[i][f] += byObject[i][k] * byShared[k][f - 6];
+                        a[i][f] += byObject[i][k] * byShared[k][f - poses];
                     }
                 }
             }
@@ -284,12 +305,14 @@ public final class LinearModel {
             double[] exactCorners = diagonal(a, mode.covariance(), columns);
             add(exactCorners, ownVariance(arm, VarianceBudget.CORNER_NOISE_OF_OBJECT));
             left.put(VarianceBudget.CORNER_NOISE_OF_OBJECT, exactCorners);
-            int shared = 6 + camera.intrinsicsPrior.count();
-            if (shared > 6) {
+            StateLayout layout = mode.layout();
+            int shared = layout.shared();
+            if (layout.intrinsicsCount() > 0) {
                 double[] prior = new double[columns * columns];
-                for (int f = 6; f < shared; f++) {
-                    for (int g = 6; g < shared; g++) {
-                        prior[f * columns + g] = camera.intrinsicsPrior.information(f - 6, g - 6);
+                int first = layout.intrinsics();
+                for (int f = 0; f < layout.intrinsicsCount(); f++) {
+                    for (int g = 0; g < layout.intrinsicsCount(); g++) {
+                        prior[(first + f) * columns + first + g] = camera.intrinsicsPrior.information(f, g);
                     }
                 }
                 variances.put(VarianceBudget.INTRINSICS, priorPart(a, prior));
@@ -386,9 +409,9 @@ public final class LinearModel {
         if (errors.hasFlatness()) {
             put(out, VarianceBudget.FLATNESS_OF_PRINTS, flat);
         }
-        int shared = 6 + camera.intrinsicsPrior.count();
+        int shared = mode.layout().shared();
         boolean[] known = new boolean[columns];
-        java.util.Arrays.fill(known, 6, shared, true);
+        java.util.Arrays.fill(known, mode.layout().intrinsics(), shared, true);
         putKnown(out, VarianceBudget.INTRINSICS, information, known);
         for (String source : new String[] {CornerErrors.EDGES, CornerErrors.SIZES}) {
             for (int f = 0; f < columns; f++) {

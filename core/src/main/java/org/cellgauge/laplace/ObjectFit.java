@@ -5,6 +5,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.pose.IntrinsicsPrior;
@@ -39,10 +40,24 @@ public final class ObjectFit {
 
     /** The modes of an object's pose at the intrinsics, shared unknowns and noise of a camera; empty where none is. */
     public static List<PoseMode> modes(ObjectMarker marker, CornerErrors errors, CameraState camera) {
-        PinholeCamera lens = PinholeCamera.of(1, 1, camera.intrinsics);
+        PinholeCamera lens = PinholeCamera.of(camera.lens, 1, 1, camera.intrinsics);
         double[] corners = errors.cornersPx(marker.id(), camera.unknowns);
         return errors.isPlain() ? MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.statedStdPx())
                 : MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.whitening(marker.id(), camera.noise));
+    }
+
+    /**
+     * An object whose corners are exactly where its pose has them: nothing is searched for.
+     *
+     * @param cameraFromObject its pose in the camera frame
+     * @return the object; null where the corners do not determine that pose
+     */
+    static ObjectFit at(ObjectMarker marker, CornerErrors errors, CameraState camera,
+            RigidTransform cameraFromObject) {
+        PinholeCamera lens = PinholeCamera.of(1, 1, camera.intrinsics);
+        ObjectFit unfitted = new ObjectFit(marker, errors, camera, List.of());
+        PoseMode mode = unfitted.fitTo(unfitted.cornersPx).modeAt(CameraState.of(cameraFromObject, lens));
+        return mode == null ? null : new ObjectFit(marker, errors, camera, List.of(mode));
     }
 
     /** The same object before another camera; the same where that leads to no pose. */
@@ -94,7 +109,7 @@ public final class ObjectFit {
                     normal[6 * a + b] += j[row * all + a] * j[row * all + b];
                 }
                 for (int f = 0; f < n; f++) {
-                    right[f][a] -= j[row * all + a] * j[row * all + 6 + f];
+                    right[f][a] -= j[row * all + a] * j[row * all + fit.layout().intrinsics() + f];
                 }
             }
         }

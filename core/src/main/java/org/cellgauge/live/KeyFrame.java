@@ -3,6 +3,7 @@ package org.cellgauge.live;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.QuickLook;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.Refusal;
 
 /** The frame that figures belong to, and how far its check has come. For one thread. */
 final class KeyFrame {
@@ -15,7 +16,7 @@ final class KeyFrame {
     /** The newest figures. */
     CheckUpdate update;
     /** Why the chains could not run; null while nothing speaks against them. */
-    String refusal;
+    Refusal refusal;
 
     KeyFrame(Detections detections, long number, QuickLook quickLook) {
         this.detections = detections;

@@ -11,21 +11,24 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellPhrase;
+import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 
 /**
  * One subscription of a live check. Everything that happens is handed to one worker, so that nothing below {@code on…}
@@ -53,7 +56,7 @@ final class LiveSession {
     private final List<Integer> missingReferences = new ArrayList<>();
     private final List<Integer> missingObjects = new ArrayList<>();
     private double displacementPx = Double.NaN;
-    private String refusal;
+    private Refusal refusal;
     private KeyFrame key;
     private RigidTransform lastWorldFromCamera;
     private int framesWithoutReference;
@@ -167,10 +170,9 @@ final class LiveSession {
         displacementPx = key == null ? Double.NaN
                 : Stillness.displacementPx(cell, key.detections, frame.detections);
         if (!sizeFits(frame.detections)) {
-            drop(String.format(Locale.ROOT, "%s: the image is %d x %d px, but the camera was calibrated for "
-                    + "%d x %d px; give the cell the camera of this image size", frame.detections.imageName(),
+            drop(Refusal.at(Place.of(frame.detections.imageName()), CellRefusal.IMAGE_SIZE,
                     frame.detections.widthPx(), frame.detections.heightPx(), cell.camera().widthPx(),
-                    cell.camera().heightPx()));
+                    cell.camera().heightPx(), CellPhrase.CAMERA_OF_THIS_SIZE));
         } else if (!referenceSeen) {
             withoutReference();
         } else {
@@ -215,7 +217,7 @@ final class LiveSession {
             return;
         }
         running = null;
-        key.refusal = error.getMessage();
+        key.refusal = ((InputRefusedException) error).refusal();
         // chains begin without it: with it the quick look of the next frame could accept what they refuse again
         lastWorldFromCamera = null;
         publish();
@@ -276,7 +278,7 @@ final class LiveSession {
         return ids;
     }
 
-    private void drop(String why) {
+    private void drop(Refusal why) {
         stopChains();
         key = null;
         refusal = why;
@@ -293,7 +295,7 @@ final class LiveSession {
             lastWorldFromCamera = key.update.estimate().camera().meanTransform();
             displacementPx = 0;
         } catch (InputRefusedException e) {
-            refusal = e.getMessage();
+            refusal = e.refusal();
         }
     }
 
@@ -371,10 +373,10 @@ final class LiveSession {
     }
 
     private LiveState state() {
-        String message = key == null ? refusal : key.refusal;
-        boolean figures = key != null && message == null;
+        Refusal why = key == null ? refusal : key.refusal;
+        boolean figures = key != null && why == null;
         LiveState.Phase phase;
-        if (message != null) {
+        if (why != null) {
             phase = LiveState.Phase.REFUSED;
         } else if (key == null) {
             phase = LiveState.Phase.SEARCHING;
@@ -393,6 +395,6 @@ final class LiveSession {
         }
         return new LiveState(phase, newest.detections, newest.number, figures ? key.detections : null,
                 figures ? key.number : 0, figures ? key.update : null, missingReferences, missingObjects,
-                figures ? displacementPx : Double.NaN, message);
+                figures ? displacementPx : Double.NaN, why);
     }
 }

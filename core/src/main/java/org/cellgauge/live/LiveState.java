@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.Refusal;
 
 /**
  * What a live check knows at one moment; immutable.
@@ -23,7 +24,7 @@ public final class LiveState {
         SAMPLING,
         /** The check of the key frame has ended; {@code update().result()} has the verdict. */
         RESULT,
-        /** The frame cannot be estimated; {@link LiveState#message()} says why; there are no figures. */
+        /** The frame cannot be estimated; {@link LiveState#refusal()} says why; there are no figures. */
         REFUSED
     }
 
@@ -36,11 +37,11 @@ public final class LiveState {
     private final List<Integer> missingReferences;
     private final List<Integer> missingObjects;
     private final double displacementPx;
-    private final String message;
+    private final Refusal refusal;
 
     LiveState(Phase phase, Detections detections, long frameNumber, Detections keyFrame, long keyFrameNumber,
             CheckUpdate update, List<Integer> missingReferences, List<Integer> missingObjects, double displacementPx,
-            String message) {
+            Refusal refusal) {
         this.phase = phase;
         this.detections = detections;
         this.frameNumber = frameNumber;
@@ -50,7 +51,7 @@ public final class LiveState {
         this.missingReferences = Collections.unmodifiableList(new ArrayList<>(missingReferences));
         this.missingObjects = Collections.unmodifiableList(new ArrayList<>(missingObjects));
         this.displacementPx = displacementPx;
-        this.message = message;
+        this.refusal = refusal;
     }
 
     /**
@@ -149,9 +150,9 @@ public final class LiveState {
     /**
      * Why the frame was refused.
      *
-     * @return a sentence with its remedy, or null where it was not
+     * @return what is wrong and the remedy, or null where it was not
      */
-    public String message() {
-        return message;
+    public Refusal refusal() {
+        return refusal;
     }
 }

@@ -7,7 +7,6 @@ import java.io.StringWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalInt;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
@@ -21,6 +20,7 @@ import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.placement.MisplacedReference;
 import org.cellgauge.placement.NoiseFit;
@@ -30,7 +30,8 @@ import org.cellgauge.placement.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.Setting;
+import org.cellgauge.settings.SettingTable;
 import org.cellgauge.statistics.Angles;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Ellipse;
@@ -50,8 +51,6 @@ public final class ResultJson {
 
     private static final List<String> POSE_ORDER = List.of("x_mm", "y_mm", "z_mm", "psi_rad", "theta_rad", "phi_rad");
     private static final List<String> TANGENT_ORDER = List.of("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad");
-    private static final String[] INTRINSIC_NAMES = {"fx_px", "fy_px", "cx_px", "cy_px", "skew_px", "k1", "k2", "k3",
-        "p1", "p2"};
 
     private static final int[] QUANTILE_PERCENT = {5, 50, 95};
 
@@ -78,9 +77,23 @@ public final class ResultJson {
      * @return JSON in ASCII, ended by a line feed
      */
     public static String of(CheckResult result, String inputName, String inputSha256, String version) {
+        return of(result, inputName, inputSha256, version, null);
+    }
+
+    /**
+     * The JSON of a result with the command that makes it again.
+     *
+     * @param result what a check found
+     * @param inputName name of the photo or detections file, without its folder
+     * @param inputSha256 SHA-256 of the file's bytes, hexadecimal; null where the input was no file
+     * @param version version of this program
+     * @param command what makes the same figures again, or null where nothing does
+     * @return JSON in ASCII, ended by a line feed
+     */
+    public static String of(CheckResult result, String inputName, String inputSha256, String version, String command) {
         ResultJson writer = new ResultJson(result);
         try {
-            writer.write(inputName, inputSha256, version);
+            writer.write(inputName, inputSha256, version, command);
         } catch (IOException e) {
             throw new IllegalStateException("writing into memory cannot fail", e);
         }
@@ -100,7 +113,7 @@ public final class ResultJson {
         return out.toString();
     }
 
-    private void write(String inputName, String inputSha256, String version) throws IOException {
+    private void write(String inputName, String inputSha256, String version, String command) throws IOException {
         json.beginObject();
         json.name("schema").value(SCHEMA);
         json.name("verdict").value(result.verdict().key());
@@ -168,6 +181,9 @@ public final class ResultJson {
             json.value(warning.toString());
         }
         json.endArray();
+        if (command != null) {
+            json.name("command").value(command);
+        }
         json.name("version").value(version);
         json.endObject();
         json.flush();
@@ -235,38 +251,20 @@ public final class ResultJson {
     private void settings() throws IOException {
         CheckSettings s = result.settings();
         json.beginObject();
-        json.name("model").value(s.model().likelihood().word());
-        number("kappa", s.model().kappa());
-        json.name("sampler").value(s.sampling().sampler().word());
-        json.name("sampler_used").value(result.samplerUsed().word());
-        json.name("chains").value(s.sampling().chains());
-        OptionalInt fixed = s.sampling().iterations();
-        json.name("iterations");
-        if (fixed.isPresent()) {
-            json.value(fixed.getAsInt());
-        } else {
-            json.nullValue();
+        for (Setting<?> setting : SettingTable.all()) {
+            if (!setting.determinesFigures()) {
+                continue;
+            }
+            json.name(setting.key());
+            plain(setting == SettingTable.WARMUP ? Integer.valueOf(result.warmup()) : setting.plain(s));
+            if (setting == SettingTable.SAMPLER) {
+                json.name("sampler_used").value(result.samplerUsed().word());
+            } else if (setting == SettingTable.MAX_ITERATIONS) {
+                json.name("iterations_run").value(result.iterationsPerChain());
+            } else if (setting == SettingTable.POSE_PRIOR_ALLOWED) {
+                json.name("pose_prior").value(result.posePrior());
+            }
         }
-        number("target_mcse_std_rel", fixed.isPresent() ? Double.NaN : s.sampling().targetMcseStdRel());
-        json.name("max_iterations");
-        if (fixed.isPresent()) {
-            json.nullValue();
-        } else {
-            json.value(s.sampling().maxIterations());
-        }
-        json.name("iterations_run").value(result.iterationsPerChain());
-        json.name("warmup").value(result.warmup());
-        json.name("seed").value(s.sampling().seed());
-        json.name("estimate").value(s.model().estimate().word());
-        number("focal_prior_std_px", s.model().estimate() == Estimate.FOCAL ? s.model().focalPriorStdPx() : Double.NaN);
-        // none where two focal lengths are independent
-        number("aspect_prior_std", s.model().estimate() == Estimate.FOCAL ? s.model().aspectPriorStd() : Double.NaN);
-        json.name("initial").value(s.sampling().initial().word());
-        json.name("start").value(word(s.sampling().start()));
-        json.name("object_noise").value(s.model().objectNoise().word());
-        json.name("rotation_prior").value(word(s.model().rotationPrior()));
-        json.name("pose_prior_allowed").value(s.model().posePriorAllowed());
-        json.name("pose_prior").value(result.posePrior());
         number("pixel_std_px", result.pixelStdPx());
         json.name("pixel_std_px_from").value(cell.pixelStdPx().isPresent() ? "cell file" : "photo");
         json.name("tone_curve").value(cell.toneCurve() == null ? "auto" : cell.toneCurve().words());
@@ -313,13 +311,29 @@ public final class ResultJson {
         return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
+    /** A value as settings have it. */
+    private void plain(Object value) throws IOException {
+        if (value instanceof Number) {
+            json.value((Number) value);
+        } else if (value instanceof Boolean) {
+            json.value((Boolean) value);
+        } else {
+            json.value((String) value);
+        }
+    }
+
     private void cameraIntrinsics() throws IOException {
         PinholeCamera camera = cell.camera();
         json.beginObject();
         json.name("width_px").value(camera.widthPx());
         json.name("height_px").value(camera.heightPx());
-        for (int i = 0; i < INTRINSIC_NAMES.length; i++) {
-            number(INTRINSIC_NAMES[i], camera.get(i));
+        if (camera.lens() != BrownLens.MODEL) {
+            // without the key it is the lens that all files of this format had before there was another
+            json.name("lens").value(camera.lens().modelName());
+        }
+        List<String> names = camera.lens().parameterNames();
+        for (int i = 0; i < names.size(); i++) {
+            number(names.get(i), camera.get(i));
         }
         json.endObject();
     }

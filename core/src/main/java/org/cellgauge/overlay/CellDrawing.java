@@ -161,17 +161,16 @@ final class CellDrawing {
         if (unknown == null) {
             return camera;
         }
-        double fx = camera.get(PinholeCamera.FX);
-        double fy = camera.get(PinholeCamera.FY);
+        double[] intrinsics = camera.intrinsics();
         for (int i = 0; i < unknown.names().size(); i++) {
+            int index = camera.lens().parameterNames().indexOf(unknown.names().get(i));
             double value = unknown.mean()[i];
-            if (value > 0 && unknown.names().get(i).equals("fx_px")) {
-                fx = value;
-            } else if (value > 0 && unknown.names().get(i).equals("fy_px")) {
-                fy = value;
+            // a wrong estimate is to be drawn as well, as long as it is one of a camera
+            if (Double.isFinite(value) && (value > 0 || index != PinholeCamera.FX && index != PinholeCamera.FY)) {
+                intrinsics[index] = value;
             }
         }
-        return camera.withFocal(fx, fy);
+        return camera.withIntrinsics(intrinsics);
     }
 
     // ---- world

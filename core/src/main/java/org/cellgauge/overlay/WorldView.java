@@ -10,17 +10,14 @@ import org.cellgauge.geometry.RigidTransform;
  * camera, beyond the reach of its lens model or outside the image.
  */
 final class WorldView {
-    /** Points nearer to the camera's plane than this count as not in front of it. */
+    /** Points nearer to the camera's plane than this count as not in front of it; nearer to a fisheye, as too near. */
     static final double NEAR_MM = 1;
     /** Pieces a line is cut into, so that the lens bends it: 1/64 of the image bends by far less than a pixel. */
     private static final int PIECES = 64;
-    private static final double FOLD_SCAN_STEP = 1e-3;
-    /** 87 degrees off the axis; nothing a pinhole camera sees lies beyond. */
-    private static final double LARGEST_RADIUS = 20;
 
     private final PinholeCamera camera;
     private final RigidTransform cameraFromWorld;
-    private final double largestRadius;
+    private final double reachRad;
     private final ImageOrientation orientation;
     private final double width;
     private final double height;
@@ -31,36 +28,15 @@ final class WorldView {
         this.width = orientation.uprightWidthPx(camera.widthPx(), camera.heightPx());
         this.height = orientation.uprightHeightPx(camera.widthPx(), camera.heightPx());
         this.cameraFromWorld = worldFromCamera.inverse();
-        this.largestRadius = foldRadius(camera);
-    }
-
-    /**
-     * Where the radial polynomial r (1 + k1 r² + k2 r⁴ + k3 r⁶) stops growing: its model puts points beyond back into
-     * the image, where no light of theirs falls.
-     *
-     * @param camera the camera
-     * @return undistorted normalised radius, at most {@value #LARGEST_RADIUS}
-     */
-    static double foldRadius(PinholeCamera camera) {
-        double k1 = camera.get(PinholeCamera.K1);
-        double k2 = camera.get(PinholeCamera.K2);
-        double k3 = camera.get(PinholeCamera.K3);
-        if (k1 == 0 && k2 == 0 && k3 == 0) {
-            return LARGEST_RADIUS;
-        }
-        for (double r = FOLD_SCAN_STEP; r < LARGEST_RADIUS; r += FOLD_SCAN_STEP) {
-            double s = r * r;
-            if (1 + s * (3 * k1 + s * (5 * k2 + s * 7 * k3)) <= 0) {
-                return r - FOLD_SCAN_STEP;
-            }
-        }
-        return LARGEST_RADIUS;
+        this.reachRad = camera.lens().reachRad(camera.intrinsics());
     }
 
     /** The pixel position of a point of the world, perhaps outside the image; null where the camera cannot see it. */
     double[] project(double[] worldMm) {
         double[] p = cameraFromWorld.apply(worldMm);
-        if (!(p[2] > NEAR_MM) || !(Math.hypot(p[0], p[1]) / p[2] < largestRadius)) {
+        double across = Math.hypot(p[0], p[1]);
+        double near = camera.lens().isWide() ? Math.hypot(across, p[2]) : p[2];
+        if (!(near > NEAR_MM) || !(Math.atan2(across, p[2]) < reachRad)) {
             return null;
         }
         double[] uv = camera.project(p[0], p[1], p[2]);

@@ -124,7 +124,7 @@ public final class NoiseFit {
         double[] intrinsics = cell.camera().intrinsics();
         prior.setWhitened(rows, intrinsics);
         return intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0 ? of(cell, errors,
-                PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(), intrinsics)) : null;
+                cell.camera().withIntrinsics(intrinsics)) : null;
     }
 
     private boolean isSquarerThan(NoiseFit other) {

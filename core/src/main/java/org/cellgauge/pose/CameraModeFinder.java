@@ -4,8 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import org.cellgauge.cell.Placement;
-import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.ejml.data.DMatrixRMaj;
@@ -13,8 +11,9 @@ import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
 /**
- * Modes of the camera pose given all references: damped Gauss-Newton with the placement errors of the references
- * linearised, and the residual covariances frozen, at the mode itself; repeated until all agree.
+ * Modes of the camera's pose, or of its poses in several views, given all references: damped Gauss-Newton with the
+ * placement errors of the references linearised, and the residual covariances frozen, at the mode itself; repeated until
+ * all agree. Placement errors and unknown intrinsics are the same in all views.
  */
 public final class CameraModeFinder {
     private static final int MAX_FREEZES = 100;
@@ -31,9 +30,10 @@ public final class CameraModeFinder {
     /** Length in stated deviations beyond which a reference's placement error is not followed. */
     private static final double FARTHEST_STDS = 6;
     private static final double SMALLEST_SHARE = 0.25;
+    private static final int ERROR = StateLayout.POSE;
     private static final double[] IDENTITY = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-    private final ReferenceView view;
+    private final Observations view;
     private final PinholeCamera camera;
     private final ReferenceNoise noise;
     private final IntrinsicsPrior intrinsicsPrior;
@@ -42,13 +42,13 @@ public final class CameraModeFinder {
     /**
      * A finder.
      *
-     * @param view references seen
+     * @param view references seen, in one view or several
      * @param camera intrinsics; unknown ones start at these values
      * @param noise covariance of the residuals
      * @param intrinsicsPrior unknown intrinsics
      * @param posePrior prior of the pose, or null for a flat one
      */
-    public CameraModeFinder(ReferenceView view, PinholeCamera camera, ReferenceNoise noise,
+    public CameraModeFinder(Observations view, PinholeCamera camera, ReferenceNoise noise,
             IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
         this.view = view;
         this.camera = camera;
@@ -73,28 +73,49 @@ public final class CameraModeFinder {
      * that is nearly flat and small in the image may be seen mirrored: Schweighofer and Pinz, PAMI 2006); and the one
      * or two poses of every reference alone. A start that leads where another one has led is not followed.
      *
-     * @param worldFromCamera start
+     * @param worldFromCamera start, of the only view
      * @return the modes with any weight, the heaviest first; empty if the start does not lead to a mode
+     * @throws IllegalArgumentException if there are several views
      */
     public List<PoseMode> modes(RigidTransform worldFromCamera) {
-        RigidTransform start = view.cameraFromSet(worldFromCamera);
+        return modes(Collections.singletonList(worldFromCamera));
+    }
+
+    /**
+     * Finds the modes of several views. Other starts are tried in one view at a time, with the other views where the
+     * first mode has them.
+     *
+     * @param worldFromCameras start, by view
+     * @return the modes with any weight, the heaviest first; empty if the start does not lead to a mode
+     * @throws IllegalArgumentException if there are not as many starts as views
+     */
+    public List<PoseMode> modes(List<RigidTransform> worldFromCameras) {
+        if (worldFromCameras.size() != view.views()) {
+            throw new IllegalArgumentException("needs a start for each of " + view.views() + " views");
+        }
+        List<RigidTransform> start = new ArrayList<>();
+        for (RigidTransform worldFromCamera : worldFromCameras) {
+            start.add(view.cameraFromSet(worldFromCamera));
+        }
         PoseMode first = fitFrom(start, Collections.emptyList());
         if (first == null) {
             return Collections.emptyList();
         }
         List<PoseMode> found = new ArrayList<>();
         found.add(first);
-        List<RigidTransform> visited = new ArrayList<>();
-        visited.add(first.state().cameraFromSet());
+        List<List<RigidTransform>> visited = new ArrayList<>();
+        visited.add(poses(first));
         RigidTransform planeFromSet = planeFromSet();
-        RigidTransform cameraFromPlane = visited.get(0).compose(planeFromSet.inverse());
-        follow(MarkerPoseFinder.mirrored(cameraFromPlane).compose(planeFromSet), found, visited);
-        for (int m = 0; m < view.size(); m++) {
-            List<RigidTransform> poses = posesOf(m);
-            double reach = poses.size() < 2 ? REACH_RAD : poses.get(0).angleRadTo(poses.get(1)) / 4;
-            for (RigidTransform pose : poses) {
-                if (!near(pose, visited, reach)) {
-                    follow(pose, found, visited);
+        for (int v = 0; v < view.views(); v++) {
+            RigidTransform cameraFromPlane = visited.get(0).get(v).compose(planeFromSet.inverse());
+            follow(v, MarkerPoseFinder.mirrored(cameraFromPlane).compose(planeFromSet), found, visited);
+            for (int m = 0; m < view.size(); m++) {
+                List<RigidTransform> poses = posesOf(m, v);
+                double reach = poses.size() < 2 ? REACH_RAD : poses.get(0).angleRadTo(poses.get(1)) / 4;
+                for (RigidTransform pose : poses) {
+                    if (!near(v, pose, visited, reach)) {
+                        follow(v, pose, found, visited);
+                    }
                 }
             }
         }
@@ -130,33 +151,69 @@ public final class CameraModeFinder {
         return found;
     }
 
-    private void follow(RigidTransform start, List<PoseMode> found, List<RigidTransform> visited) {
+    /**
+     * The mode of corners that are exactly where poses have them, references at their nominal places: nothing is
+     * searched for.
+     *
+     * @param worldFromCameras camera in world, by view
+     * @return the mode, or null where a corner is not in front of a camera, or the poses are not determined
+     */
+    public PoseMode at(List<RigidTransform> worldFromCameras) {
+        List<RigidTransform> poses = new ArrayList<>();
+        for (RigidTransform worldFromCamera : worldFromCameras) {
+            poses.add(view.cameraFromSet(worldFromCamera));
+        }
+        CameraState state = state(poses);
+        Linearisation errors = new Linearisation(PlacedReferences.nominal(view));
+        ReprojectionFit fit = fit(errors);
+        return errors.freeze(state) && fit.freeze(errors.noise, state) ? fit.modeAt(state, errors.placed) : null;
+    }
+
+    private static List<RigidTransform> poses(PoseMode mode) {
+        CameraState state = mode.state();
+        List<RigidTransform> poses = new ArrayList<>();
+        for (int v = 0; v < state.views(); v++) {
+            poses.add(state.cameraFromSet(v));
+        }
+        return poses;
+    }
+
+    /** Follows another pose in one view. */
+    private void follow(int inView, RigidTransform pose, List<PoseMode> found, List<List<RigidTransform>> visited) {
+        List<RigidTransform> start = new ArrayList<>(visited.get(0));
+        start.set(inView, pose);
         visited.add(start);
-        PoseMode mode = start.translationMm()[2] > 0 ? fitFrom(start, found) : null;
+        PoseMode mode = pose.translationMm()[2] > 0 ? fitFrom(start, found) : null;
         if (mode != null && !isKnown(mode.state(), found, SAME_MODE_STDS)) {
             found.add(mode);
-            visited.add(mode.state().cameraFromSet());
+            visited.add(poses(mode));
         }
     }
 
-    private static boolean near(RigidTransform pose, List<RigidTransform> visited, double reachRad) {
-        for (RigidTransform other : visited) {
-            if (pose.angleRadTo(other) < reachRad) {
+    private static boolean near(int inView, RigidTransform pose, List<List<RigidTransform>> visited, double reachRad) {
+        for (List<RigidTransform> other : visited) {
+            if (pose.angleRadTo(other.get(inView)) < reachRad) {
                 return true;
             }
         }
         return false;
     }
 
-    /** The poses of the set that explain one reference alone. */
-    private List<RigidTransform> posesOf(int marker) {
-        Reference reference = view.references().get(marker);
-        RigidTransform markerFromSet = reference.worldFromMarker().inverse()
-                .compose(RigidTransform.of(IDENTITY, view.centroidMm()));
+    /** The poses of the set in one view that explain one marker alone; none where it is not in it or is no marker. */
+    private List<RigidTransform> posesOf(int marker, int inView) {
+        Body body = view.bodies().get(marker);
         List<RigidTransform> poses = new ArrayList<>();
-        double[] corners = Arrays.copyOfRange(view.observed(), 8 * marker, 8 * marker + 8);
-        for (PoseMode mode : MarkerPoseFinder.modes(corners, reference.sizeMm(), camera, 1)) {
-            poses.add(mode.state().cameraFromSet().compose(markerFromSet));
+        BlockLayout blocks = view.blocks();
+        for (int time = 0; time < blocks.timesSeen(marker); time++) {
+            if (blocks.view(marker, time) == inView && !Double.isNaN(body.markerSizeMm())) {
+                RigidTransform markerFromSet = body.worldFromBody().inverse()
+                        .compose(RigidTransform.of(IDENTITY, view.centroidMm()));
+                int first = blocks.firstRow(marker) + 2 * blocks.points(marker) * time;
+                double[] corners = Arrays.copyOfRange(view.observed(), first, first + 2 * blocks.points(marker));
+                for (PoseMode mode : MarkerPoseFinder.modes(corners, body.markerSizeMm(), camera, 1)) {
+                    poses.add(mode.state().cameraFromSet().compose(markerFromSet));
+                }
+            }
         }
         return poses;
     }
@@ -198,7 +255,7 @@ public final class CameraModeFinder {
             double[] step = state.stepFrom(mode.state());
             double[] covariance = mode.covariance();
             double squared = 0;
-            for (int i = 0; i < 6; i++) {
+            for (int i = 0; i < step.length; i++) {
                 squared += step[i] * step[i] / covariance[i * mode.dimension() + i];
             }
             if (squared < stds * stds) {
@@ -221,21 +278,29 @@ public final class CameraModeFinder {
      * @param known modes found; the search is given up where it comes to one of these or lies hopelessly above them
      * @return null if there is none, or the search is given up
      */
-    private PoseMode fitFrom(RigidTransform cameraFromSet, List<PoseMode> known) {
+    private PoseMode fitFrom(List<RigidTransform> cameraFromSets, List<PoseMode> known) {
         double hopeless = Double.POSITIVE_INFINITY;
         for (PoseMode mode : known) {
             hopeless = Math.min(hopeless, mode.halfChiSquare() + HOPELESS);
         }
-        CameraState state = CameraState.of(cameraFromSet, camera);
+        return converged(state(cameraFromSets), new Linearisation(PlacedReferences.nominal(view)), known, hopeless);
+    }
+
+    private CameraState state(List<RigidTransform> cameraFromSets) {
+        CameraState state = CameraState.of(cameraFromSets, camera);
         state.unknowns = new double[view.unknowns()];
         state.noise = noise.noise();
-        return converged(state, new Linearisation(PlacedReferences.nominal(view)), known, hopeless);
+        return state;
+    }
+
+    private ReprojectionFit fit(Linearisation errors) {
+        return new ReprojectionFit(view.blocks(), errors.points, errors.observed, view.columns(), view.unknowns(),
+                intrinsicsPrior, posePrior);
     }
 
     private PoseMode converged(CameraState state, Linearisation errors, List<PoseMode> known, double hopeless) {
-        ReprojectionFit fit = new ReprojectionFit(errors.points, errors.observed, view.columns(), view.unknowns(),
-                intrinsicsPrior, posePrior);
-        CameraState before = new CameraState();
+        ReprojectionFit fit = fit(errors);
+        CameraState before = state.copy();
         double cost = Double.NaN;
         for (int i = 0; i < MAX_FREEZES; i++) {
             before.copyFrom(state);
@@ -253,22 +318,23 @@ public final class CameraModeFinder {
             }
             errors.move(fit);
         }
-        return PoseMode.of(fit, state, cost, view.size(), errors.placed);
+        return PoseMode.of(fit, state, cost, errors.placed);
     }
 
     private double squaredStep(CameraState before, CameraState state, ReprojectionFit fit) {
         double[] step = state.stepFrom(before);
+        StateLayout layout = fit.layout();
         double squared = 0;
-        for (int k = 0; k < 6; k++) {
+        for (int k = 0; k < layout.poses(); k++) {
             squared += step[k] * step[k] * fit.information()[k * fit.columns() + k];
         }
-        for (int k = 0; k < intrinsicsPrior.count(); k++) {
+        for (int k = 0; k < layout.intrinsicsCount(); k++) {
             double d = state.intrinsics[intrinsicsPrior.index(k)] - before.intrinsics[intrinsicsPrior.index(k)];
-            squared += d * d * fit.information()[(6 + k) * (fit.columns() + 1)];
+            squared += d * d * fit.information()[(layout.intrinsics() + k) * (fit.columns() + 1)];
         }
-        for (int k = 0; k < view.unknowns(); k++) {
+        for (int k = 0; k < layout.sharedCount(); k++) {
             double d = state.unknowns[k] - before.unknowns[k];
-            squared += d * d * fit.information()[(6 + intrinsicsPrior.count() + k) * (fit.columns() + 1)];
+            squared += d * d * fit.information()[(layout.shared() + k) * (fit.columns() + 1)];
         }
         return squared;
     }
@@ -280,10 +346,13 @@ public final class CameraModeFinder {
         PlacedReferences placed;
         ReferenceNoise noise;
         private final boolean rigid = CameraModeFinder.this.noise.hasRigidPlacement();
-        private final int size = rigid ? 6 * view.size() : 0;
-        private final double[] jacobian = new double[8 * size];
+        private final BlockLayout blocks = view.blocks();
+        private final int size = rigid ? ERROR * view.size() : 0;
+        private final double[] jacobian = new double[rigid ? ERROR * blocks.firstRow(view.size()) : 0];
+        private final double[] one = new double[rigid ? ERROR * blocks.mostRows() : 0];
+        private final double[] byPlain = new double[blocks.mostRows()];
         private final double[] errors;
-        /** The errors in their stated deviations, and what the residuals say they are. */
+        /** The errors in their stated deviations (the e of {@link Body#placementRoot}), and what residuals say. */
         private final double[] stated = new double[size];
         private final double[] wanted = new double[size];
         private double lastChange = Double.POSITIVE_INFINITY;
@@ -293,9 +362,16 @@ public final class CameraModeFinder {
             placed = start;
             noise = CameraModeFinder.this.noise.about(start);
             errors = start.errors();
-            for (int k = 0; k < size; k++) {
-                // an error of no deviation is zero
-                stated[k] = errors[k] == 0 ? 0 : errors[k] / std(k / 6, k % 6);
+            for (int m = 0; m < size / ERROR; m++) {
+                Body body = view.bodies().get(m);
+                for (int i = 0; i < ERROR; i++) {
+                    double left = errors[ERROR * m + i];
+                    for (int k = 0; k < i; k++) {
+                        left -= body.placementRoot(i, k) * stated[ERROR * m + k];
+                    }
+                    // an error of no deviation is zero
+                    stated[ERROR * m + i] = left == 0 ? 0 : left / body.placementRoot(i, i);
+                }
             }
         }
 
@@ -304,19 +380,19 @@ public final class CameraModeFinder {
             if (!rigid) {
                 return true;
             }
-            double[] one = new double[48];
             System.arraycopy(placed.points(), 0, points, 0, points.length);
             for (int m = 0; m < view.size(); m++) {
                 if (!noise.placementJacobian(state, m, one)) {
                     return false;
                 }
-                System.arraycopy(one, 0, jacobian, 48 * m, 48);
-                for (int i = 0; i < 8; i++) {
+                int first = blocks.firstRow(m);
+                System.arraycopy(one, 0, jacobian, ERROR * first, ERROR * blocks.rows(m));
+                for (int i = 0; i < blocks.rows(m); i++) {
                     double moved = 0;
-                    for (int c = 0; c < 6; c++) {
-                        moved += one[6 * i + c] * errors[6 * m + c];
+                    for (int c = 0; c < ERROR; c++) {
+                        moved += one[ERROR * i + c] * errors[ERROR * m + c];
                     }
-                    observed[8 * m + i] = view.observed()[8 * m + i] + moved;
+                    observed[first + i] = view.observed()[first + i] + moved;
                 }
             }
             return true;
@@ -330,25 +406,36 @@ public final class CameraModeFinder {
         /** Length of the change that the residuals ask for, in stated deviations. */
         private double change(ReprojectionFit fit) {
             double squares = 0;
+            double[] byError = new double[ERROR];
             for (int m = 0; m < view.size(); m++) {
-                double[] byPlain = new double[8];
-                for (int i = 0; i < 8; i++) {
+                int rows = blocks.rows(m);
+                int first = blocks.firstRow(m);
+                Arrays.fill(byPlain, 0);
+                for (int i = 0; i < rows; i++) {
                     for (int k = 0; k <= i; k++) {
-                        byPlain[k] += fit.whitening()[64 * m + 8 * i + k] * fit.residuals()[8 * m + i];
+                        byPlain[k] += fit.whitening()[blocks.firstEntry(m) + rows * i + k] * fit.residuals()[first + i];
                     }
                 }
-                double length = 0;
-                for (int c = 0; c < 6; c++) {
+                for (int c = 0; c < ERROR; c++) {
                     double sum = 0;
-                    for (int i = 0; i < 8; i++) {
-                        sum -= jacobian[48 * m + 6 * i + c] * byPlain[i];
+                    for (int i = 0; i < rows; i++) {
+                        sum -= jacobian[ERROR * (first + i) + c] * byPlain[i];
                     }
-                    wanted[6 * m + c] = sum * std(m, c);
-                    length += wanted[6 * m + c] * wanted[6 * m + c];
+                    byError[c] = sum;
+                }
+                Body body = view.bodies().get(m);
+                double length = 0;
+                for (int c = 0; c < ERROR; c++) {
+                    double e = 0;
+                    for (int k = c; k < ERROR; k++) {
+                        e += byError[k] * body.placementRoot(k, c);
+                    }
+                    wanted[ERROR * m + c] = e;
+                    length += e * e;
                 }
                 // a foreign marker must not be followed wherever its corners are: any point of linearisation is valid
                 double shrink = Math.min(1, FARTHEST_STDS / Math.sqrt(length));
-                for (int c = 6 * m; c < 6 * m + 6; c++) {
+                for (int c = ERROR * m; c < ERROR * (m + 1); c++) {
                     wanted[c] = length > 0 ? wanted[c] * shrink : 0;
                     squares += (wanted[c] - stated[c]) * (wanted[c] - stated[c]);
                 }
@@ -368,15 +455,19 @@ public final class CameraModeFinder {
             lastChange = change;
             for (int k = 0; k < size; k++) {
                 stated[k] += share * (wanted[k] - stated[k]);
-                errors[k] = stated[k] * std(k / 6, k % 6);
+            }
+            for (int m = 0; m < view.size(); m++) {
+                Body body = view.bodies().get(m);
+                for (int i = 0; i < ERROR; i++) {
+                    double error = 0;
+                    for (int k = 0; k <= i; k++) {
+                        error += stated[ERROR * m + k] * body.placementRoot(i, k);
+                    }
+                    errors[ERROR * m + i] = error;
+                }
             }
             placed = PlacedReferences.of(view, errors);
             noise = CameraModeFinder.this.noise.about(placed);
-        }
-
-        private double std(int marker, int coordinate) {
-            Placement placement = view.references().get(marker).placement();
-            return coordinate < 3 ? placement.stdMm(coordinate) : placement.stdRad();
         }
     }
 }

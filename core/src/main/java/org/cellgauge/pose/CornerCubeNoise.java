@@ -2,8 +2,8 @@ package org.cellgauge.pose;
 
 import java.util.Arrays;
 import org.cellgauge.cell.Placement;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 
 /**
  * Residual covariance of the thesis' likelihood: every corner on its own, with deviations read off a projected box.
@@ -74,13 +74,16 @@ public final class CornerCubeNoise implements ReferenceNoise {
      * @param halfAt index of the x extent in {@code half}
      * @param centresPx receives the projected corners, 8 values
      * @param stdPx receives the deviations in u and v of each corner, 8 values
-     * @return false if a corner or a vertex is not in front of the camera
+     * @return false if the lens cannot see a corner or a vertex
      */
     public static boolean markerStdPx(CameraState state, double[] points, int at, double[] half, int halfAt,
             double[] centresPx, double[] stdPx) {
         double[] r = state.rotation;
         double[] intrinsics = state.intrinsics;
-        boolean ideal = isIdeal(intrinsics);
+        Lens lens = state.lens;
+        // image axes along those of the camera, and no lens that bends
+        boolean ideal = !lens.isDistorting(intrinsics) && intrinsics[PinholeCamera.SKEW] == 0;
+        boolean wide = lens.isWide();
         double hx = half[halfAt];
         double hy = half[halfAt + 1];
         double hz = half[halfAt + 2];
@@ -108,20 +111,23 @@ public final class CornerCubeNoise implements ReferenceNoise {
             double cy = r[3] * x + r[4] * y + r[5] * z + state.offset[1];
             double cz = r[6] * x + r[7] * y + r[8] * z + state.offset[2];
             // the vertex nearest to the camera decides whether all are in front of it
-            if (!(cz - deepest > 0)) {
+            if (!wide && !(cz - deepest > 0)) {
                 return false;
             }
             if (!ideal) {
-                Projection.project(intrinsics, cx, cy, cz, centresPx, k);
+                boolean seen = lens.project(intrinsics, cx, cy, cz, centresPx, k);
                 stdPx[k] = 0;
                 stdPx[k + 1] = 0;
                 for (int i = -1; i <= 1; i += 2) {
                     for (int j = -1; j <= 1; j += 2) {
-                        widen(intrinsics, cx + xx + i * yx + j * zx, cy + xy + i * yy + j * zy,
+                        seen = seen && widen(lens, intrinsics, cx + xx + i * yx + j * zx, cy + xy + i * yy + j * zy,
                                 cz + xz + i * yz + j * zz, centresPx, stdPx, k);
-                        widen(intrinsics, cx - xx - i * yx - j * zx, cy - xy - i * yy - j * zy,
+                        seen = seen && widen(lens, intrinsics, cx - xx - i * yx - j * zx, cy - xy - i * yy - j * zy,
                                 cz - xz - i * yz - j * zz, centresPx, stdPx, k);
                     }
+                }
+                if (!seen) {
+                    return false;
                 }
                 continue;
             }
@@ -151,20 +157,17 @@ public final class CornerCubeNoise implements ReferenceNoise {
     }
 
     /** Widens the deviations of a corner to one vertex through a lens with distortion. */
-    private static void widen(double[] intrinsics, double x, double y, double z, double[] centresPx, double[] stdPx,
-            int k) {
+    private static boolean widen(Lens lens, double[] intrinsics, double x, double y, double z, double[] centresPx,
+            double[] stdPx, int k) {
         double u = centresPx[k];
         double v = centresPx[k + 1];
-        Projection.project(intrinsics, x, y, z, centresPx, k);
+        if (!lens.project(intrinsics, x, y, z, centresPx, k)) {
+            return false;
+        }
         stdPx[k] = Math.max(stdPx[k], Math.abs(centresPx[k] - u));
         stdPx[k + 1] = Math.max(stdPx[k + 1], Math.abs(centresPx[k + 1] - v));
         centresPx[k] = u;
         centresPx[k + 1] = v;
-    }
-
-    private static boolean isIdeal(double[] intrinsics) {
-        return intrinsics[PinholeCamera.K1] == 0 && intrinsics[PinholeCamera.K2] == 0
-                && intrinsics[PinholeCamera.K3] == 0 && intrinsics[PinholeCamera.P1] == 0
-                && intrinsics[PinholeCamera.P2] == 0 && intrinsics[PinholeCamera.SKEW] == 0;
+        return true;
     }
 }

@@ -11,6 +11,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
@@ -82,6 +83,18 @@ public final class CornerErrors {
      * @return their errors, no marker set aside
      */
     public static CornerErrors of(Cell cell, Detections detections) {
+        return of(cell, detections, null);
+    }
+
+    /**
+     * The errors of markers whose poses are known beforehand, as where a layout is only thought of.
+     *
+     * @param cell the cell
+     * @param detections where their corners would be; ids foreign to the cell are ignored
+     * @param cameraFromMarkers their poses in the camera frame, by id; null: they are found from the corners
+     * @return their errors
+     */
+    public static CornerErrors of(Cell cell, Detections detections, Map<Integer, RigidTransform> cameraFromMarkers) {
         List<MarkerErrors.Source> seen = new ArrayList<>();
         for (Reference r : cell.references()) {
             addSeen(detections.find(r.id()), r.sizeMm(), seen);
@@ -106,7 +119,8 @@ public final class CornerErrors {
         Map<Integer, MarkerErrors> markers = new LinkedHashMap<>();
         List<Double> variances = new ArrayList<>();
         for (MarkerErrors.Source m : seen) {
-            MarkerErrors errors = errors(cell, m, stated, largest, edges, sizes, q);
+            RigidTransform pose = cameraFromMarkers == null ? null : cameraFromMarkers.get(m.observation.id());
+            MarkerErrors errors = errors(cell, m, pose, stated, largest, edges, sizes, q);
             markers.put(m.observation.id(), errors);
             variances.add(meanVariance(errors.covariancePx2));
         }
@@ -149,8 +163,8 @@ public final class CornerErrors {
         return out;
     }
 
-    private static MarkerErrors errors(Cell cell, MarkerErrors.Source m, double stated, double[] otherwise,
-            EdgeModel edges, List<Double> sizes, int q) {
+    private static MarkerErrors errors(Cell cell, MarkerErrors.Source m, RigidTransform known, double stated,
+            double[] otherwise, EdgeModel edges, List<Double> sizes, int q) {
         boolean unknown = Double.isNaN(stated);
         double[] corners = m.observation.cornersPx();
         double[] covariance = unknown ? m.observation.covariancePx2() : isotropic(stated * stated);
@@ -181,8 +195,11 @@ public final class CornerErrors {
         Squareness squareness = null;
         double[] flatness = null;
         if (unknown || !sizes.isEmpty() || cell.prints().flatnessMm() > 0) {
-            List<PoseMode> modes = MarkerPoseFinder.modes(corners, m.sizeMm, cell.camera(), 1);
-            double[] by = modes.isEmpty() ? null : MarkerErrors.bySizeAndHeight(modes.get(0).state(), m.sizeMm);
+            List<PoseMode> modes = known != null && !unknown ? Collections.emptyList()
+                    : MarkerPoseFinder.modes(corners, m.sizeMm, cell.camera(), 1);
+            CameraState pose = !modes.isEmpty() ? modes.get(0).state()
+                    : known != null ? CameraState.of(known, cell.camera()) : null;
+            double[] by = pose == null ? null : MarkerErrors.bySizeAndHeight(pose, m.sizeMm);
             int size = sizes.indexOf(m.sizeMm);
             if (by != null && size >= 0) {
                 for (int i = 0; i < 8; i++) {

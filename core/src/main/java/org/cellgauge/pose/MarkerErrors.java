@@ -1,6 +1,5 @@
 package org.cellgauge.pose;
 
-import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.vision.MarkerObservation;
 
 /** What is known of the errors of one marker's corners, part of {@link CornerErrors}; immutable. */
@@ -65,15 +64,14 @@ final class MarkerErrors {
         double[] r = state.rotation;
         double[] uv = new double[2];
         double[] byPoint = new double[6];
-        double[] byIntrinsics = new double[2 * PinholeCamera.INTRINSICS];
         double[] out = new double[16];
         for (int k = 0; k < 4; k++) {
             double[] arm = new double[3];
             for (int i = 0; i < 3; i++) {
                 arm[i] = r[3 * i] * points[3 * k] + r[3 * i + 1] * points[3 * k + 1];
             }
-            if (!org.cellgauge.geometry.Projection.projectWithDerivatives(state.intrinsics, arm[0] + state.offset[0],
-                    arm[1] + state.offset[1], arm[2] + state.offset[2], uv, byPoint, byIntrinsics)) {
+            if (!state.lens.projectWithDerivatives(state.intrinsics, arm[0] + state.offset[0],
+                    arm[1] + state.offset[1], arm[2] + state.offset[2], uv, byPoint, null)) {
                 return null;
             }
             for (int c = 0; c < 2; c++) {

@@ -105,15 +105,11 @@ public final class MarkerPoseFinder {
     }
 
     private static PoseMode fitFrom(ReprojectionFit fit, RigidTransform pose, PinholeCamera camera) {
-        if (!(pose.translationMm()[2] > 0)) {
+        if (!camera.lens().isWide() && !(pose.translationMm()[2] > 0)) {
             return null;
         }
         CameraState state = CameraState.of(pose, camera);
-        if (Double.isNaN(fit.fit(state))) {
-            return null;
-        }
-        double cost = fit.evaluate(state, true);
-        return PoseMode.of(fit, state, cost, 1);
+        return Double.isNaN(fit.fit(state)) ? null : fit.modeAt(state);
     }
 
     /**

@@ -28,7 +28,7 @@ public final class PlacedReferences {
      * @param view the references
      * @return their places without errors
      */
-    public static PlacedReferences nominal(ReferenceView view) {
+    public static PlacedReferences nominal(Observations view) {
         return of(view, new double[6 * view.size()]);
     }
 
@@ -41,7 +41,7 @@ public final class PlacedReferences {
      * @return where they stand
      * @throws IllegalArgumentException if there are not 6 values per reference
      */
-    public static PlacedReferences of(ReferenceView view, double[] errors) {
+    public static PlacedReferences of(Observations view, double[] errors) {
         int n = view.size();
         if (errors.length != 6 * n) {
             throw new IllegalArgumentException("needs " + 6 * n + " values, not " + errors.length);
@@ -56,7 +56,7 @@ public final class PlacedReferences {
             double wy = errors[6 * m + 4];
             double wz = errors[6 * m + 5];
             Rotations.exp(wx, wy, wz, turn);
-            for (int k = 12 * m; k < 12 * m + 12; k += 3) {
+            for (int k = 3 * view.blocks().firstPoint(m); k < 3 * view.blocks().firstPoint(m + 1); k += 3) {
                 for (int i = 0; i < 3; i++) {
                     arms[k + i] = turn[3 * i] * nominalArms[k] + turn[3 * i + 1] * nominalArms[k + 1]
                             + turn[3 * i + 2] * nominalArms[k + 2];
@@ -83,12 +83,12 @@ public final class PlacedReferences {
         return errors[6 * marker + coordinate];
     }
 
-    /** Corners relative to the nominal centroid, 12 values per reference, world axes, mm; shared in the package. */
+    /** Corners relative to the nominal centroid, 3 values per point, world axes, mm; shared in the package. */
     double[] points() {
         return points;
     }
 
-    /** Corners relative to their own marker's centre, 12 values per reference, world axes, mm; shared. */
+    /** Corners relative to their own marker's centre, 3 values per point, world axes, mm; shared. */
     double[] arms() {
         return arms;
     }

@@ -1,13 +1,14 @@
 package org.cellgauge.pose;
 
+import java.util.Arrays;
 import org.cellgauge.geometry.Cholesky;
 
 /**
  * A mode of a pose posterior with what Laplace's approximation needs: where it is, its Fisher information, and the
  * derivative of its whitened residuals; immutable.
  *
- * <p>Order of all matrices: (dp x, y, z in mm; w x, y, z in rad, both of the centred chart in the camera frame; then
- * the unknown intrinsics in the order of {@link IntrinsicsPrior}; then the shared unknowns of {@link CornerErrors}).
+ * <p>Order of all matrices: that of {@link #layout()}, poses in the centred chart in the camera frame. What is asked of
+ * a marker is, where bodies are of other points or seen in several views, answered for the whole block.
  */
 public final class PoseMode {
     private final CameraState state;
@@ -20,7 +21,8 @@ public final class PoseMode {
     private final PlacedReferences placed;
     private final double[] covariance;
     private final int columns;
-    private final int markers;
+    private final StateLayout layout;
+    private final BlockLayout blocks;
     private final double halfChiSquare;
     private final double logWeight;
 
@@ -30,32 +32,18 @@ public final class PoseMode {
      * @param fit evaluated with derivatives at the state
      * @param state where the fit converged; copied
      * @param halfChiSquare half the sum of squares there
-     * @param markers number of markers fitted
-     * @return the mode, or null where its information is singular
-     */
-    static PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare, int markers) {
-        return of(fit, state, halfChiSquare, markers, null);
-    }
-
-    /**
-     * Reads a mode off a converged fit to references.
-     *
-     * @param fit evaluated with derivatives at the state
-     * @param state where the fit converged; copied
-     * @param halfChiSquare half the sum of squares there
-     * @param markers number of markers fitted
      * @param placed where placement errors were linearised, or null where there are none
      * @return the mode, or null where its information is singular
      */
-    static PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare, int markers,
+    static PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare,
             PlacedReferences placed) {
         double[] covariance = Cholesky.inverse(fit.information(), fit.columns());
-        return covariance == null ? null : new PoseMode(fit, state, halfChiSquare, markers, placed, covariance);
+        return covariance == null ? null : new PoseMode(fit, state, halfChiSquare, placed, covariance);
     }
 
-    private PoseMode(ReprojectionFit fit, CameraState state, double halfChiSquare, int markers,
+    private PoseMode(ReprojectionFit fit, CameraState state, double halfChiSquare,
             PlacedReferences placed, double[] covariance) {
-        this.state = new CameraState().copyFrom(state);
+        this.state = state.copy();
         this.jacobian = fit.jacobian().clone();
         this.residuals = fit.residuals().clone();
         this.whitening = fit.whitening().clone();
@@ -65,14 +53,16 @@ public final class PoseMode {
         this.placed = placed;
         this.covariance = covariance;
         this.columns = fit.columns();
-        this.markers = markers;
+        this.layout = fit.layout();
+        this.blocks = fit.blocks();
         this.halfChiSquare = halfChiSquare;
         double[] factor = covariance.clone();
         Cholesky.factor(factor, columns);
         double logWhitening = 0;
-        for (int m = 0; m < markers; m++) {
-            for (int i = 0; i < 8; i++) {
-                logWhitening += Math.log(whitening[64 * m + 9 * i]);
+        for (int m = 0; m < blocks.blocks(); m++) {
+            int rows = blocks.rows(m);
+            for (int i = 0; i < rows; i++) {
+                logWhitening += Math.log(whitening[blocks.firstEntry(m) + (rows + 1) * i]);
             }
         }
         logWeight = logWhitening - halfChiSquare + Cholesky.halfLogDeterminant(factor, columns);
@@ -84,13 +74,31 @@ public final class PoseMode {
      * @return a copy of the state
      */
     public CameraState state() {
-        return new CameraState().copyFrom(state);
+        return state.copy();
+    }
+
+    /**
+     * Which places of its matrices belong to what.
+     *
+     * @return the layout of the unknowns
+     */
+    public StateLayout layout() {
+        return layout;
+    }
+
+    /**
+     * How what it knows of image coordinates lies in arrays.
+     *
+     * @return a block per marker or body
+     */
+    public BlockLayout blocks() {
+        return blocks;
     }
 
     /**
      * Number of unknowns.
      *
-     * @return 6, one per unknown intrinsic and one per shared unknown
+     * @return size of the layout
      */
     public int dimension() {
         return columns;
@@ -118,12 +126,12 @@ public final class PoseMode {
      * Sum of squared whitened residuals of one marker.
      *
      * @param marker index of the marker
-     * @return chi-square of its 8 coordinates
+     * @return chi-square of its coordinates, 8 in one view
      */
     public double chiSquareOf(int marker) {
         double sum = 0;
-        for (int i = 0; i < 8; i++) {
-            sum += residuals[8 * marker + i] * residuals[8 * marker + i];
+        for (int i = blocks.firstRow(marker); i < blocks.firstRow(marker + 1); i++) {
+            sum += residuals[i] * residuals[i];
         }
         return sum;
     }
@@ -141,7 +149,7 @@ public final class PoseMode {
     /**
      * Whitening matrices frozen at this mode.
      *
-     * @return a copy, 64 values per marker, lower triangular 8x8 row by row, 1/px
+     * @return a copy in the order of {@link #blocks()}, of a marker in one view lower triangular 8x8 row by row, 1/px
      */
     public double[] whitening() {
         return whitening.clone();
@@ -150,7 +158,8 @@ public final class PoseMode {
     /**
      * Covariances of residuals by placement, frozen at this mode.
      *
-     * @return a copy, 64 values per marker, 8x8 row by row, px²; zeros where weights were given otherwise
+     * @return a copy in the order of {@link #blocks()}, of a marker in one view 8x8 row by row, px²; zeros where
+     *     weights were given otherwise
      */
     public double[] placementPx2() {
         return placement.clone();
@@ -159,7 +168,7 @@ public final class PoseMode {
     /**
      * Corners of the markers where the model is linearised: moved by the placement errors that fit this mode best.
      *
-     * @return a copy, 12 values per marker relative to the centre of the set, mm
+     * @return a copy, 3 values per point relative to the centre of the set, mm
      */
     public double[] pointsMm() {
         return points.clone();
@@ -170,7 +179,7 @@ public final class PoseMode {
      * each marker's placement error has moved them, so that the residuals are those of the nominal places. What markers
      * share is not taken off.
      *
-     * @return a copy, 8 values per marker, px
+     * @return a copy in the order of {@link #blocks()}, 8 values per marker in one view, px
      */
     public double[] comparedPx() {
         return observed.clone();
@@ -189,18 +198,21 @@ public final class PoseMode {
      * How the estimate answers to the image corners of one marker: the gain {@code C J_m^T W_m} of the linearised fit.
      *
      * @param marker index of the marker
-     * @return dimension x 8 row by row: change of the estimate by change of each observed coordinate, per px
+     * @return dimension x 8 (coordinates of its block) row by row: change of the estimate by change of each observed
+     *     coordinate, per px
      */
     public double[] gain(int marker) {
-        double[] gain = new double[columns * 8];
+        int rows = blocks.rows(marker);
+        int first = blocks.firstRow(marker);
+        double[] gain = new double[columns * rows];
         for (int c = 0; c < columns; c++) {
-            for (int i = 0; i < 8; i++) {
+            for (int i = 0; i < rows; i++) {
                 double s = 0;
                 for (int k = 0; k < columns; k++) {
-                    s += covariance[c * columns + k] * jacobian[(8 * marker + i) * columns + k];
+                    s += covariance[c * columns + k] * jacobian[(first + i) * columns + k];
                 }
                 for (int j = 0; j <= i; j++) {
-                    gain[8 * c + j] += s * whitening[64 * marker + 8 * i + j];
+                    gain[rows * c + j] += s * whitening[blocks.firstEntry(marker) + rows * i + j];
                 }
             }
         }
@@ -211,20 +223,20 @@ public final class PoseMode {
      * Whitened residuals of one marker, projected minus observed.
      *
      * @param marker index of the marker
-     * @return a copy of 8 values
+     * @return a copy, 8 values in one view
      */
     public double[] whitenedResiduals(int marker) {
-        return java.util.Arrays.copyOfRange(residuals, 8 * marker, 8 * marker + 8);
+        return Arrays.copyOfRange(residuals, blocks.firstRow(marker), blocks.firstRow(marker + 1));
     }
 
     /**
      * Derivative of the whitened residuals of one marker by the unknowns.
      *
      * @param marker index of the marker
-     * @return a copy, 8 x dimension row by row
+     * @return a copy, 8 (coordinates of its block) x dimension row by row
      */
     public double[] jacobian(int marker) {
-        return java.util.Arrays.copyOfRange(jacobian, 8 * marker * columns, 8 * (marker + 1) * columns);
+        return Arrays.copyOfRange(jacobian, blocks.firstRow(marker) * columns, blocks.firstRow(marker + 1) * columns);
     }
 
     /**
@@ -232,20 +244,22 @@ public final class PoseMode {
      * leaves of them.
      *
      * @param marker index of the marker
-     * @return 8x8 row by row; 0 in a direction that the pose absorbs entirely
+     * @return 8x8 (coordinates of its block squared) row by row; 0 in a direction that the pose absorbs entirely
      */
     public double[] redundancy(int marker) {
-        double[] out = new double[64];
-        for (int i = 0; i < 8; i++) {
-            for (int k = 0; k < 8; k++) {
+        int rows = blocks.rows(marker);
+        int first = blocks.firstRow(marker);
+        double[] out = new double[rows * rows];
+        for (int i = 0; i < rows; i++) {
+            for (int k = 0; k < rows; k++) {
                 double s = i == k ? 1 : 0;
                 for (int a = 0; a < columns; a++) {
                     for (int b = 0; b < columns; b++) {
-                        s -= jacobian[(8 * marker + i) * columns + a] * covariance[a * columns + b]
-                                * jacobian[(8 * marker + k) * columns + b];
+                        s -= jacobian[(first + i) * columns + a] * covariance[a * columns + b]
+                                * jacobian[(first + k) * columns + b];
                     }
                 }
-                out[8 * i + k] = s;
+                out[rows * i + k] = s;
             }
         }
         return out;
@@ -258,17 +272,22 @@ public final class PoseMode {
      * @param marker index of the marker
      * @return chi-square distributed with 2 degrees of freedom under the linearised model where nothing but the pose is
      *     unknown
+     * @throws IllegalStateException if this is a mode of other bodies than markers, or of several views
      */
     public double squareChiSquare(int marker) {
-        double[] byPose = new double[48];
+        if (!blocks.isMarkers()) {
+            throw new IllegalStateException("only a marker in one view leaves two such directions");
+        }
+        int first = blocks.firstRow(marker);
+        double[] byPose = new double[8 * StateLayout.POSE];
         for (int i = 0; i < 8; i++) {
-            System.arraycopy(jacobian, (8 * marker + i) * columns, byPose, 6 * i, 6);
+            System.arraycopy(jacobian, (first + i) * columns, byPose, StateLayout.POSE * i, StateLayout.POSE);
         }
         double sum = 0;
         for (double[] direction : Squareness.complement(byPose)) {
             double along = 0;
             for (int i = 0; i < 8; i++) {
-                along += direction[i] * residuals[8 * marker + i];
+                along += direction[i] * residuals[first + i];
             }
             sum += along * along;
         }
@@ -281,6 +300,6 @@ public final class PoseMode {
      * @return at least 1
      */
     public int markers() {
-        return markers;
+        return blocks.blocks();
     }
 }

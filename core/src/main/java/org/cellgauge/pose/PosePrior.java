@@ -1,5 +1,6 @@
 package org.cellgauge.pose;
 
+import java.util.Arrays;
 import org.cellgauge.geometry.Rotations;
 
 /**
@@ -10,6 +11,13 @@ import org.cellgauge.geometry.Rotations;
  * prior says so.
  */
 public final class PosePrior {
+    /** Deviation of places in the prior of a layout whose references leave directions open, mm. */
+    public static final double WEAK_STD_MM = 1000;
+    /** Deviation of rotations in it, rad. */
+    public static final double WEAK_STD_RAD = 0.7;
+    /** So many references may leave directions of the pose open. */
+    private static final int TOO_FEW = 2;
+
     private final CameraState base;
     private final double stdMm;
     private final double stdRad;
@@ -26,9 +34,29 @@ public final class PosePrior {
         if (!(stdMm > 0 && stdRad > 0)) {
             throw new IllegalArgumentException("prior deviations must be positive");
         }
-        this.base = new CameraState().copyFrom(base);
+        this.base = base.copy();
         this.stdMm = stdMm;
         this.stdRad = stdRad;
+    }
+
+    /**
+     * Whether references are so few that they may leave directions of the pose open.
+     *
+     * @param references number of references seen
+     * @return true for at most two
+     */
+    public static boolean isNeededFor(int references) {
+        return references <= TOO_FEW;
+    }
+
+    /**
+     * The weak prior of such layouts.
+     *
+     * @param base centre of the prior
+     * @return the prior
+     */
+    public static PosePrior weak(CameraState base) {
+        return new PosePrior(base, WEAK_STD_MM, WEAK_STD_RAD);
     }
 
     /**
@@ -58,6 +86,9 @@ public final class PosePrior {
      * @return the logarithm
      */
     public double logDensity(CameraState state, double[] scratch9, double[] scratch3) {
+        if (state.views() > 1) {
+            throw new IllegalArgumentException("the density is that of one view");
+        }
         double sum = 0;
         for (int i = 0; i < 3; i++) {
             double d = (state.offset[i] - base.offset[i]) / stdMm;
@@ -72,25 +103,23 @@ public final class PosePrior {
         return -0.5 * sum;
     }
 
-    /** Whitened residuals (6) and their derivative by a step of the chart (6 x columns), appended to a fit's rows. */
+    /** Whitened residuals (6 per view) and their derivative by a step of the chart, appended to a fit's rows. */
     void rows(CameraState state, double[] residuals, double[] jacobian, int firstRow, int columns) {
         double[] step = state.stepFrom(base);
         double[] byTurn = new double[9];
-        Rotations.inverseLeftJacobian(step[3], step[4], step[5], byTurn);
-        for (int i = 0; i < 6; i++) {
-            residuals[firstRow + i] = step[i] / (i < 3 ? stdMm : stdRad);
+        for (int i = 0; i < step.length; i++) {
+            residuals[firstRow + i] = step[i] / (i % StateLayout.POSE < 3 ? stdMm : stdRad);
         }
         if (jacobian == null) {
             return;
         }
-        for (int i = 0; i < 6; i++) {
-            int row = (firstRow + i) * columns;
-            java.util.Arrays.fill(jacobian, row, row + columns, 0);
-            if (i < 3) {
-                jacobian[row + i] = 1 / stdMm;
-            } else {
+        Arrays.fill(jacobian, firstRow * columns, (firstRow + step.length) * columns, 0);
+        for (int first = 0; first < step.length; first += StateLayout.POSE) {
+            Rotations.inverseLeftJacobian(step[first + 3], step[first + 4], step[first + 5], byTurn);
+            for (int i = 0; i < 3; i++) {
+                jacobian[(firstRow + first + i) * columns + first + i] = 1 / stdMm;
                 for (int j = 0; j < 3; j++) {
-                    jacobian[row + 3 + j] = byTurn[3 * (i - 3) + j] / stdRad;
+                    jacobian[(firstRow + first + 3 + i) * columns + first + 3 + j] = byTurn[3 * i + j] / stdRad;
                 }
             }
         }

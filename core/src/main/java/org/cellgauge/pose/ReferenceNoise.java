@@ -4,8 +4,9 @@ import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.settings.ModelSettings;
 
 /**
- * How far the eight image coordinates of a reference's corners may be from where the pose puts them: the covariance of
- * their residuals, split by what causes it.
+ * How far the image coordinates of a reference's corners, eight in one view, may be from where the pose puts them: the
+ * covariance of their residuals, split by what causes it. In several views it is the joint covariance of all
+ * coordinates of its block, in the order of {@link BlockLayout}.
  */
 public interface ReferenceNoise {
     /**
@@ -26,9 +27,10 @@ public interface ReferenceNoise {
      * Covariance of the residuals of one reference at a pose.
      *
      * @param state pose and intrinsics
-     * @param marker index of the reference in its {@link ReferenceView}
-     * @param placementPx2 receives the 8x8 part that comes from the placement of the reference, row by row, px²
-     * @param pixelPx2 receives the 8x8 part that comes from corner noise, row by row, px²
+     * @param marker index of the reference in its {@link Observations}
+     * @param placementPx2 receives the part that comes from the placement of the reference, 8x8 in one view, row by
+     *     row, px²
+     * @param pixelPx2 receives the part, as large, that comes from corner noise, row by row, px²
      * @return false, with the outputs undefined, if a corner is not in front of the camera
      */
     boolean covariance(CameraState state, int marker, double[] placementPx2, double[] pixelPx2);
@@ -66,8 +68,8 @@ public interface ReferenceNoise {
      *
      * @param state pose and intrinsics
      * @param marker index of the reference
-     * @param out 8x6 row by row: (u, v) of each corner by (shift along world x, y, z in mm; rotation vector in world
-     *     axes, rad), px per mm and per rad
+     * @param out 8x6 in one view, row by row: (u, v) of each corner by (shift along world x, y, z in mm; rotation vector
+     *     in world axes, rad), px per mm and per rad
      * @return false, with the output undefined, if a corner is not in front of the camera
      * @throws UnsupportedOperationException where there are no rigid placement errors
      */

@@ -1,17 +1,18 @@
 package org.cellgauge.pose;
 
+import java.util.Arrays;
 import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.geometry.DampedGaussNewton;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 
 /**
- * Least squares fit of a pose, and of unknown intrinsics, to image corners: damped Gauss-Newton in the centred chart.
+ * Least squares fit of a pose, or of those of several views, and of unknown intrinsics, to image corners, in the
+ * centred chart.
  *
- * <p>Minimises {@code |r|²/2}, r stacking per marker {@code W (projected - observed)} with W the whitening matrix
- * (inverse of the Cholesky factor of the residual covariance), one row per unknown intrinsic, one per unknown that
- * markers share ({@link CornerErrors}: observed corners less their columns count) and six per pose prior.
- * Damping is Marquardt's with Nielsen's update of the factor (Madsen, Nielsen, Tingleff, "Methods for non-linear least
- * squares problems", 2nd ed. 2004, algorithm 3.16).
+ * <p>Minimises {@code |r|²/2}, r stacking per block {@code W (projected - observed)} with W the whitening matrix
+ * (inverse of the Cholesky factor of the joint covariance of all that the views show of one body), one row per unknown
+ * intrinsic, one per unknown that markers share ({@link CornerErrors}: observed corners less their columns count) and
+ * six per view of a pose prior, by {@link DampedGaussNewton}.
  *
  * <p>Not thread-safe: it holds scratch arrays, so that a fit repeated for many draws allocates nothing.
  */
@@ -24,8 +25,9 @@ public final class ReprojectionFit {
     private final IntrinsicsPrior intrinsicsPrior;
     private final PosePrior posePrior;
     private final double[] byUnknowns;
+    private final BlockLayout blocks;
+    private final StateLayout layout;
     private final int unknowns;
-    private final int markers;
     private final int columns;
     private final int rows;
     private final double[] whitening;
@@ -33,18 +35,18 @@ public final class ReprojectionFit {
     private final double[] residuals;
     private final double[] jacobian;
     private final double[] information;
-    private final double[] damped;
     private final double[] gradient;
-    private final double[] step;
-    private final CameraState candidate = new CameraState();
+    private final DampedGaussNewton solver;
+    private final Chart chart = new Chart();
+    private final CameraState candidate;
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
-    private final double[] byIntrinsics = new double[2 * PinholeCamera.INTRINSICS];
-    private final double[] plainResiduals = new double[8];
+    private double[] byIntrinsics = {};
+    private final double[] plainResiduals;
     private final double[] plainJacobian;
 
     /**
-     * A fit.
+     * A fit to markers in one view.
      *
      * @param points corners relative to the centre of their set, 12 values per marker, mm; not copied
      * @param observed corners in the image, 8 values per marker, px; not copied
@@ -56,7 +58,7 @@ public final class ReprojectionFit {
     }
 
     /**
-     * A fit with unknowns that markers share. States have to hold as many of them.
+     * A fit to markers in one view with unknowns that they share. States have to hold as many of them.
      *
      * @param points corners relative to the centre of their set, 12 values per marker, mm; not copied
      * @param observed corners in the image, 8 values per marker, px; not copied
@@ -68,24 +70,45 @@ public final class ReprojectionFit {
      */
     public ReprojectionFit(double[] points, double[] observed, double[] byUnknowns, int unknowns,
             IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+        this(BlockLayout.ofMarkers(points.length / 12), points, observed, byUnknowns, unknowns, intrinsicsPrior,
+                posePrior);
+    }
+
+    /**
+     * A fit to bodies in any number of views. States have to be of as many views, and to hold as many shared unknowns.
+     *
+     * @param blocks how the arrays are ordered
+     * @param points points relative to the centre of the set, three values each, mm; not copied
+     * @param observed points in the images, in the order of the blocks, px; not copied
+     * @param byUnknowns change of these by each shared unknown, coordinates x unknowns row by row, px per unit; not
+     *     copied
+     * @param unknowns number of shared unknowns, standard normal beforehand
+     * @param intrinsicsPrior unknown intrinsics, the same in all views
+     * @param posePrior prior of the poses, or null for a flat one
+     */
+    public ReprojectionFit(BlockLayout blocks, double[] points, double[] observed, double[] byUnknowns, int unknowns,
+            IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+        this.blocks = blocks;
         this.points = points;
         this.observed = observed;
         this.intrinsicsPrior = intrinsicsPrior;
         this.posePrior = posePrior;
         this.byUnknowns = byUnknowns;
         this.unknowns = unknowns;
-        markers = points.length / 12;
-        columns = 6 + intrinsicsPrior.count() + unknowns;
-        rows = 8 * markers + intrinsicsPrior.count() + unknowns + (posePrior == null ? 0 : 6);
-        whitening = new double[64 * markers];
-        placement = new double[64 * markers];
+        layout = StateLayout.of(blocks.views(), intrinsicsPrior, unknowns);
+        columns = layout.size();
+        int n = blocks.blocks();
+        rows = blocks.firstRow(n) + intrinsicsPrior.count() + unknowns + (posePrior == null ? 0 : layout.poses());
+        whitening = new double[blocks.firstEntry(n)];
+        placement = new double[blocks.firstEntry(n)];
         residuals = new double[rows];
         jacobian = new double[rows * columns];
         information = new double[columns * columns];
-        damped = new double[columns * columns];
         gradient = new double[columns];
-        step = new double[columns];
-        plainJacobian = new double[8 * columns];
+        solver = new DampedGaussNewton(columns, DampedGaussNewton.Damping.NIELSEN, MAX_STEPS);
+        candidate = new CameraState(blocks.views());
+        plainResiduals = new double[blocks.mostRows()];
+        plainJacobian = new double[blocks.mostRows() * columns];
     }
 
     /**
@@ -94,10 +117,10 @@ public final class ReprojectionFit {
      * @param stdPx standard deviation of each coordinate, px, positive
      */
     public void setIsotropic(double stdPx) {
-        java.util.Arrays.fill(whitening, 0);
-        for (int m = 0; m < markers; m++) {
-            for (int i = 0; i < 8; i++) {
-                whitening[64 * m + 9 * i] = 1 / stdPx;
+        Arrays.fill(whitening, 0);
+        for (int m = 0; m < blocks.blocks(); m++) {
+            for (int i = 0; i < blocks.rows(m); i++) {
+                whitening[blocks.firstEntry(m) + (blocks.rows(m) + 1) * i] = 1 / stdPx;
             }
         }
     }
@@ -105,7 +128,7 @@ public final class ReprojectionFit {
     /**
      * Weighs by whitening matrices of the caller's.
      *
-     * @param matrices 64 values per marker, lower triangular 8x8 row by row, 1/px; copied
+     * @param matrices lower triangular, row by row, of a marker in one view 8x8, 1/px; copied
      */
     public void setWhitening(double[] matrices) {
         System.arraycopy(matrices, 0, whitening, 0, whitening.length);
@@ -119,7 +142,7 @@ public final class ReprojectionFit {
      * @return false if a corner is not in front of the camera there or a covariance is not positive definite
      */
     public boolean freeze(ReferenceNoise noise, CameraState state) {
-        return whitening(noise, state, markers, whitening, placement);
+        return whitening(noise, state, blocks, whitening, placement);
     }
 
     /**
@@ -127,32 +150,34 @@ public final class ReprojectionFit {
      *
      * @param noise covariance of the residuals
      * @param state where it is evaluated
-     * @param markers number of references
-     * @param out 64 values per reference, lower triangular 8x8 row by row, 1/px
+     * @param blocks order of the coordinates
+     * @param out receives a lower triangular matrix per block, row by row, of a marker in one view 8x8, 1/px
      * @return false if a corner is not in front of the camera there or a covariance is not positive definite
      */
-    public static boolean whitening(ReferenceNoise noise, CameraState state, int markers, double[] out) {
-        return whitening(noise, state, markers, out, new double[64 * markers]);
+    public static boolean whitening(ReferenceNoise noise, CameraState state, BlockLayout blocks, double[] out) {
+        return whitening(noise, state, blocks, out, new double[blocks.firstEntry(blocks.blocks())]);
     }
 
-    private static boolean whitening(ReferenceNoise noise, CameraState state, int markers, double[] out,
+    private static boolean whitening(ReferenceNoise noise, CameraState state, BlockLayout blocks, double[] out,
             double[] placements) {
-        double[] placement = new double[64];
-        double[] pixel = new double[64];
-        double[] inverse = new double[64];
-        for (int m = 0; m < markers; m++) {
+        int most = blocks.mostRows() * blocks.mostRows();
+        double[] placement = new double[most];
+        double[] pixel = new double[most];
+        double[] inverse = new double[most];
+        for (int m = 0; m < blocks.blocks(); m++) {
             if (!noise.covariance(state, m, placement, pixel)) {
                 return false;
             }
-            System.arraycopy(placement, 0, placements, 64 * m, 64);
-            for (int i = 0; i < 64; i++) {
+            int rows = blocks.rows(m);
+            System.arraycopy(placement, 0, placements, blocks.firstEntry(m), rows * rows);
+            for (int i = 0; i < rows * rows; i++) {
                 placement[i] += pixel[i];
             }
-            if (!Cholesky.factor(placement, 8)) {
+            if (!Cholesky.factor(placement, rows)) {
                 return false;
             }
-            Cholesky.invertLower(placement, 8, inverse);
-            System.arraycopy(inverse, 0, out, 64 * m, 64);
+            Cholesky.invertLower(placement, rows, inverse);
+            System.arraycopy(inverse, 0, out, blocks.firstEntry(m), rows * rows);
         }
         return true;
     }
@@ -164,79 +189,46 @@ public final class ReprojectionFit {
      * @return half the sum of squares at the result, or NaN if a corner of the start is not in front of the camera
      */
     public double fit(CameraState state) {
-        double cost = evaluate(state, true);
-        if (!(cost < Double.POSITIVE_INFINITY)) {
-            return Double.NaN;
+        chart.state = state;
+        double cost = solver.minimise(chart);
+        chart.state = null;
+        return cost < Double.POSITIVE_INFINITY ? cost : Double.NaN;
+    }
+
+    /** The fit as the solver sees it: steps in the chart from the state that it started with. */
+    private final class Chart implements DampedGaussNewton.Problem {
+        private CameraState state;
+
+        @Override
+        public double linearise(double[] toInformation, double[] toGradient) {
+            double cost = evaluate(state, true);
+            System.arraycopy(information, 0, toInformation, 0, information.length);
+            System.arraycopy(gradient, 0, toGradient, 0, gradient.length);
+            return cost;
         }
-        double lambda = 1e-4;
-        double growth = 2;
-        for (int iteration = 0; iteration < MAX_STEPS; iteration++) {
-            System.arraycopy(information, 0, damped, 0, damped.length);
-            for (int i = 0; i < columns; i++) {
-                damped[i * columns + i] += lambda * information[i * columns + i];
-                step[i] = -gradient[i];
+
+        @Override
+        public double at(double[] step) {
+            candidate.setMoved(state, step, 0);
+            for (int i = 0; i < intrinsicsPrior.count(); i++) {
+                candidate.intrinsics[intrinsicsPrior.index(i)] += step[layout.intrinsics() + i];
             }
-            if (!Cholesky.factor(damped, columns)) {
-                lambda = Math.max(lambda * growth, 1e-12);
-                growth *= 2;
-                if (lambda > 1e30) {
-                    return cost;
-                }
-                continue;
+            for (int j = 0; j < unknowns; j++) {
+                candidate.unknowns[j] += step[layout.shared() + j];
             }
-            Cholesky.solveLower(damped, columns, step);
-            double whitenedLength = 0;
-            for (double s : step) {
-                whitenedLength += s * s;
-            }
-            Cholesky.solveUpper(damped, columns, step);
-            move(state);
+            return rows(candidate, false);
+        }
+
+        @Override
+        public void accept() {
+            state.copyFrom(candidate);
+        }
+
+        @Override
+        public boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted) {
             // the length of the step in its own standard deviations decides, so that units do not matter
-            boolean tiny = whitenedLength < STEP_TOLERANCE * STEP_TOLERANCE;
-            double before = cost;
-            double predicted = 0;
-            for (int i = 0; i < columns; i++) {
-                predicted -= step[i] * gradient[i];
-                predicted += 0.5 * lambda * information[i * columns + i] * step[i] * step[i];
-            }
-            predicted *= 0.5;
-            double after = costOnly(candidate);
-            if (after <= before) {
-                state.copyFrom(candidate);
-                cost = evaluate(state, true);
-                double ratio = predicted > 0 ? (before - after) / predicted : 1;
-                double shrink = 2 * ratio - 1;
-                lambda *= Math.max(1.0 / 3, 1 - shrink * shrink * shrink);
-                growth = 2;
-                if (tiny) {
-                    return cost;
-                }
-            } else {
-                if (tiny) {
-                    return cost;
-                }
-                lambda *= growth;
-                growth *= 2;
-                if (lambda > 1e30) {
-                    return cost;
-                }
-            }
+            return squaredStds < STEP_TOLERANCE * STEP_TOLERANCE;
         }
-        return cost;
-    }
-
-    private void move(CameraState from) {
-        candidate.setMoved(from, step, 0);
-        for (int i = 0; i < intrinsicsPrior.count(); i++) {
-            candidate.intrinsics[intrinsicsPrior.index(i)] += step[6 + i];
-        }
-        for (int j = 0; j < unknowns; j++) {
-            candidate.unknowns[j] += step[columns - unknowns + j];
-        }
-    }
-
-    private double costOnly(CameraState state) {
-        return rows(state, false);
     }
 
     /**
@@ -273,15 +265,21 @@ public final class ReprojectionFit {
             return Double.POSITIVE_INFINITY;
         }
         double cost = 0;
-        for (int m = 0; m < markers; m++) {
-            if (!plainRows(state, m, withDerivatives)) {
-                return Double.POSITIVE_INFINITY;
+        for (int m = 0; m < blocks.blocks(); m++) {
+            int size = blocks.rows(m);
+            for (int time = 0; time < blocks.timesSeen(m); time++) {
+                if (!plainRows(state, m, time, withDerivatives)) {
+                    return Double.POSITIVE_INFINITY;
+                }
             }
-            for (int i = 0; i < 8; i++) {
-                int row = 8 * m + i;
+            int firstRow = blocks.firstRow(m);
+            int firstEntry = blocks.firstEntry(m);
+            for (int i = 0; i < size; i++) {
+                int row = firstRow + i;
+                int entry = firstEntry + size * i;
                 double r = 0;
                 for (int k = 0; k <= i; k++) {
-                    r += whitening[64 * m + 8 * i + k] * plainResiduals[k];
+                    r += whitening[entry + k] * plainResiduals[k];
                 }
                 residuals[row] = r;
                 cost += 0.5 * r * r;
@@ -289,37 +287,38 @@ public final class ReprojectionFit {
                     for (int c = 0; c < columns; c++) {
                         double s = 0;
                         for (int k = 0; k <= i; k++) {
-                            s += whitening[64 * m + 8 * i + k] * plainJacobian[k * columns + c];
+                            s += whitening[entry + k] * plainJacobian[k * columns + c];
                         }
                         jacobian[row * columns + c] = s;
                     }
                 }
             }
         }
+        int ofCorners = blocks.firstRow(blocks.blocks());
         for (int i = 0; i < intrinsicsPrior.count(); i++) {
-            int row = 8 * markers + i;
+            int row = ofCorners + i;
             double r = intrinsicsPrior.whitened(i, state.intrinsics);
             residuals[row] = r;
             cost += 0.5 * r * r;
             if (withDerivatives) {
-                java.util.Arrays.fill(jacobian, row * columns, (row + 1) * columns, 0);
+                Arrays.fill(jacobian, row * columns, (row + 1) * columns, 0);
                 for (int k = 0; k <= i; k++) {
-                    jacobian[row * columns + 6 + k] = intrinsicsPrior.whitening(i, k);
+                    jacobian[row * columns + layout.intrinsics() + k] = intrinsicsPrior.whitening(i, k);
                 }
             }
         }
         for (int j = 0; j < unknowns; j++) {
-            int row = 8 * markers + intrinsicsPrior.count() + j;
+            int row = ofCorners + intrinsicsPrior.count() + j;
             double r = state.unknowns[j];
             residuals[row] = r;
             cost += 0.5 * r * r;
             if (withDerivatives) {
-                java.util.Arrays.fill(jacobian, row * columns, (row + 1) * columns, 0);
-                jacobian[row * columns + columns - unknowns + j] = 1;
+                Arrays.fill(jacobian, row * columns, (row + 1) * columns, 0);
+                jacobian[row * columns + layout.shared() + j] = 1;
             }
         }
         if (posePrior != null) {
-            int first = rows - 6;
+            int first = rows - layout.poses();
             posePrior.rows(state, residuals, withDerivatives ? jacobian : null, first, columns);
             for (int i = first; i < rows; i++) {
                 cost += 0.5 * residuals[i] * residuals[i];
@@ -328,32 +327,60 @@ public final class ReprojectionFit {
         return Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost;
     }
 
-    /** Residuals in px of one marker and their derivative by the chart, not yet whitened. */
-    private boolean plainRows(CameraState state, int marker, boolean withDerivatives) {
+    /** Residuals in px of one body in one of the views that show it, and their derivative by the chart, not whitened. */
+    private boolean plainRows(CameraState state, int block, int time, boolean withDerivatives) {
+        int view = blocks.view(block, time);
+        int pose = layout.pose(view);
+        int intrinsics = layout.intrinsics();
         double[] r = state.rotation;
-        for (int k = 0; k < 4; k++) {
-            int at = 12 * marker + 3 * k;
-            double ax = r[0] * points[at] + r[1] * points[at + 1] + r[2] * points[at + 2];
-            double ay = r[3] * points[at] + r[4] * points[at + 1] + r[5] * points[at + 2];
-            double az = r[6] * points[at] + r[7] * points[at + 1] + r[8] * points[at + 2];
-            double x = ax + state.offset[0];
-            double y = ay + state.offset[1];
-            double z = az + state.offset[2];
-            int row = 2 * k;
+        if (byIntrinsics.length != 2 * state.intrinsics.length) {
+            byIntrinsics = new double[2 * state.intrinsics.length];
+        }
+        double r0 = r[9 * view];
+        double r1 = r[9 * view + 1];
+        double r2 = r[9 * view + 2];
+        double r3 = r[9 * view + 3];
+        double r4 = r[9 * view + 4];
+        double r5 = r[9 * view + 5];
+        double r6 = r[9 * view + 6];
+        double r7 = r[9 * view + 7];
+        double r8 = r[9 * view + 8];
+        double tx = state.offset[3 * view];
+        double ty = state.offset[3 * view + 1];
+        double tz = state.offset[3 * view + 2];
+        int count = intrinsicsPrior.count();
+        boolean several = layout.views() > 1;
+        int points = blocks.points(block);
+        int first = blocks.firstRow(block);
+        int row = 2 * time * points;
+        for (int k = 0, at = 3 * blocks.firstPoint(block); k < points; k++, at += 3, row += 2) {
+            double px = this.points[at];
+            double py = this.points[at + 1];
+            double pz = this.points[at + 2];
+            double ax = r0 * px + r1 * py + r2 * pz;
+            double ay = r3 * px + r4 * py + r5 * pz;
+            double az = r6 * px + r7 * py + r8 * pz;
+            double x = ax + tx;
+            double y = ay + ty;
+            double z = az + tz;
             if (!withDerivatives) {
-                if (!Projection.project(state.intrinsics, x, y, z, uv, 0)) {
+                if (!state.lens.project(state.intrinsics, x, y, z, uv, 0)) {
                     return false;
                 }
             } else {
-                if (!Projection.projectWithDerivatives(state.intrinsics, x, y, z, uv, byPoint, byIntrinsics)) {
+                if (!state.lens.projectWithDerivatives(state.intrinsics, x, y, z, uv, byPoint, byIntrinsics)) {
                     return false;
                 }
                 for (int c = 0; c < 2; c++) {
                     int b = 3 * c;
-                    int o = (row + c) * columns;
+                    int start = (row + c) * columns;
+                    int o = start + pose;
                     double gx = byPoint[b];
                     double gy = byPoint[b + 1];
                     double gz = byPoint[b + 2];
+                    if (several) {
+                        Arrays.fill(plainJacobian, start, start + intrinsics, 0);
+                    }
                     plainJacobian[o] = gx;
                     plainJacobian[o + 1] = gy;
                     plainJacobian[o + 2] = gz;
@@ -361,19 +388,20 @@ public final class ReprojectionFit {
                     plainJacobian[o + 3] = ay * gz - az * gy;
                     plainJacobian[o + 4] = az * gx - ax * gz;
                     plainJacobian[o + 5] = ax * gy - ay * gx;
-                    for (int i = 0; i < intrinsicsPrior.count(); i++) {
-                        plainJacobian[o + 6 + i] =
-                                byIntrinsics[c * PinholeCamera.INTRINSICS + intrinsicsPrior.index(i)];
+                    for (int i = 0; i < count; i++) {
+                        plainJacobian[start + intrinsics + i] =
+                                byIntrinsics[c * state.intrinsics.length + intrinsicsPrior.index(i)];
                     }
                 }
             }
-            plainResiduals[row] = uv[0] - observed[8 * marker + row];
-            plainResiduals[row + 1] = uv[1] - observed[8 * marker + row + 1];
+            int coordinate = first + row;
+            plainResiduals[row] = uv[0] - observed[coordinate];
+            plainResiduals[row + 1] = uv[1] - observed[coordinate + 1];
             for (int c = 0; c < 2; c++) {
-                int at8 = (8 * marker + row + c) * unknowns;
+                int ofUnknowns = (coordinate + c) * unknowns;
                 for (int j = 0; j < unknowns; j++) {
-                    plainResiduals[row + c] += byUnknowns[at8 + j] * state.unknowns[j];
-                    plainJacobian[(row + c) * columns + columns - unknowns + j] = byUnknowns[at8 + j];
+                    plainResiduals[row + c] += byUnknowns[ofUnknowns + j] * state.unknowns[j];
+                    plainJacobian[(row + c) * columns + layout.shared() + j] = byUnknowns[ofUnknowns + j];
                 }
             }
         }
@@ -381,7 +409,41 @@ public final class ReprojectionFit {
     }
 
     /**
-     * Number of unknowns: 6, one per unknown intrinsic and one per unknown that markers share.
+     * Which unknowns the columns of the derivative are of.
+     *
+     * @return poses, unknown intrinsics, unknowns that markers share
+     */
+    public StateLayout layout() {
+        return layout;
+    }
+
+    /**
+     * How image coordinates are ordered.
+     *
+     * @return a block per marker or body
+     */
+    public BlockLayout blocks() {
+        return blocks;
+    }
+
+    /**
+     * What Laplace's method needs at a state that is taken for the mode, of this fit's weights as they are.
+     *
+     * @param state where; copied
+     * @return the mode, or null where a corner is not in front of the camera, or the information is singular
+     */
+    public PoseMode modeAt(CameraState state) {
+        return modeAt(state, null);
+    }
+
+    /** The same of references whose placement errors are linearised at a place. */
+    PoseMode modeAt(CameraState state, PlacedReferences placed) {
+        double cost = evaluate(state, true);
+        return cost < Double.POSITIVE_INFINITY ? PoseMode.of(this, state, cost, placed) : null;
+    }
+
+    /**
+     * Number of unknowns: 6 per view, one per unknown intrinsic and one per unknown that markers share.
      *
      * @return columns of the derivative
      */
@@ -390,7 +452,8 @@ public final class ReprojectionFit {
     }
 
     /**
-     * Number of whitened residuals: 8 per marker, one per unknown intrinsic and shared unknown, 6 for a pose prior.
+     * Number of whitened residuals: two per point and view, one per unknown intrinsic and shared unknown, 6 per view for
+     * a pose prior.
      *
      * @return rows of the derivative
      */
@@ -427,22 +490,22 @@ public final class ReprojectionFit {
         return information;
     }
 
-    /** Covariances by placement that were frozen, 64 per marker; shared. */
+    /** Covariances by placement that were frozen, block by block; shared. */
     double[] placement() {
         return placement;
     }
 
-    /** Whitening matrices in force, 64 per marker; shared. */
+    /** Whitening matrices in force, block by block; shared. */
     double[] whitening() {
         return whitening;
     }
 
-    /** Corners relative to the centre of their set, 12 values per marker, mm; shared. */
+    /** Points relative to the centre of their set, three values each, mm; shared. */
     double[] points() {
         return points;
     }
 
-    /** Corners in the image, 8 values per marker, px; shared. */
+    /** Points in the images, in the order of the blocks, px; shared. */
     double[] observed() {
         return observed;
     }

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.geometry.TangentPlane;
 import org.ejml.dense.row.SingularOps_DDRM;
 import org.ejml.interfaces.decomposition.SingularValueDecomposition_F64;
 
@@ -23,12 +24,30 @@ final class TargetPnp {
     private TargetPnp() {
     }
 
+    /** The plane in which a wide lens's corners are looked at; null for other lenses, which have one for all. */
+    private static TangentPlane plane(PinholeCamera camera, double[] observed) {
+        if (!camera.lens().isWide()) {
+            return null;
+        }
+        TangentPlane plane = new TangentPlane(camera);
+        // one that cannot be aimed shows no corner
+        plane.aim(observed);
+        return plane;
+    }
+
+    private static RigidTransform inCamera(TangentPlane plane, RigidTransform pose) {
+        return plane == null || pose == null ? pose : plane.inCamera(pose);
+    }
+
     /** Pairs of undistorted normalised image point and point in space; corners beyond the lens model are left out. */
-    static List<Point2D3D> pairs(PinholeCamera camera, double[] points, double[] observed) {
+    private static List<Point2D3D> pairs(PinholeCamera camera, TangentPlane plane, double[] points,
+            double[] observed) {
         List<Point2D3D> pairs = new ArrayList<>();
         double[] normalised = new double[2];
         for (int k = 0; k < points.length / 3; k++) {
-            if (camera.toNormalised(observed[2 * k], observed[2 * k + 1], normalised)) {
+            double u = observed[2 * k];
+            double v = observed[2 * k + 1];
+            if (plane != null ? plane.toNormalised(u, v, normalised) : camera.toNormalised(u, v, normalised)) {
                 Point2D3D pair = new Point2D3D();
                 pair.observation.setTo(normalised[0], normalised[1]);
                 pair.location.setTo(points[3 * k], points[3 * k + 1], points[3 * k + 2]);
@@ -44,7 +63,9 @@ final class TargetPnp {
      * @return cameraFromPlane, or null where none was found
      */
     static RigidTransform planar(PinholeCamera camera, double[] points, double[] observed) {
-        return single(FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0), pairs(camera, points, observed));
+        TangentPlane plane = plane(camera, observed);
+        return inCamera(plane, single(FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0),
+                pairs(camera, plane, points, observed)));
     }
 
     /**
@@ -53,7 +74,9 @@ final class TargetPnp {
      * @return cameraFromPoints, or null where none was found
      */
     static RigidTransform general(PinholeCamera camera, double[] points, double[] observed) {
-        return single(FactoryMultiView.pnp_1(EnumPNP.EPNP, 50, 0), pairs(camera, points, observed));
+        TangentPlane plane = plane(camera, observed);
+        return inCamera(plane, single(FactoryMultiView.pnp_1(EnumPNP.EPNP, 50, 0),
+                pairs(camera, plane, points, observed)));
     }
 
     private static RigidTransform single(Estimate1ofPnP estimator, List<Point2D3D> pairs) {
@@ -73,7 +96,8 @@ final class TargetPnp {
      */
     static RigidTransform ransac(PinholeCamera camera, double[] points, double[] observed, double thresholdPx,
             long seed) {
-        List<Point2D3D> pairs = pairs(camera, points, observed);
+        TangentPlane plane = plane(camera, observed);
+        List<Point2D3D> pairs = pairs(camera, plane, points, observed);
         if (pairs.size() < 4) {
             return null;
         }
@@ -82,7 +106,7 @@ final class TargetPnp {
         var matcher = FactoryMultiViewRobust.pnpRansac(new ConfigPnP(), config);
         matcher.setIntrinsic(0, new CameraPinhole(camera.get(PinholeCamera.FX), camera.get(PinholeCamera.FY), 0,
                 camera.get(PinholeCamera.CX), camera.get(PinholeCamera.CY), camera.widthPx(), camera.heightPx()));
-        return matcher.process(pairs) ? toTransform(matcher.getModelParameters()) : null;
+        return matcher.process(pairs) ? inCamera(plane, toTransform(matcher.getModelParameters())) : null;
     }
 
     private static RigidTransform toTransform(Se3_F64 pose) {

@@ -1,6 +1,7 @@
 package org.cellgauge.posterior;
 
 import org.cellgauge.pose.CameraState;
+import org.cellgauge.pose.StateLayout;
 
 /**
  * Which pose of the references before the camera, and which unknown intrinsics, an array of coordinates stands for.
@@ -8,11 +9,20 @@ import org.cellgauge.pose.CameraState;
  */
 public interface CameraChart {
     /**
+     * Which coordinates are of what.
+     *
+     * @return the layout
+     */
+    StateLayout layout();
+
+    /**
      * Number of coordinates.
      *
-     * @return 6 for the pose and one per unknown intrinsic
+     * @return size of the layout
      */
-    int dimension();
+    default int dimension() {
+        return layout().size();
+    }
 
     /**
      * The state of a point of the chart. Allocates nothing.

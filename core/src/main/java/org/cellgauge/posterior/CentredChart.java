@@ -3,6 +3,7 @@ package org.cellgauge.posterior;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.StateLayout;
 
 /**
  * Coordinates (dp in mm, w in rad, changes of unknown intrinsics, of the unknowns that markers share and of the added
@@ -15,8 +16,8 @@ import org.cellgauge.pose.IntrinsicsPrior;
 public final class CentredChart implements CameraChart {
     private final CameraState base;
     private final IntrinsicsPrior intrinsics;
-    private final int unknowns;
-    private final boolean noiseUnknown;
+    private final StateLayout layout;
+    private final int poses;
 
     /**
      * A chart.
@@ -36,29 +37,28 @@ public final class CentredChart implements CameraChart {
      * @param noiseUnknown whether the added noise is a coordinate, the last
      */
     public CentredChart(CameraState base, IntrinsicsPrior intrinsics, boolean noiseUnknown) {
-        this.base = new CameraState().copyFrom(base);
+        this.base = base.copy();
         this.intrinsics = intrinsics;
-        this.noiseUnknown = noiseUnknown;
-        unknowns = base.unknowns.length;
+        layout = StateLayout.of(base.views(), intrinsics, base.unknowns.length).withNoise(noiseUnknown);
+        poses = layout.poses();
     }
 
     @Override
-    public int dimension() {
-        return 6 + intrinsics.count() + unknowns + (noiseUnknown ? 1 : 0);
+    public StateLayout layout() {
+        return layout;
     }
 
     @Override
     public void decode(double[] x, CameraState out) {
         out.setMoved(base, x, 0);
         for (int i = 0; i < intrinsics.count(); i++) {
-            out.intrinsics[intrinsics.index(i)] += x[6 + i];
+            out.intrinsics[intrinsics.index(i)] += x[layout.intrinsics() + i];
         }
-        int first = 6 + intrinsics.count();
-        for (int j = 0; j < unknowns; j++) {
-            out.unknowns[j] += x[first + j];
+        for (int j = 0; j < layout.sharedCount(); j++) {
+            out.unknowns[j] += x[layout.shared() + j];
         }
-        if (noiseUnknown) {
-            out.noise += x[first + unknowns];
+        if (layout.isNoiseUnknown()) {
+            out.noise += x[layout.noise()];
         }
     }
 
@@ -66,22 +66,30 @@ public final class CentredChart implements CameraChart {
     public double[] encode(CameraState state) {
         double[] x = java.util.Arrays.copyOf(state.stepFrom(base), dimension());
         for (int i = 0; i < intrinsics.count(); i++) {
-            x[6 + i] = state.intrinsics[intrinsics.index(i)] - base.intrinsics[intrinsics.index(i)];
+            x[layout.intrinsics() + i] = state.intrinsics[intrinsics.index(i)] - base.intrinsics[intrinsics.index(i)];
         }
-        int first = 6 + intrinsics.count();
-        for (int j = 0; j < unknowns; j++) {
-            x[first + j] = state.unknowns[j] - base.unknowns[j];
+        for (int j = 0; j < layout.sharedCount(); j++) {
+            x[layout.shared() + j] = state.unknowns[j] - base.unknowns[j];
         }
-        if (noiseUnknown) {
-            x[first + unknowns] = state.noise - base.noise;
+        if (layout.isNoiseUnknown()) {
+            x[layout.noise()] = state.noise - base.noise;
         }
         return x;
     }
 
     @Override
     public double logMeasure(double[] x) {
-        double squared = x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
+        double sum = logMeasure(x, 3);
+        for (int w = StateLayout.POSE + 3; w < poses; w += StateLayout.POSE) {
+            sum += logMeasure(x, w);
+        }
+        return sum;
+    }
+
+    private static double logMeasure(double[] x, int w) {
+        double squared = x[w] * x[w] + x[w + 1] * x[w + 1] + x[w + 2] * x[w + 2];
         // every rotation has one vector of length up to pi; longer ones would count it twice
-        return squared > Math.PI * Math.PI ? Double.NEGATIVE_INFINITY : Rotations.logHaarDensity(x[3], x[4], x[5]);
+        return squared > Math.PI * Math.PI ? Double.NEGATIVE_INFINITY
+                : Rotations.logHaarDensity(x[w], x[w + 1], x[w + 2]);
     }
 }

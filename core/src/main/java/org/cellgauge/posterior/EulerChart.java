@@ -4,6 +4,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.StateLayout;
 
 /**
  * The thesis' coordinates: camera position in the world (mm), Euler angles psi, theta, phi (rad) of worldFromCamera,
@@ -13,7 +14,7 @@ public final class EulerChart implements CameraChart {
     private final double[] centroidMm;
     private final CameraState known;
     private final IntrinsicsPrior intrinsics;
-    private final boolean noiseUnknown;
+    private final StateLayout layout;
     private final double[] worldFromCamera = new double[9];
 
     /**
@@ -36,27 +37,26 @@ public final class EulerChart implements CameraChart {
      * @param noiseUnknown whether the added noise is a coordinate, the last
      */
     public EulerChart(double[] centroidMm, CameraState known, IntrinsicsPrior intrinsics, boolean noiseUnknown) {
-        this.noiseUnknown = noiseUnknown;
         this.centroidMm = centroidMm.clone();
-        this.known = new CameraState().copyFrom(known);
+        this.known = known.copy();
         this.intrinsics = intrinsics;
+        layout = StateLayout.of(1, intrinsics, known.unknowns.length).withNoise(noiseUnknown);
     }
 
     @Override
-    public int dimension() {
-        return 6 + intrinsics.count() + known.unknowns.length + (noiseUnknown ? 1 : 0);
+    public StateLayout layout() {
+        return layout;
     }
 
     @Override
     public void decode(double[] x, CameraState out) {
         out.copyFrom(known);
         for (int i = 0; i < intrinsics.count(); i++) {
-            out.intrinsics[intrinsics.index(i)] = x[6 + i];
+            out.intrinsics[intrinsics.index(i)] = x[layout.intrinsics() + i];
         }
-        int first = 6 + intrinsics.count();
-        System.arraycopy(x, first, out.unknowns, 0, out.unknowns.length);
-        if (noiseUnknown) {
-            out.noise = x[first + out.unknowns.length];
+        System.arraycopy(x, layout.shared(), out.unknowns, 0, out.unknowns.length);
+        if (layout.isNoiseUnknown()) {
+            out.noise = x[layout.noise()];
         }
         Rotations.fromEuler(x[3], x[4], x[5], worldFromCamera);
         Rotations.transpose(worldFromCamera, out.rotation);
@@ -79,12 +79,11 @@ public final class EulerChart implements CameraChart {
             x[3 + i] = e[i];
         }
         for (int i = 0; i < intrinsics.count(); i++) {
-            x[6 + i] = state.intrinsics[intrinsics.index(i)];
+            x[layout.intrinsics() + i] = state.intrinsics[intrinsics.index(i)];
         }
-        int first = 6 + intrinsics.count();
-        System.arraycopy(state.unknowns, 0, x, first, state.unknowns.length);
-        if (noiseUnknown) {
-            x[first + state.unknowns.length] = state.noise;
+        System.arraycopy(state.unknowns, 0, x, layout.shared(), state.unknowns.length);
+        if (layout.isNoiseUnknown()) {
+            x[layout.noise()] = state.noise;
         }
         return x;
     }

@@ -1,7 +1,6 @@
 package org.cellgauge.posterior;
 
 import org.cellgauge.geometry.Cholesky;
-import org.cellgauge.geometry.Projection;
 import org.cellgauge.pose.AddedNoise;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.CornerErrors;
@@ -76,7 +75,7 @@ public final class MovingRigidLikelihood implements CameraLikelihood {
                 double x = points[p];
                 double y = points[p + 1];
                 double z = points[p + 2];
-                if (!Projection.project(state.intrinsics, r[0] * x + r[1] * y + r[2] * z + state.offset[0],
+                if (!state.lens.project(state.intrinsics, r[0] * x + r[1] * y + r[2] * z + state.offset[0],
                         r[3] * x + r[4] * y + r[5] * z + state.offset[1],
                         r[6] * x + r[7] * y + r[8] * z + state.offset[2], uv, 0)) {
                     return Double.NEGATIVE_INFINITY;

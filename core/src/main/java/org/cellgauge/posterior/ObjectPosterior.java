@@ -2,7 +2,6 @@ package org.cellgauge.posterior;
 
 import java.util.Collections;
 import org.cellgauge.geometry.MarkerGeometry;
-import org.cellgauge.geometry.Projection;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.AddedNoise;
 import org.cellgauge.pose.CameraState;
@@ -49,7 +48,7 @@ public final class ObjectPosterior implements LogDensity {
         Shared(CornerErrors errors, int id, double[] byUnknown, CameraState mode, boolean stretching) {
             this.errors = errors;
             this.byUnknown = byUnknown.clone();
-            this.mode = new CameraState().copyFrom(mode);
+            this.mode = mode.copy();
             corners = errors.cornersPx(id);
             columns = errors.columns(id);
             whitening = new NoiseWhitening(errors, Collections.singletonList(id), null);
@@ -181,7 +180,7 @@ public final class ObjectPosterior implements LogDensity {
             double px = points[3 * k];
             double py = points[3 * k + 1];
             // the marker is flat: its corners have z = 0 in their own frame
-            if (!Projection.project(state.intrinsics, r[0] * px + r[1] * py + state.offset[0],
+            if (!state.lens.project(state.intrinsics, r[0] * px + r[1] * py + state.offset[0],
                     r[3] * px + r[4] * py + state.offset[1], r[6] * px + r[7] * py + state.offset[2], uv, 0)) {
                 return Double.NEGATIVE_INFINITY;
             }

@@ -2,8 +2,8 @@ package org.cellgauge.posterior;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 import org.cellgauge.pose.AddedNoise;
 import org.cellgauge.pose.CameraState;
 import org.cellgauge.pose.CornerErrors;
@@ -106,11 +106,11 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         double tx = state.offset[0];
         double ty = state.offset[1];
         double tz = state.offset[2];
-        boolean distorted = intrinsics[PinholeCamera.K1] != 0 || intrinsics[PinholeCamera.K2] != 0
-                || intrinsics[PinholeCamera.K3] != 0 || intrinsics[PinholeCamera.P1] != 0
-                || intrinsics[PinholeCamera.P2] != 0 || intrinsics[PinholeCamera.SKEW] != 0;
+        Lens lens = state.lens;
+        boolean distorted = lens.isDistorting(intrinsics);
         double fx = intrinsics[PinholeCamera.FX];
         double fy = intrinsics[PinholeCamera.FY];
+        double skew = intrinsics[PinholeCamera.SKEW];
         double cx = intrinsics[PinholeCamera.CX];
         double cy = intrinsics[PinholeCamera.CY];
         double[] packed = stated;
@@ -130,7 +130,7 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
                 double y = r[3] * px + r[4] * py + r[5] * pz + ty;
                 double z = r[6] * px + r[7] * py + r[8] * pz + tz;
                 if (distorted) {
-                    if (!Projection.project(intrinsics, x, y, z, uv, 0)) {
+                    if (!lens.project(intrinsics, x, y, z, uv, 0)) {
                         return Double.NEGATIVE_INFINITY;
                     }
                     residuals[k] = uv[0] - observed[o + k];
@@ -140,7 +140,7 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
                         return Double.NEGATIVE_INFINITY;
                     }
                     double inverseZ = 1 / z;
-                    residuals[k] = fx * x * inverseZ + cx - observed[o + k];
+                    residuals[k] = fx * x * inverseZ + skew * y * inverseZ + cx - observed[o + k];
                     residuals[k + 1] = fy * y * inverseZ + cy - observed[o + k + 1];
                 }
             }

@@ -26,7 +26,7 @@ public final class MetropolisChain {
      * @param proposals at least one
      * @param start first point; copied
      * @param random source of randomness, the chain's own
-     * @throws IllegalStateException if the density at the start is not finite: such a chain could never move
+     * @throws StartException if the density at the start is not finite: such a chain could never move
      */
     public MetropolisChain(LogDensity density, List<? extends Proposal> proposals, double[] start,
             RandomGenerator random) {
@@ -43,7 +43,7 @@ public final class MetropolisChain {
 
     private void requireFinite() {
         if (!Double.isFinite(currentLogDensity)) {
-            throw new IllegalStateException("the density is " + currentLogDensity + " at the start of the chain");
+            throw new StartException(currentLogDensity);
         }
     }
 

@@ -342,7 +342,10 @@ public final class CheckSettings {
         }
 
         private static <T> void requireInRange(Setting<T> row, SettingValues values) {
-            row.requireInRange(values.get(row));
+            String refusal = row.refusal(values.get(row));
+            if (refusal != null) {
+                throw new IllegalArgumentException(row.name().replace('-', ' ') + " " + refusal);
+            }
         }
     }
 }

@@ -79,7 +79,7 @@ public final class Setting<T> {
                 description);
     }
 
-    /** The same with a range, and what is said of a value outside. */
+    /** The same with a range, and what is said of a value outside: what it must be. */
     Setting<T> within(Predicate<T> itsRange, String itsRefusal) {
         return new Setting<>(part, key, name, unit, form, usual, usualWords, itsRange, itsRefusal, where,
                 determinesFigures, description);
@@ -214,14 +214,19 @@ public final class Setting<T> {
     }
 
     /**
-     * Sets it to what a text says; whether that is in range is seen when settings are built.
+     * Sets it to what a text says.
      *
      * @param text as a user writes it
      * @param builder receives the value
-     * @throws IllegalArgumentException if the text is no such value: a sentence that begins with the text
+     * @throws IllegalArgumentException if the text is no such value or out of range: a sentence without its subject
      */
     public void read(String text, CheckSettings.Builder builder) {
-        builder.set(this, form.read(text));
+        T value = form.read(text);
+        String reason = refusal(value);
+        if (reason != null) {
+            throw new IllegalArgumentException(reason);
+        }
+        builder.set(this, value);
     }
 
     /** Sets it to what null stands for in a file: open, or, where it does not apply, the default. */
@@ -229,10 +234,9 @@ public final class Setting<T> {
         builder.set(this, form.open() == null ? usual : form.open());
     }
 
-    void requireInRange(T value) {
-        if (!range.test(value)) {
-            throw new IllegalArgumentException(refusal);
-        }
+    /** Why a value is out of range: a sentence without its subject, or null where it is not. */
+    String refusal(T value) {
+        return range.test(value) ? null : refusal + ", not " + form.text(value);
     }
 
     @Override

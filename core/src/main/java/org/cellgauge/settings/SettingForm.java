@@ -109,10 +109,14 @@ public final class SettingForm<T> {
 
     private static double readDouble(String text) {
         try {
-            return Double.parseDouble(text.trim());
+            double value = Double.parseDouble(text.trim());
+            if (Double.isFinite(value)) {
+                return value;
+            }
         } catch (NumberFormatException e) {
-            throw new IllegalArgumentException("'" + text + "' is no number");
+            // said below, as for what is not finite
         }
+        throw new IllegalArgumentException("'" + text + "' is no number");
     }
 
     /**

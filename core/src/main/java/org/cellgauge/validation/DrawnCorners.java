@@ -9,6 +9,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Corners about their true places, each coordinate off by independent Gaussian noise. They may lie outside the image:
@@ -48,7 +49,8 @@ public final class DrawnCorners implements DetectionSource {
     public Detections detect(SimulatedCell simulated, RandomGenerator random) {
         Cell cell = simulated.cell();
         double std = Double.isNaN(pixelStdPx)
-                ? cell.pixelStdPx().orElseThrow(() -> new InputRefusedException("the cell states no corner noise"))
+                ? cell.pixelStdPx().orElseThrow(() -> new InputRefusedException(
+                        Refusal.of(ValidationRefusal.NO_CORNER_NOISE)))
                 : pixelStdPx;
         List<MarkerObservation> markers = new ArrayList<>();
         for (Reference r : cell.references()) {
@@ -63,7 +65,7 @@ public final class DrawnCorners implements DetectionSource {
     private static MarkerObservation observation(SimulatedCell simulated, int id, double std, RandomGenerator random) {
         double[] px = simulated.cornersPx(id);
         if (px == null) {
-            throw new InputRefusedException("simulated: a marker is behind the camera");
+            throw new InputRefusedException("simulated", ValidationRefusal.MARKER_BEHIND_CAMERA);
         }
         for (int i = 0; i < 8; i++) {
             px[i] += std * random.nextGaussian();

@@ -11,6 +11,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.warning.Refusal;
 
 /** The same cell again and again, built anew each time: placement errors, camera and objects are drawn. Immutable. */
 public final class OneCell implements CellSource {
@@ -53,7 +54,7 @@ public final class OneCell implements CellSource {
         RandomGenerator placement = RandomStreams.of(seed, Validation.STREAM_PLACEMENT, index);
         Map<Integer, RigidTransform> references = new LinkedHashMap<>();
         for (Reference r : prior.cell().references()) {
-            references.put(r.id(), SimulatedPhoto.misplaced(r, placement));
+            references.put(r.id(), r.drawn(placement));
         }
         for (int i = 0; i < ATTEMPTS; i++) {
             SimulatedCell cell = new SimulatedCell(prior.cell(), prior.draw(truths), references);
@@ -61,8 +62,7 @@ public final class OneCell implements CellSource {
                 return cell;
             }
         }
-        throw new InputRefusedException("the markers hide each other, or reach out of the image, in nearly all true "
-                + "poses; give --object poses farther apart, or a smaller --spread");
+        throw new InputRefusedException(Refusal.of(ValidationRefusal.MARKERS_HIDDEN, ValidationRefusal.FARTHER_APART));
     }
 
     private static boolean isInFullView(SimulatedCell simulated) {

@@ -14,6 +14,8 @@ import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.sampling.RandomStreams;
@@ -93,7 +95,7 @@ public final class RandomLayouts implements CellSource {
                 return cell;
             }
         }
-        throw new InputRefusedException("simulated: no layout fits into the image");
+        throw new InputRefusedException("simulated", ValidationRefusal.NO_LAYOUT);
     }
 
     /** A layout, or null if its markers found no room. */
@@ -131,7 +133,7 @@ public final class RandomLayouts implements CellSource {
         double bend = -0.12 + 0.18 * random.nextDouble();
         if (random.nextBoolean()) {
             double corner = Math.hypot(WIDTH_PX, HEIGHT_PX) / 2 / focal;
-            values[PinholeCamera.K1] = bend / (corner * corner);
+            values[BrownLens.K1] = bend / (corner * corner);
         }
         return PinholeCamera.of(WIDTH_PX, HEIGHT_PX, values);
     }
@@ -186,7 +188,7 @@ public final class RandomLayouts implements CellSource {
         double[] t = cameraFromMarker.translationMm();
         double distance = Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
         double cosine = -(r[2] * t[0] + r[5] * t[1] + r[8] * t[2]) / distance;
-        double[] px = TruthPrior.project(camera, cameraFromMarker, sizeMm);
+        double[] px = MarkerGeometry.cornersPx(camera, cameraFromMarker, sizeMm);
         if (px == null || cosine < LEAST_COSINE) {
             return null;
         }
@@ -229,7 +231,7 @@ public final class RandomLayouts implements CellSource {
             if (m < references) {
                 Reference reference = new Reference(id, sizes.get(m), poses.get(m), placement);
                 nominal.add(reference);
-                actual.put(id, SimulatedPhoto.misplaced(reference, random));
+                actual.put(id, reference.drawn(random));
             } else {
                 objects.add(new ObjectMarker(id, sizes.get(m), null));
                 worldFromObjects.put(id, poses.get(m));

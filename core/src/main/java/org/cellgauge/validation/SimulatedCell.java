@@ -6,6 +6,7 @@ import java.util.Map;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.RigidTransform;
 
 /** One simulated cell: what its file says, and how it really stands; immutable. */
@@ -66,13 +67,13 @@ public final class SimulatedCell {
         RigidTransform cameraFromWorld = truth.worldFromCamera().inverse();
         for (Reference r : cell.references()) {
             if (r.id() == id) {
-                return TruthPrior.project(truth.camera(cell), cameraFromWorld.compose(worldFromReferences.get(id)),
+                return MarkerGeometry.cornersPx(truth.camera(cell), cameraFromWorld.compose(worldFromReferences.get(id)),
                         r.sizeMm());
             }
         }
         for (ObjectMarker o : cell.objects()) {
             if (o.id() == id) {
-                return TruthPrior.project(truth.camera(cell), cameraFromWorld.compose(truth.worldFromObjects().get(id)),
+                return MarkerGeometry.cornersPx(truth.camera(cell), cameraFromWorld.compose(truth.worldFromObjects().get(id)),
                         o.sizeMm());
             }
         }

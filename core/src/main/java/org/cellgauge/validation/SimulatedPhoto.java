@@ -5,8 +5,8 @@ import java.util.List;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
-import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.vision.Detections;
@@ -36,7 +36,7 @@ public final class SimulatedPhoto {
         RigidTransform cameraFromWorld = truth.worldFromCamera().inverse();
         List<MarkerObservation> markers = new ArrayList<>();
         for (Reference r : cell.references()) {
-            RigidTransform pose = placement == null ? r.worldFromMarker() : misplaced(r, placement);
+            RigidTransform pose = placement == null ? r.worldFromMarker() : r.drawn(placement);
             if (!add(markers, truth.camera(cell), r.id(), r.sizeMm(), cameraFromWorld.compose(pose), pixelStdPx,
                     noise)) {
                 return null;
@@ -53,7 +53,7 @@ public final class SimulatedPhoto {
 
     private static boolean add(List<MarkerObservation> markers, PinholeCamera lens, int id, double sizeMm,
             RigidTransform cameraFromMarker, double pixelStdPx, RandomGenerator noise) {
-        double[] px = TruthPrior.project(lens, cameraFromMarker, sizeMm);
+        double[] px = MarkerGeometry.cornersPx(lens, cameraFromMarker, sizeMm);
         if (px == null) {
             return false;
         }
@@ -62,21 +62,5 @@ public final class SimulatedPhoto {
         }
         markers.add(new MarkerObservation(id, px));
         return true;
-    }
-
-    /** Shifted along the world's axes and turned about its own centre by a rotation vector in the world. */
-    static RigidTransform misplaced(Reference reference, RandomGenerator random) {
-        Placement p = reference.placement();
-        double[] t = reference.worldFromMarker().translationMm();
-        for (int i = 0; i < 3; i++) {
-            t[i] += p.stdMm(i) * random.nextGaussian();
-        }
-        double[] w = new double[3];
-        for (int i = 0; i < 3; i++) {
-            w[i] = p.stdRad() * random.nextGaussian();
-        }
-        RigidTransform turn = RigidTransform.ofRotationVector(w, new double[3]);
-        RigidTransform upright = RigidTransform.of(reference.worldFromMarker().rotation(), new double[3]);
-        return RigidTransform.of(turn.compose(upright).rotation(), t);
     }
 }

@@ -13,6 +13,7 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
 import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Where true poses come from: a proper prior about nominal poses, independent for the camera and for each object before
@@ -93,7 +94,8 @@ public final class TruthPrior {
                     distanceMm, stdMm));
         }
         for (Reference r : cell.references()) {
-            requireSeen("reference " + r.id(), cameraFromWorld.compose(r.worldFromMarker()), r.sizeMm());
+            requireSeen(Refusal.of(ValidationRefusal.REFERENCE, r.id()),
+                    cameraFromWorld.compose(r.worldFromMarker()), r.sizeMm());
         }
         for (ObjectMarker o : cell.objects()) {
             RigidTransform pose = nominal.worldFromObjects().get(o.id());
@@ -101,14 +103,14 @@ public final class TruthPrior {
                 throw new IllegalArgumentException("object " + o.id() + " has no pose");
             }
             cameraFromObjects.put(o.id(), cameraFromWorld.compose(pose));
-            requireSeen("object " + o.id(), cameraFromObjects.get(o.id()), o.sizeMm());
+            requireSeen(Refusal.of(ValidationRefusal.OBJECT, o.id()), cameraFromObjects.get(o.id()), o.sizeMm());
         }
     }
 
-    private void requireSeen(String name, RigidTransform cameraFromMarker, double sizeMm) {
+    private void requireSeen(Refusal name, RigidTransform cameraFromMarker, double sizeMm) {
         if (!seen(cell.camera(), cameraFromMarker, sizeMm)) {
-            throw new InputRefusedException(name + " is not seen from the camera pose: some corner is outside the "
-                    + "image or it shows its back; give another --camera-pose or --object pose");
+            throw new InputRefusedException(
+                    Refusal.of(ValidationRefusal.NOT_SEEN, name, ValidationRefusal.OTHER_POSES));
         }
     }
 
@@ -141,7 +143,7 @@ public final class TruthPrior {
                 RigidTransform suggested = RigidTransform.of(moved.rotation(),
                         new double[] {p[0] - g[0], p[1] - g[1], p[2] - g[2]});
                 camera = referencesSeen(lens, suggested) ? suggested : null;
-                refuseIfHopeless(i, "the references");
+                refuseIfHopeless(i, Refusal.of(ValidationRefusal.THE_REFERENCES));
             }
         }
         RigidTransform worldFromCamera = camera.inverse();
@@ -152,7 +154,7 @@ public final class TruthPrior {
                 RigidTransform nominal = pose;
                 pose = moved(nominal, random);
                 for (int i = 0; !seen(lens, pose, o.sizeMm()); i++) {
-                    refuseIfHopeless(i, "object " + o.id());
+                    refuseIfHopeless(i, Refusal.of(ValidationRefusal.OBJECT, o.id()));
                     pose = moved(nominal, random);
                 }
             }
@@ -173,20 +175,20 @@ public final class TruthPrior {
             }
             intrinsicsPrior.setWhitened(rows, intrinsics);
         } while (!(intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0));
-        return PinholeCamera.of(cell.camera().widthPx(), cell.camera().heightPx(), intrinsics);
+        return cell.camera().withIntrinsics(intrinsics);
     }
 
-    private static void refuseIfHopeless(int attempt, String what) {
+    private static void refuseIfHopeless(int attempt, Refusal what) {
         if (attempt > ATTEMPTS) {
-            throw new InputRefusedException("true poses spread so wide hardly ever have " + what
-                    + " in the image; give a smaller --spread");
+            throw new InputRefusedException(
+                    Refusal.of(ValidationRefusal.SPREAD_TOO_WIDE, what, ValidationRefusal.SMALLER_SPREAD));
         }
     }
 
     private RigidTransform moved(RigidTransform pose, RandomGenerator random) {
-        double[] t = pose.translationMm();
+        double[] shift = new double[3];
         for (int i = 0; i < 3; i++) {
-            t[i] += stdMm * random.nextGaussian();
+            shift[i] = stdMm * random.nextGaussian();
         }
         double[] w = new double[3];
         do {
@@ -194,8 +196,7 @@ public final class TruthPrior {
                 w[i] = stdRad * random.nextGaussian();
             }
         } while (w[0] * w[0] + w[1] * w[1] + w[2] * w[2] > Math.PI * Math.PI);
-        RigidTransform turn = RigidTransform.ofRotationVector(w, new double[3]);
-        return RigidTransform.of(turn.compose(RigidTransform.of(pose.rotation(), new double[3])).rotation(), t);
+        return pose.displaced(shift, w);
     }
 
     /**
@@ -260,37 +261,7 @@ public final class TruthPrior {
     }
 
     private static boolean seen(PinholeCamera lens, RigidTransform cameraFromMarker, double sizeMm) {
-        double[] r = cameraFromMarker.rotation();
-        double[] t = cameraFromMarker.translationMm();
-        // the marker's normal must point towards the camera, which is at the origin
-        if (!(r[2] * t[0] + r[5] * t[1] + r[8] * t[2] < 0)) {
-            return false;
-        }
-        double[] px = project(lens, cameraFromMarker, sizeMm);
-        if (px == null) {
-            return false;
-        }
-        for (int i = 0; i < 8; i += 2) {
-            if (!(px[i] >= 0 && px[i] <= lens.widthPx() && px[i + 1] >= 0
-                    && px[i + 1] <= lens.heightPx())) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** Corners in the image, 8 values, or null if one is not in front of the camera. */
-    static double[] project(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
-        double[] corners = MarkerGeometry.cornersMm(cameraFromMarker, sizeMm);
-        double[] px = new double[8];
-        for (int k = 0; k < 4; k++) {
-            double[] uv = camera.project(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
-            if (uv == null) {
-                return null;
-            }
-            System.arraycopy(uv, 0, px, 2 * k, 2);
-        }
-        return px;
+        return MarkerGeometry.seenPx(lens, cameraFromMarker, sizeMm) != null;
     }
 
     /**

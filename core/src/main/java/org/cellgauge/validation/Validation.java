@@ -7,11 +7,12 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.RankHistogram;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Cells simulated from their stated uncertainties, each checked as a photo would be: how often do the regions that the
@@ -109,7 +110,8 @@ public final class Validation {
         CheckResult result;
         try {
             if (detections == null) {
-                throw new InputRefusedException("a reference is behind the camera");
+                throw new InputRefusedException(
+                        Refusal.of(ValidationRefusal.REFERENCE_BEHIND_CAMERA));
             }
             result = CellCheck.run(cell, detections, own);
         } catch (InputRefusedException e) {

@@ -20,13 +20,15 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellPhrase;
+import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Decimal;
@@ -67,7 +69,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final PinholeCamera camera;
     /** Patterns of the ids to report. */
     private final Map<Integer, boolean[]> patterns = new TreeMap<>();
-    private final MarkerPattern familyPatterns;
+    private final FamilyPatterns familyPatterns;
     private final boolean hasChecksum;
     private final double residualLimitPerSide;
     private final BaseDetectFiducialSquare<GrayU8> squares;
@@ -127,10 +129,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.residualLimitPerSide = residualLimitPerSide;
         this.camera = camera;
         this.hasChecksum = !family.isSquareBinary();
-        this.familyPatterns = new MarkerPattern(family);
+        this.familyPatterns = new FamilyPatterns(family);
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
         this.squares = family.isSquareBinary() ? squareBinary() : squareHamming(family);
-        if (camera.hasDistortion()) {
+        if (camera.isDistorting() && !camera.lens().isWide()) {
             squares.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), true);
         } else {
             squares.configure(null, camera.widthPx(), camera.heightPx(), false);
@@ -187,17 +189,16 @@ public final class BoofMarkerDetector implements MarkerDetector {
         CameraPinholeBrown lens = new CameraPinholeBrown(3);
         lens.fsetK(camera.get(PinholeCamera.FX), camera.get(PinholeCamera.FY), camera.get(PinholeCamera.SKEW),
                 camera.get(PinholeCamera.CX), camera.get(PinholeCamera.CY), camera.widthPx(), camera.heightPx());
-        lens.fsetRadial(camera.get(PinholeCamera.K1), camera.get(PinholeCamera.K2), camera.get(PinholeCamera.K3));
-        lens.fsetTangential(camera.get(PinholeCamera.P1), camera.get(PinholeCamera.P2));
+        lens.fsetRadial(camera.get(BrownLens.K1), camera.get(BrownLens.K2), camera.get(BrownLens.K3));
+        lens.fsetTangential(camera.get(BrownLens.P1), camera.get(BrownLens.P2));
         return LensDistortionFactory.narrow(lens);
     }
 
     @Override
     public Detections detect(GreyImage image, String imageName) {
         if (image.widthPx() != camera.widthPx() || image.heightPx() != camera.heightPx()) {
-            throw new InputRefusedException(String.format(Locale.ROOT, "%s: the image is %d x %d px, but the camera is "
-                    + "calibrated for %d x %d px; take the photo at that size or calibrate the camera at this one",
-                    imageName, image.widthPx(), image.heightPx(), camera.widthPx(), camera.heightPx()));
+            throw new InputRefusedException(imageName, CellRefusal.IMAGE_SIZE, image.widthPx(), image.heightPx(),
+                    camera.widthPx(), camera.heightPx(), CellPhrase.PHOTO_SIZE);
         }
         view.data = image.luminance();
         view.startIndex = image.offset();
@@ -367,7 +368,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     private int listedId(boolean[] white) {
         for (Map.Entry<Integer, boolean[]> listed : patterns.entrySet()) {
-            if (MarkerPattern.differences(listed.getValue(), white) <= familyPatterns.correctable()) {
+            if (FamilyPatterns.differences(listed.getValue(), white) <= familyPatterns.correctable()) {
                 return listed.getKey();
             }
         }

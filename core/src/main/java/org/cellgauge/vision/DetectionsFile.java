@@ -11,17 +11,24 @@ import java.io.Reader;
 import java.io.StringReader;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputFiles;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.light.ToneCurve;
+import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.RefusalKind;
 
 /**
  * Reads, judges and writes detections files: corners from any detector, in place of an image.
@@ -42,11 +49,9 @@ public final class DetectionsFile {
     /** Largest detections file that is read, bytes. */
     public static final int MAX_BYTES = 10 << 20;
 
-    private static final String WHAT = "detections file";
+    private static final DetectionsPhrase WHAT = DetectionsPhrase.DETECTIONS_FILE;
     private static final int MAX_SIDE_PX = 30_000;
     private static final int MAX_ID = 999_999_999;
-    private static final String CORNERS_REMEDY =
-            "write the corners as [[x, y], [x, y], [x, y], [x, y]]: top-left, top-right, bottom-right, bottom-left";
     /** Smallest area of a marker in the image, px²; two pixels a side, far below what any detector finds. */
     private static final double MIN_AREA_PX2 = 4;
     /** How far outside of the image a corner may lie, in its longer sides: detectors extrapolate a little. */
@@ -57,13 +62,8 @@ public final class DetectionsFile {
     private static final double SYMMETRY_TOLERANCE = 1e-6;
     /** Share of a corner's variance that must be left once the others are known. */
     private static final double LEAST_CONDITIONAL_SHARE = 1e-10;
-    private static final String COVARIANCE_REMEDY = "write the covariance of the corners' errors in square px as 8 rows "
-            + "of 8 numbers, in the order u, v of each corner, or leave the key out";
-    private static final String SHIFT_REMEDY = "write {\"px\": 0.1, \"variance_px2\": 0.01, "
-            + "\"covariance_with_corners_px2\": [8 numbers]}, or leave the key out";
-    private static final String LIGHT_REMEDY = "write {\"tone_curve\": \"srgb\", \"edge_shift_std_px\": 0.1, "
-            + "\"blur_px\": 0.7, \"noise_grey\": 2}, or leave the key out";
     // the one public way to the reader's line: its own text, "JsonReader at line 1 column 2 path $"
+    private static final Pattern POWER = Pattern.compile("(gamma|srgb) (.*)", Pattern.DOTALL);
     private static final Pattern PLACE = Pattern.compile("line (\\d+) column (\\d+)");
 
     private final JsonReader json;
@@ -106,14 +106,13 @@ public final class DetectionsFile {
             while (n >= 0) {
                 text.append(buffer, 0, n);
                 if (text.length() > MAX_BYTES) {
-                    throw new InputRefusedException(displayName + ": larger than " + MAX_BYTES / 1024
-                            + " KiB, which no " + WHAT + " is; check the name of the file");
+                    throw new InputRefusedException(displayName, CellRefusal.TOO_LARGE, MAX_BYTES / 1024, WHAT);
                 }
                 n = reader.read(buffer);
             }
         } catch (IOException e) {
-            throw new InputRefusedException(displayName + ": the " + WHAT + " cannot be read (" + e.getMessage()
-                    + "); check the disk or copy the file elsewhere", e);
+            throw new InputRefusedException(Refusal.at(Place.of(displayName), CellRefusal.NOT_READABLE, WHAT,
+                    String.valueOf(e.getMessage())), e);
         }
         return parse(text.toString(), displayName);
     }
@@ -188,7 +187,7 @@ public final class DetectionsFile {
 
     private static Detections parse(String text, String file) {
         if (text.trim().isEmpty()) {
-            throw new InputRefusedException(file + ": the file is empty; name a filled " + WHAT);
+            throw new InputRefusedException(file, CellRefusal.EMPTY, WHAT);
         }
         JsonReader json = new JsonReader(new StringReader(text));
         json.setStrictness(Strictness.STRICT);
@@ -196,21 +195,20 @@ public final class DetectionsFile {
         try {
             return reader.detections();
         } catch (EOFException e) {
-            throw reader.refused("the file ends in the middle of it; write it again in full", e);
+            throw reader.unreadable(e, DetectionsRefusal.CUT_SHORT);
         } catch (MalformedJsonException e) {
-            throw reader.refused("not valid JSON; check commas, quotes and brackets near this place, and that numbers "
-                    + "are finite", e);
+            throw reader.unreadable(e, DetectionsRefusal.JSON_SYNTAX);
         } catch (IOException e) {
-            throw reader.refused("not readable as JSON (" + e.getMessage() + "); write it again", e);
+            throw reader.unreadable(e, DetectionsRefusal.NOT_JSON, String.valueOf(e.getMessage()));
         }
     }
 
     private Detections detections() throws IOException {
-        expect(JsonToken.BEGIN_OBJECT, "an object", "begin with {\"image\": ..., \"markers\": [...]}");
+        expect(JsonToken.BEGIN_OBJECT, DetectionsPhrase.OBJECT, DetectionsPhrase.BEGIN);
         json.beginObject();
         Set<String> keys = new HashSet<>();
         List<MarkerObservation> markers = new ArrayList<>();
-        List<String> places = new ArrayList<>();
+        List<Place> places = new ArrayList<>();
         while (json.hasNext()) {
             switch (key(keys, "image", "light", "markers")) {
                 case "image":
@@ -227,7 +225,7 @@ public final class DetectionsFile {
         require(keys, "markers", "\"markers\": [...]");
         json.endObject();
         if (json.peek() != JsonToken.END_DOCUMENT) {
-            throw refused("more text follows after the end; delete it", null);
+            throw refused(DetectionsRefusal.MORE_TEXT);
         }
         for (int i = 0; i < markers.size(); i++) {
             judge(markers.get(i), places.get(i));
@@ -236,20 +234,20 @@ public final class DetectionsFile {
     }
 
     private void image() throws IOException {
-        String example = "write {\"width\": 1280, \"height\": 720, \"name\": \"a.png\"}";
-        expect(JsonToken.BEGIN_OBJECT, "an object", example);
+        expect(JsonToken.BEGIN_OBJECT, DetectionsPhrase.OBJECT,
+                write("{\"width\": 1280, \"height\": 720, \"name\": \"a.png\"}"));
         json.beginObject();
         Set<String> keys = new HashSet<>();
         while (json.hasNext()) {
             switch (key(keys, "width", "height", "name")) {
                 case "width":
-                    widthPx = whole(1, MAX_SIDE_PX, "write the image's width in px");
+                    widthPx = whole(1, MAX_SIDE_PX, DetectionsPhrase.WIDTH);
                     break;
                 case "height":
-                    heightPx = whole(1, MAX_SIDE_PX, "write the image's height in px");
+                    heightPx = whole(1, MAX_SIDE_PX, DetectionsPhrase.HEIGHT);
                     break;
                 default:
-                    expect(JsonToken.STRING, "a text", "write the image's file name, or leave the key out");
+                    expect(JsonToken.STRING, DetectionsPhrase.TEXT, DetectionsPhrase.FILE_NAME);
                     imageName = json.nextString();
             }
         }
@@ -259,7 +257,7 @@ public final class DetectionsFile {
     }
 
     private void light() throws IOException {
-        expect(JsonToken.BEGIN_OBJECT, "an object", LIGHT_REMEDY);
+        expect(JsonToken.BEGIN_OBJECT, DetectionsPhrase.OBJECT, DetectionsPhrase.LIGHT);
         json.beginObject();
         Set<String> keys = new HashSet<>();
         ToneCurve toneCurve = null;
@@ -275,20 +273,21 @@ public final class DetectionsFile {
                     toneCurve = toneCurve();
                     break;
                 case "tone_curve_estimated":
-                    expect(JsonToken.BOOLEAN, "true or false", "write true or false, or leave the key out");
+                    expect(JsonToken.BOOLEAN, DetectionsPhrase.TRUE_OR_FALSE,
+                            DetectionsPhrase.WRITE_TRUE_OR_FALSE);
                     estimated = json.nextBoolean();
                     break;
                 case "edge_shift_std_px":
-                    edgeShiftStdPx = notNegative("write a deviation in px, 0 where edges cannot be shifted");
+                    edgeShiftStdPx = notNegative(DetectionsPhrase.EDGE_SHIFT_STD);
                     break;
                 case "blur_px":
-                    blurPx = notNegative("write a deviation in px, or leave the key out");
+                    blurPx = notNegative(DetectionsPhrase.BLUR);
                     break;
                 case "noise_grey":
-                    noiseGrey = notNegative("write a deviation in grey levels of 255, or leave the key out");
+                    noiseGrey = notNegative(DetectionsPhrase.NOISE);
                     break;
                 default:
-                    degreesOfFreedom = notNegative("write a number, or leave the key out");
+                    degreesOfFreedom = notNegative(DetectionsPhrase.WRITE_NUMBER);
             }
         }
         require(keys, "tone_curve", "\"tone_curve\": \"srgb\"");
@@ -298,38 +297,54 @@ public final class DetectionsFile {
     }
 
     private ToneCurve toneCurve() throws IOException {
-        expect(JsonToken.STRING, "a text", "write \"srgb\", \"linear\" or \"gamma G\", for instance \"gamma 2.2\"");
-        String place = place();
+        expect(JsonToken.STRING, DetectionsPhrase.TEXT, DetectionsPhrase.TONE_CURVE);
+        Place place = place();
+        String words = json.nextString();
         try {
-            return ToneCurve.of(json.nextString());
+            return ToneCurve.of(words);
         } catch (IllegalArgumentException e) {
-            throw new InputRefusedException(place + ": " + e.getMessage(), e);
+            throw new InputRefusedException(noToneCurve(place, words), e);
         }
     }
 
-    private void markers(List<MarkerObservation> markers, List<String> places) throws IOException {
-        expect(JsonToken.BEGIN_ARRAY, "a list", "write [{\"id\": 944, \"corners_px\": [...]}]");
+    /** A word that is none, or the power of one that no camera has. */
+    private static Refusal noToneCurve(Place place, String words) {
+        Matcher m = POWER.matcher(words.trim().toLowerCase(Locale.ROOT));
+        if (m.matches()) {
+            try {
+                return Refusal.at(place, DetectionsRefusal.TONE_CURVE_OUT_OF_RANGE,
+                        m.group(1).equals("srgb") ? DetectionsPhrase.POWER : DetectionsPhrase.GAMMA,
+                        String.valueOf(ToneCurve.LEAST_GAMMA), String.valueOf(ToneCurve.LARGEST_GAMMA),
+                        String.valueOf(Double.parseDouble(m.group(2))));
+            } catch (NumberFormatException e) {
+                return Refusal.at(place, DetectionsRefusal.NO_TONE_CURVE, words);
+            }
+        }
+        return Refusal.at(place, DetectionsRefusal.NO_TONE_CURVE, words);
+    }
+
+    private void markers(List<MarkerObservation> markers, List<Place> places) throws IOException {
+        expect(JsonToken.BEGIN_ARRAY, DetectionsPhrase.LIST, write("[{\"id\": 944, \"corners_px\": [...]}]"));
         json.beginArray();
         Map<Integer, String> seen = new HashMap<>();
         while (json.hasNext()) {
-            expect(JsonToken.BEGIN_OBJECT, "an object", "write {\"id\": 944, \"corners_px\": [...]}");
-            String place = place();
+            expect(JsonToken.BEGIN_OBJECT, DetectionsPhrase.OBJECT, write("{\"id\": 944, \"corners_px\": [...]}"));
+            Place place = place();
             json.beginObject();
             Set<String> keys = new HashSet<>();
             int id = 0;
             double[] corners = null;
             double[] covariance = null;
             EdgeShift shift = null;
-            String covariancePlace = null;
-            String shiftPlace = null;
+            Place covariancePlace = null;
+            Place shiftPlace = null;
             while (json.hasNext()) {
                 switch (key(keys, "id", "corners_px", "covariance_px2", "edge_shift")) {
                     case "id":
-                        id = whole(0, MAX_ID, "write the marker's id");
+                        id = whole(0, MAX_ID, DetectionsPhrase.ID);
                         String earlier = seen.putIfAbsent(id, json.getPath());
                         if (earlier != null) {
-                            throw refused("marker " + id + " was already given as " + shown(earlier)
-                                    + "; keep the true one of the two", null);
+                            throw refused(DetectionsRefusal.MARKER_TWICE, id, shown(earlier));
                         }
                         break;
                     case "covariance_px2":
@@ -356,14 +371,14 @@ public final class DetectionsFile {
     }
 
     private double[] corners() throws IOException {
-        expect(JsonToken.BEGIN_ARRAY, "4 corners", CORNERS_REMEDY);
-        String place = place();
+        expect(JsonToken.BEGIN_ARRAY, DetectionsPhrase.FOUR_CORNERS, DetectionsPhrase.CORNERS);
+        Place place = place();
         json.beginArray();
         double[] corners = new double[8];
         int count = 0;
         while (json.hasNext()) {
-            expect(JsonToken.BEGIN_ARRAY, "a corner", CORNERS_REMEDY);
-            String cornerPlace = place();
+            expect(JsonToken.BEGIN_ARRAY, DetectionsPhrase.CORNER, DetectionsPhrase.CORNERS);
+            Place cornerPlace = place();
             json.beginArray();
             int values = 0;
             while (json.hasNext()) {
@@ -375,26 +390,25 @@ public final class DetectionsFile {
             }
             json.endArray();
             if (values != 2) {
-                throw new InputRefusedException(cornerPlace + ": expected 2 numbers, got " + values
-                        + "; write a corner as [x, y] in px");
+                throw expected(cornerPlace, DetectionsPhrase.TWO_NUMBERS, values, DetectionsPhrase.WRITE_CORNER);
             }
             count++;
         }
         json.endArray();
         if (count != 4) {
-            throw new InputRefusedException(place + ": expected 4 corners, got " + count + "; " + CORNERS_REMEDY);
+            throw expected(place, DetectionsPhrase.FOUR_CORNERS, count, DetectionsPhrase.CORNERS);
         }
         return corners;
     }
 
     private double[] covariance() throws IOException {
-        expect(JsonToken.BEGIN_ARRAY, "8 rows of 8 numbers", COVARIANCE_REMEDY);
-        String place = place();
+        expect(JsonToken.BEGIN_ARRAY, DetectionsPhrase.EIGHT_ROWS_OF_NUMBERS, DetectionsPhrase.COVARIANCE);
+        Place place = place();
         json.beginArray();
         double[] covariance = new double[64];
         int rows = 0;
         while (json.hasNext()) {
-            double[] row = eight(COVARIANCE_REMEDY);
+            double[] row = eight(DetectionsPhrase.COVARIANCE);
             if (rows < 8) {
                 System.arraycopy(row, 0, covariance, 8 * rows, 8);
             }
@@ -402,14 +416,14 @@ public final class DetectionsFile {
         }
         json.endArray();
         if (rows != 8) {
-            throw new InputRefusedException(place + ": expected 8 rows, got " + rows + "; " + COVARIANCE_REMEDY);
+            throw expected(place, DetectionsPhrase.EIGHT_ROWS, rows, DetectionsPhrase.COVARIANCE);
         }
         return covariance;
     }
 
-    private double[] eight(String remedy) throws IOException {
-        expect(JsonToken.BEGIN_ARRAY, "8 numbers", remedy);
-        String place = place();
+    private double[] eight(DetectionsPhrase remedy) throws IOException {
+        expect(JsonToken.BEGIN_ARRAY, DetectionsPhrase.EIGHT_NUMBERS, remedy);
+        Place place = place();
         json.beginArray();
         double[] values = new double[8];
         int count = 0;
@@ -422,13 +436,13 @@ public final class DetectionsFile {
         }
         json.endArray();
         if (count != 8) {
-            throw new InputRefusedException(place + ": expected 8 numbers, got " + count + "; " + remedy);
+            throw expected(place, DetectionsPhrase.EIGHT_NUMBERS, count, remedy);
         }
         return values;
     }
 
     private EdgeShift edgeShift() throws IOException {
-        expect(JsonToken.BEGIN_OBJECT, "an object", SHIFT_REMEDY);
+        expect(JsonToken.BEGIN_OBJECT, DetectionsPhrase.OBJECT, DetectionsPhrase.SHIFT);
         json.beginObject();
         Set<String> keys = new HashSet<>();
         double px = 0;
@@ -440,31 +454,30 @@ public final class DetectionsFile {
                     px = number();
                     break;
                 case "variance_px2":
-                    String place = place();
+                    Place place = place();
                     variance = number();
                     if (!(variance > 0)) {
-                        throw new InputRefusedException(place + ": expected a number above 0, got " + variance
-                                + "; write the variance of the shift's error in square px, or leave edge_shift out");
+                        throw expected(place, DetectionsPhrase.POSITIVE_NUMBER, String.valueOf(variance),
+                                DetectionsPhrase.SHIFT_VARIANCE);
                     }
                     break;
                 default:
-                    withCorners = eight(SHIFT_REMEDY);
+                    withCorners = eight(DetectionsPhrase.SHIFT);
             }
         }
         require(keys, "px", "\"px\": 0.1");
         require(keys, "variance_px2", "\"variance_px2\": 0.01");
         require(keys, "covariance_with_corners_px2",
-                "\"covariance_with_corners_px2\": [0, 0, 0, 0, 0, 0, 0, 0] where corners and shift share no errors");
+                DetectionsPhrase.SHIFT_WITH_CORNERS);
         json.endObject();
         return new EdgeShift(px, variance, withCorners);
     }
 
     /** Refuses what cannot be the covariance of corners, or of corners and shift. */
-    private static void judgePrecision(int id, double[] covariance, String place, EdgeShift shift, String shiftPlace) {
+    private static void judgePrecision(int id, double[] covariance, Place place, EdgeShift shift, Place shiftPlace) {
         if (covariance == null) {
             if (shift != null) {
-                throw new InputRefusedException(shiftPlace + ": marker " + id + " states an edge shift without the "
-                        + "covariance of its corners; add covariance_px2, or leave edge_shift out");
+                throw refused(shiftPlace, DetectionsRefusal.SHIFT_WITHOUT_COVARIANCE, id);
             }
             return;
         }
@@ -473,19 +486,16 @@ public final class DetectionsFile {
                 double below = covariance[8 * i + j];
                 double above = covariance[8 * j + i];
                 if (Math.abs(below - above) > SYMMETRY_TOLERANCE * Math.max(Math.abs(below), Math.abs(above))) {
-                    throw new InputRefusedException(place + ": the covariance of marker " + id + " is not symmetric: "
-                            + above + " in row " + (j + 1) + ", column " + (i + 1) + ", but " + below + " in row "
-                            + (i + 1) + ", column " + (j + 1) + "; " + COVARIANCE_REMEDY);
+                    throw refused(place, DetectionsRefusal.NOT_SYMMETRIC, id, String.valueOf(above), j + 1, i + 1,
+                            String.valueOf(below), i + 1, j + 1, DetectionsPhrase.COVARIANCE);
                 }
             }
         }
         if (!isCovariance(covariance, 8, null)) {
-            throw new InputRefusedException(place + ": the covariance of marker " + id + " is not positive definite: "
-                    + "some combination of its corners would have no variance or a negative one; " + COVARIANCE_REMEDY);
+            throw refused(place, DetectionsRefusal.NOT_POSITIVE_DEFINITE, id, DetectionsPhrase.COVARIANCE);
         }
         if (shift != null && !isCovariance(covariance, 9, shift)) {
-            throw new InputRefusedException(shiftPlace + ": the covariances of marker " + id + " and of its edge shift "
-                    + "contradict each other: together they are not positive definite; " + SHIFT_REMEDY);
+            throw refused(shiftPlace, DetectionsRefusal.COVARIANCES_CONTRADICT, id, DetectionsPhrase.SHIFT);
         }
     }
 
@@ -512,7 +522,7 @@ public final class DetectionsFile {
     }
 
     /** Refuses corners that no picture of a marker's front can have. */
-    private void judge(MarkerObservation marker, String place) {
+    private void judge(MarkerObservation marker, Place place) {
         double[] c = marker.cornersPx();
         double margin = MARGIN_PER_SIDE * Math.max(widthPx, heightPx);
         double area = 0;
@@ -521,9 +531,8 @@ public final class DetectionsFile {
             double u = c[2 * i];
             double v = c[2 * i + 1];
             if (!(u >= -margin && u <= widthPx + margin && v >= -margin && v <= heightPx + margin)) {
-                throw new InputRefusedException(place + ": corner (" + u + ", " + v + ") of marker " + marker.id()
-                        + " lies far outside of the image of " + widthPx + " x " + heightPx
-                        + " px; check the image's size and that corners are in px of this image");
+                throw refused(place, DetectionsRefusal.CORNER_OUTSIDE, String.valueOf(u), String.valueOf(v),
+                        marker.id(), widthPx, heightPx);
             }
             area += 0.5 * (u * c[2 * j + 1] - c[2 * j] * v);
         }
@@ -544,20 +553,16 @@ public final class DetectionsFile {
             reach = Math.max(reach, Math.abs(cross));
         }
         if (reach < MIN_AREA_PX2) {
-            throw new InputRefusedException(place + ": the corners of marker " + marker.id() + " enclose no area; "
-                    + CORNERS_REMEDY + ", in px and not as shares of the image");
+            throw refused(place, DetectionsRefusal.NO_AREA, marker.id(), DetectionsPhrase.CORNERS);
         }
         if (negative == 4) {
-            throw new InputRefusedException(place + ": the corners of marker " + marker.id()
-                    + " run counter-clockwise, as in a mirror; " + CORNERS_REMEDY);
+            throw refused(place, DetectionsRefusal.MIRRORED, marker.id(), DetectionsPhrase.CORNERS);
         }
         if (negative == 2) {
-            throw new InputRefusedException(place + ": the outline of marker " + marker.id() + " crosses itself; "
-                    + CORNERS_REMEDY);
+            throw refused(place, DetectionsRefusal.CROSSES_ITSELF, marker.id(), DetectionsPhrase.CORNERS);
         }
         if (area < MIN_AREA_PX2 || least < -CONCAVE_TOLERANCE * area) {
-            throw new InputRefusedException(place + ": the corners of marker " + marker.id()
-                    + " are no picture of a square; " + CORNERS_REMEDY);
+            throw refused(place, DetectionsRefusal.NO_SQUARE, marker.id(), DetectionsPhrase.CORNERS);
         }
     }
 
@@ -566,94 +571,108 @@ public final class DetectionsFile {
         for (String k : known) {
             if (k.equals(key)) {
                 if (!keys.add(key)) {
-                    throw refused("stands twice; keep one of the two", null);
+                    throw refused(DetectionsRefusal.KEY_TWICE);
                 }
                 return key;
             }
         }
-        throw refused("unknown key; known here: " + String.join(", ", known), null);
+        throw refused(DetectionsRefusal.UNKNOWN_KEY, Listing.comma(Arrays.asList(known)));
     }
 
-    private void require(Set<String> keys, String key, String example) {
+    private void require(Set<String> keys, String key, Object example) {
         if (!keys.contains(key)) {
             String path = json.getPath();
-            throw new InputRefusedException(place(path.substring(0, path.lastIndexOf('.') + 1) + key)
-                    + ": is missing; add " + example);
+            throw refused(place(path.substring(0, path.lastIndexOf('.') + 1) + key), DetectionsRefusal.MISSING,
+                    example);
         }
     }
 
-    private void expect(JsonToken token, String what, String remedy) throws IOException {
+    private void expect(JsonToken token, DetectionsPhrase what, Object remedy) throws IOException {
         if (json.peek() != token) {
-            throw refused("expected " + what + ", got " + described(json.peek()) + "; " + remedy, null);
+            throw expected(place(), what, described(json.peek()), remedy);
         }
     }
 
     private double number() throws IOException {
-        expect(JsonToken.NUMBER, "a number", "write a number in px, without quotes");
-        String place = place();
+        expect(JsonToken.NUMBER, DetectionsPhrase.NUMBER, DetectionsPhrase.UNQUOTED_NUMBER);
+        Place place = place();
         String text = json.nextString();
         double value = Double.parseDouble(text);
         if (Double.isInfinite(value)) {
-            throw new InputRefusedException(place + ": expected a finite number, got " + text
-                    + "; write a number in px");
+            throw expected(place, DetectionsPhrase.FINITE_NUMBER, text, DetectionsPhrase.WRITE_PX);
         }
         return value;
     }
 
-    private double notNegative(String remedy) throws IOException {
-        String place = place();
+    private double notNegative(DetectionsPhrase remedy) throws IOException {
+        Place place = place();
         double value = number();
         if (!(value >= 0)) {
-            throw new InputRefusedException(place + ": expected a number from 0 on, got " + value + "; " + remedy);
+            throw expected(place, DetectionsPhrase.NUMBER_FROM_0, String.valueOf(value), remedy);
         }
         return value;
     }
 
-    private int whole(int min, int max, String remedy) throws IOException {
-        expect(JsonToken.NUMBER, "a whole number", remedy);
-        String place = place();
+    private int whole(int min, int max, DetectionsPhrase remedy) throws IOException {
+        expect(JsonToken.NUMBER, DetectionsPhrase.WHOLE_NUMBER, remedy);
+        Place place = place();
         String text = json.nextString();
         double value = Double.parseDouble(text);
         if (!text.matches("\\d+") || !(value >= min && value <= max)) {
-            throw new InputRefusedException(place + ": expected a whole number from " + min + " to " + max + ", got "
-                    + text + "; " + remedy);
+            throw expected(place, Refusal.of(DetectionsPhrase.WHOLE_NUMBER_WITHIN, min, max), text, remedy);
         }
         return (int) value;
     }
 
-    private static String described(JsonToken token) {
+    private static DetectionsPhrase described(JsonToken token) {
         switch (token) {
             case BEGIN_ARRAY:
-                return "a list";
+                return DetectionsPhrase.LIST;
             case BEGIN_OBJECT:
-                return "an object";
+                return DetectionsPhrase.OBJECT;
             case STRING:
-                return "a text in quotes";
+                return DetectionsPhrase.TEXT_IN_QUOTES;
             case NUMBER:
-                return "a number";
+                return DetectionsPhrase.NUMBER;
             case BOOLEAN:
-                return "true or false";
+                return DetectionsPhrase.TRUE_OR_FALSE;
             case NULL:
-                return "null";
+                return DetectionsPhrase.NULL;
             default:
-                return "nothing";
+                return DetectionsPhrase.NOTHING;
         }
     }
 
-    private InputRefusedException refused(String problem, Throwable cause) {
-        return new InputRefusedException(place() + ": " + problem, cause);
+    private InputRefusedException refused(RefusalKind kind, Object... arguments) {
+        return refused(place(), kind, arguments);
+    }
+
+    private static InputRefusedException refused(Place place, RefusalKind kind, Object... arguments) {
+        return new InputRefusedException(Refusal.at(place, kind, arguments));
+    }
+
+    private InputRefusedException unreadable(IOException e, RefusalKind kind, Object... arguments) {
+        return new InputRefusedException(Refusal.at(place(), kind, arguments), e);
+    }
+
+    private static InputRefusedException expected(Place place, Object what, Object got, Object remedy) {
+        return refused(place, DetectionsRefusal.EXPECTED, what, got, remedy);
+    }
+
+    private static Refusal write(String json) {
+        return Refusal.of(DetectionsPhrase.WRITE, json);
     }
 
     /** File, line, column and key path of what comes next. */
-    private String place() {
+    private Place place() {
         return place(json.getPath());
     }
 
-    private String place(String jsonPath) {
+    private Place place(String jsonPath) {
         Matcher m = PLACE.matcher(json.toString());
-        String where = m.find() ? ", line " + m.group(1) + ", column " + m.group(2) : "";
-        String path = shown(jsonPath);
-        return file + where + (path.isEmpty() ? "" : ", " + path);
+        boolean found = m.find();
+        return Place.of(file, found ? Integer.parseInt(m.group(1)) : 0, found ? Integer.parseInt(m.group(2)) : 0,
+                shown(jsonPath));
     }
 
     private static String shown(String path) {

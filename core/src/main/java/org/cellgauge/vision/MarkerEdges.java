@@ -2,15 +2,17 @@ package org.cellgauge.vision;
 
 import java.util.Arrays;
 import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
+import org.cellgauge.geometry.TangentPlane;
 
 /**
  * The edges of one marker in one image: its four sides fitted to the grey values, corners where they meet, the
  * covariance of these corners, and what the inner edges say of a shift common to all edges.
  *
  * <p>Sides of a marker are straight only where the lens does not bend them. So every pixel in a band along a side is
- * taken to undistorted pixels first (its grey value stays what the sensor measured: nothing is interpolated), and there
+ * taken to undistorted pixels first (its grey value stays what the sensor measured: nothing is interpolated), in one
+ * plane for the whole image or, under a wide lens, in a plane of the marker's own ({@link TangentPlane}), and there
  * a straight blurred step is fitted ({@link SideFit}). The light that blur brings into that band from the pattern
  * inside (known, once the marker is read), from the ends of the side and from beyond the edge of the paper (looked for
  * in the image) is part of the model: left out, it moves a side of a marker of 24 px by 0.02 px at a blur of 1.2 px.
@@ -73,7 +75,10 @@ final class MarkerEdges {
     private static final int SURROUNDINGS_PX = 15;
     private static final int SURROUNDINGS_RADII = 5;
 
+    private final Lens lens;
     private final double[] intrinsics;
+    /** Where the marker is looked at under a wide lens; null for others. */
+    private final TangentPlane plane;
     private final boolean distorted;
     private final int cells;
     private final int borderCells;
@@ -86,6 +91,7 @@ final class MarkerEdges {
     private final double[] line = new double[3 * CORNERS];
     private final double[] homography = new double[8];
     private final double[] point = new double[2];
+    private final double[] ray = new double[3];
     private boolean[] white;
     /** Grey values with an unsharp mask undone, in force where {@link #unsharpened}. */
     private final Unsharpened levels = new Unsharpened();
@@ -141,8 +147,10 @@ final class MarkerEdges {
      * @param borderCells cells of the black border on each side
      */
     MarkerEdges(PinholeCamera camera, int cells, int borderCells) {
+        this.lens = camera.lens();
         this.intrinsics = camera.intrinsics();
-        this.distorted = camera.hasDistortion();
+        this.plane = lens.isWide() ? new TangentPlane(camera) : null;
+        this.distorted = camera.isDistorting();
         this.cells = cells;
         this.borderCells = borderCells;
         for (int r = 0; r < ROWS; r++) {
@@ -163,6 +171,9 @@ final class MarkerEdges {
      * @return whether all sides were found near where they were looked for
      */
     boolean fit(GreyImage image, GreyScale scale, double[] cornersPx, boolean[] pattern) {
+        if (plane != null && !plane.aim(cornersPx)) {
+            return false;
+        }
         for (int i = 0; i < CORNERS; i++) {
             if (!toIdeal(cornersPx[2 * i], cornersPx[2 * i + 1], ideal, 2 * i)) {
                 return false;
@@ -452,12 +463,15 @@ final class MarkerEdges {
             out[at + 1] = v;
             return true;
         }
-        if (!Projection.toNormalised(intrinsics, u, v, point)) {
+        if (plane != null) {
+            return plane.toPlane(u, v, out, at);
+        }
+        if (!lens.toRay(intrinsics, u, v, ray)) {
             return false;
         }
-        out[at] = intrinsics[PinholeCamera.FX] * point[0] + intrinsics[PinholeCamera.SKEW] * point[1]
+        out[at] = intrinsics[PinholeCamera.FX] * ray[0] + intrinsics[PinholeCamera.SKEW] * ray[1]
                 + intrinsics[PinholeCamera.CX];
-        out[at + 1] = intrinsics[PinholeCamera.FY] * point[1] + intrinsics[PinholeCamera.CY];
+        out[at + 1] = intrinsics[PinholeCamera.FY] * ray[1] + intrinsics[PinholeCamera.CY];
         return true;
     }
 
@@ -467,10 +481,14 @@ final class MarkerEdges {
             out[at + 1] = y;
             return;
         }
+        if (plane != null) {
+            plane.toImage(x, y, out, at);
+            return;
+        }
         double yn = (y - intrinsics[PinholeCamera.CY]) / intrinsics[PinholeCamera.FY];
         double xn = (x - intrinsics[PinholeCamera.CX] - intrinsics[PinholeCamera.SKEW] * yn)
                 / intrinsics[PinholeCamera.FX];
-        Projection.project(intrinsics, xn, yn, 1, out, at);
+        lens.project(intrinsics, xn, yn, 1, out, at);
     }
 
     private boolean setHomography() {

@@ -1,113 +1,60 @@
 package org.cellgauge.vision;
 
-import boofcv.alg.drawing.FiducialImageEngine;
-import boofcv.alg.fiducial.square.FiducialSquareGenerator;
-import boofcv.alg.fiducial.square.FiducialSquareHammingGenerator;
-import boofcv.factory.fiducial.ConfigHammingMarker;
-import boofcv.factory.fiducial.HammingDictionary;
 import org.cellgauge.cell.MarkerFamily;
 
-/** The black and white cells of markers as BoofCV's own generators draw them, border included, marker upright. */
-final class MarkerPattern {
-    private static final int PIXELS_PER_CELL = 4;
-    private static final int BINARY_CELLS = 8;
-    private static final int BINARY_CODE_CELLS = 4;
-
-    private final MarkerFamily family;
-    private final ConfigHammingMarker dictionary;
+/** The black and white cells of a marker, seen from the front with the marker upright; immutable. */
+public final class MarkerPattern {
     private final int cells;
+    private final boolean[] white;
 
-    /**
-     * Patterns of a family.
-     *
-     * @param family any family
-     */
-    MarkerPattern(MarkerFamily family) {
-        this.family = family;
-        if (family.isSquareBinary()) {
-            dictionary = null;
-            cells = BINARY_CELLS;
-        } else {
-            dictionary = ConfigHammingMarker.loadDictionary(HammingDictionary.valueOf(family.dictionaryName()));
-            cells = (int) Math.round(dictionary.gridWidth / (1 - 2 * dictionary.borderWidthFraction));
-        }
+    private MarkerPattern(int cells, boolean[] white) {
+        this.cells = cells;
+        this.white = white;
     }
 
-    /** Cells along an edge, border included. */
-    int cells() {
+    /**
+     * The pattern of a marker.
+     *
+     * @param family its family
+     * @param id marker id
+     * @return its pattern
+     * @throws IllegalArgumentException if the family has no such id
+     */
+    public static MarkerPattern of(MarkerFamily family, int id) {
+        if (!family.has(id)) {
+            throw new IllegalArgumentException("the family " + family + " has the ids 0 to " + (family.size() - 1)
+                    + ", not " + id);
+        }
+        FamilyPatterns patterns = new FamilyPatterns(family);
+        return new MarkerPattern(patterns.cells(), patterns.white(id));
+    }
+
+    /**
+     * A square of one colour, for pictures with a known area.
+     *
+     * @return an all black pattern of one cell
+     */
+    public static MarkerPattern solidBlack() {
+        return new MarkerPattern(1, new boolean[1]);
+    }
+
+    /**
+     * Number of cells along an edge, border included.
+     *
+     * @return at least 1
+     */
+    public int cells() {
         return cells;
     }
 
     /**
-     * The pattern of one marker.
+     * Whether a cell is white.
      *
-     * @param id an id of the family
-     * @return cells x cells values row by row from the top left, true for white
+     * @param row from the top, 0 to {@link #cells()} - 1
+     * @param column from the left, 0 to {@link #cells()} - 1
+     * @return false for a black cell
      */
-    boolean[] white(int id) {
-        int width = cells * PIXELS_PER_CELL;
-        FiducialImageEngine engine = new FiducialImageEngine();
-        engine.configure(0, width);
-        if (family.isSquareBinary()) {
-            FiducialSquareGenerator generator = new FiducialSquareGenerator(engine);
-            generator.setMarkerWidth(width);
-            generator.setWhiteBorderDoc(0);
-            generator.generate((long) id, BINARY_CODE_CELLS);
-        } else {
-            FiducialSquareHammingGenerator generator = new FiducialSquareHammingGenerator(dictionary);
-            generator.setRenderer(engine);
-            generator.setMarkerWidth(width);
-            generator.generate(id);
-        }
-        boolean[] white = new boolean[cells * cells];
-        for (int i = 0; i < white.length; i++) {
-            int column = i % cells * PIXELS_PER_CELL + PIXELS_PER_CELL / 2;
-            int row = i / cells * PIXELS_PER_CELL + PIXELS_PER_CELL / 2;
-            white[i] = engine.getGray().get(column, row) > 127;
-        }
-        return white;
-    }
-
-    /**
-     * Number of misread cells that cannot make one marker of another: the largest below half the family's smallest
-     * distance.
-     *
-     * @return 0 for families without a checksum
-     */
-    int correctable() {
-        return dictionary == null ? 0 : Math.max(0, (dictionary.minimumHamming - 1) / 2);
-    }
-
-    /**
-     * A pattern turned by a quarter.
-     *
-     * @param white a pattern of {@link #cells()} squared values
-     * @return the pattern turned clockwise
-     */
-    boolean[] turnedClockwise(boolean[] white) {
-        boolean[] turned = new boolean[white.length];
-        for (int row = 0; row < cells; row++) {
-            for (int column = 0; column < cells; column++) {
-                turned[row * cells + column] = white[(cells - 1 - column) * cells + row];
-            }
-        }
-        return turned;
-    }
-
-    /**
-     * Number of cells in which two patterns differ.
-     *
-     * @param a a pattern
-     * @param b a pattern of the same size
-     * @return 0 or more
-     */
-    static int differences(boolean[] a, boolean[] b) {
-        int count = 0;
-        for (int i = 0; i < a.length; i++) {
-            if (a[i] != b[i]) {
-                count++;
-            }
-        }
-        return count;
+    public boolean isWhite(int row, int column) {
+        return white[row * cells + column];
     }
 }

@@ -1,7 +1,8 @@
 package org.cellgauge.vision;
 
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
+import org.cellgauge.geometry.TangentPlane;
 
 /**
  * Reads the cells of a marker again, once its corners, grey values and blur are known to fractions.
@@ -18,7 +19,10 @@ final class PatternReader {
     private static final int POINTS = 3;
     private static final double POINT_SPACING = 0.15;
 
+    private final Lens lens;
     private final double[] intrinsics;
+    /** Where the marker is looked at under a wide lens; null for others. */
+    private final TangentPlane plane;
     private final int cells;
     private final double[] level;
     private final double[] weightX;
@@ -26,7 +30,7 @@ final class PatternReader {
     private final double[] outsideX;
     private final double[] outsideY;
     private final double[] homography = new double[8];
-    private final double[] normalised = new double[2];
+    private final double[] ray = new double[3];
     private final double[] uv = new double[2];
     private final double[] ideal = new double[8];
 
@@ -37,7 +41,9 @@ final class PatternReader {
      * @param cells cells along a marker's edge, border included
      */
     PatternReader(PinholeCamera camera, int cells) {
+        this.lens = camera.lens();
         this.intrinsics = camera.intrinsics();
+        this.plane = lens.isWide() ? new TangentPlane(camera) : null;
         this.cells = cells;
         this.level = new double[cells * cells];
         this.weightX = new double[cells * cells];
@@ -140,7 +146,11 @@ final class PatternReader {
                     double w = homography[6] * x + homography[7] * y + 1;
                     double xn = (homography[0] * x + homography[1] * y + homography[2]) / w;
                     double yn = (homography[3] * x + homography[4] * y + homography[5]) / w;
-                    Projection.project(intrinsics, xn, yn, 1, uv, 0);
+                    if (plane != null) {
+                        plane.toImage(xn, yn, uv, 0);
+                    } else {
+                        lens.project(intrinsics, xn, yn, 1, uv, 0);
+                    }
                     sum += scale.tabulatedLight(image.interpolate(uv[0], uv[1]));
                 }
                 level[row * cells + column] = (sum / (POINTS * POINTS) - dark) / contrast;
@@ -149,12 +159,23 @@ final class PatternReader {
     }
 
     private boolean setHomography(double[] cornersPx) {
+        if (plane != null && !plane.aim(cornersPx)) {
+            return false;
+        }
         for (int i = 0; i < 4; i++) {
-            if (!Projection.toNormalised(intrinsics, cornersPx[2 * i], cornersPx[2 * i + 1], normalised)) {
+            double u = cornersPx[2 * i];
+            double v = cornersPx[2 * i + 1];
+            if (plane != null) {
+                if (!plane.toPlane(u, v, ideal, 2 * i)) {
+                    return false;
+                }
+                continue;
+            }
+            if (!lens.toRay(intrinsics, u, v, ray)) {
                 return false;
             }
-            ideal[2 * i] = normalised[0];
-            ideal[2 * i + 1] = normalised[1];
+            ideal[2 * i] = ray[0];
+            ideal[2 * i + 1] = ray[1];
         }
         return Homography.ofUnitSquare(ideal, homography);
     }

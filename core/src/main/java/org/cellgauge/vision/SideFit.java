@@ -2,6 +2,7 @@ package org.cellgauge.vision;
 
 import java.util.Arrays;
 import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.geometry.DampedGaussNewton;
 
 /**
  * One side of a marker fitted to the grey values of the pixels about it: position and slope of its line, width of the
@@ -77,13 +78,12 @@ final class SideFit {
     private int samples;
 
     final double[] unknowns = new double[UNKNOWNS];
-    private final double[] trial = new double[UNKNOWNS];
+    private final Line line = new Line();
+    private final DampedGaussNewton solver =
+            new DampedGaussNewton(UNKNOWNS, DampedGaussNewton.Damping.TENFOLD, MAX_STEPS);
     private final double[] normal = new double[UNKNOWNS * UNKNOWNS];
     private final double[] gradient = new double[UNKNOWNS];
-    private final double[] trialNormal = new double[UNKNOWNS * UNKNOWNS];
-    private final double[] trialGradient = new double[UNKNOWNS];
-    private final double[] damped = new double[UNKNOWNS * UNKNOWNS];
-    private final double[] step = new double[UNKNOWNS];
+    private final double[] gathered = new double[UNKNOWNS * UNKNOWNS];
     private final double[] row = new double[COLUMNS];
     private final double[] leverage = new double[UNKNOWNS * UNKNOWNS];
     private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
@@ -213,45 +213,56 @@ final class SideFit {
         }
         // clipped noise makes the darkest pixel 0, and another curve may have left less
         unknowns[DARK] = Math.max(scale.leastLevel(), unknowns[DARK]);
-        double damping = 1e-3;
-        double sum = linearise(scale, profile, unknowns, normal, gradient);
-        for (int i = 0; i < MAX_STEPS; i++) {
-            System.arraycopy(normal, 0, damped, 0, normal.length);
-            for (int k = 0; k < UNKNOWNS; k++) {
-                damped[k * (UNKNOWNS + 1)] = normal[k * (UNKNOWNS + 1)] * (1 + damping) + 1e-9;
-                step[k] = gradient[k];
+        line.scale = scale;
+        line.profile = profile;
+        line.evaluated = false;
+        solver.minimise(line);
+        return !solver.isSingular() && unknowns[BRIGHT] > unknowns[DARK] + 1;
+    }
+
+    /** The side as the solver sees it: a step is within what blur and grey levels can be. */
+    private final class Line implements DampedGaussNewton.Problem {
+        private GreyScale scale;
+        private EdgeProfile profile;
+        /** Whether sum and derivative at the unknowns are known, from when they were tried. */
+        private boolean evaluated;
+        private double sum;
+        private final double[] trial = new double[UNKNOWNS];
+
+        @Override
+        public double linearise(double[] information, double[] toGradient) {
+            if (!evaluated) {
+                sum = SideFit.this.linearise(scale, profile, unknowns, normal, gradient);
+                evaluated = true;
             }
-            if (!Cholesky.factor(damped, UNKNOWNS)) {
-                return false;
-            }
-            Cholesky.solveLower(damped, UNKNOWNS, step);
-            Cholesky.solveUpper(damped, UNKNOWNS, step);
+            System.arraycopy(normal, 0, information, 0, normal.length);
+            System.arraycopy(gradient, 0, toGradient, 0, UNKNOWNS);
+            return sum;
+        }
+
+        @Override
+        public double at(double[] step) {
             for (int k = 0; k < UNKNOWNS; k++) {
-                trial[k] = unknowns[k] - step[k];
+                trial[k] = unknowns[k] + step[k];
             }
             trial[BLUR] = Math.min(LARGEST_BLUR_PX, Math.max(SMALLEST_BLUR_PX, trial[BLUR]));
             trial[DARK] = Math.max(scale.leastLevel(), trial[DARK]);
             trial[BRIGHT] = Math.min(LARGEST_LEVEL, trial[BRIGHT]);
-            double moved = Math.abs(trial[OFFSET] - unknowns[OFFSET])
-                    + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx;
-            double trialSum = linearise(scale, profile, trial, trialNormal, trialGradient);
-            if (trialSum <= sum) {
-                System.arraycopy(trial, 0, unknowns, 0, UNKNOWNS);
-                System.arraycopy(trialNormal, 0, normal, 0, normal.length);
-                System.arraycopy(trialGradient, 0, gradient, 0, UNKNOWNS);
-                damping /= 10;
-                sum = trialSum;
-                if (moved < SETTLED_PX) {
-                    break;
-                }
-            } else {
-                damping *= 10;
-                if (damping > 1e6) {
-                    break;
-                }
-            }
+            // with its derivative at once: nearly every step is taken
+            sum = SideFit.this.linearise(scale, profile, trial, normal, gradient);
+            return sum;
         }
-        return unknowns[BRIGHT] > unknowns[DARK] + 1;
+
+        @Override
+        public void accept() {
+            System.arraycopy(trial, 0, unknowns, 0, UNKNOWNS);
+        }
+
+        @Override
+        public boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted) {
+            return accepted && Math.abs(trial[OFFSET] - unknowns[OFFSET])
+                    + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx < SETTLED_PX;
+        }
     }
 
     private double linearise(GreyScale scale, EdgeProfile profile, double[] p, double[] n, double[] g) {
@@ -367,7 +378,7 @@ final class SideFit {
         Arrays.fill(powerRow, 0);
         Arrays.fill(lampRow, 0);
         Arrays.fill(gradient, 0);
-        Arrays.fill(damped, 0);
+        Arrays.fill(gathered, 0);
         Arrays.fill(leverage, 0);
         double powerSquares = 0;
         double score = 0;
@@ -413,7 +424,7 @@ final class SideFit {
                 for (int a = 0; a < UNKNOWNS; a++) {
                     gradient[a] += row[a] * residual;
                     for (int b = 0; b <= a; b++) {
-                        damped[a * UNKNOWNS + b] += row[a] * row[b];
+                        gathered[a * UNKNOWNS + b] += row[a] * row[b];
                     }
                 }
                 row[POWER] = scale.byPower(share);
@@ -533,7 +544,7 @@ final class SideFit {
         }
         table.solve(amount, radiusPx);
         maskOvershoot = table.overshoot;
-        Arrays.fill(damped, 0);
+        Arrays.fill(gathered, 0);
         Arrays.fill(gradient, 0);
         Arrays.fill(shapeRows, 0);
         Arrays.fill(shapeInformation, 0);
@@ -573,7 +584,7 @@ final class SideFit {
             for (int a = 0; a < UNKNOWNS; a++) {
                 gradient[a] += row[a] * residual;
                 for (int b = 0; b <= a; b++) {
-                    damped[a * UNKNOWNS + b] += row[a] * row[b];
+                    gathered[a * UNKNOWNS + b] += row[a] * row[b];
                 }
                 for (int b = 0; b < SHAPES; b++) {
                     shapeRows[b * UNKNOWNS + a] += shapeRow[b] * row[a];
@@ -595,15 +606,15 @@ final class SideFit {
         projectShape(inverse);
     }
 
-    /** Inverse of the lower triangle gathered in {@link #damped}, hardly damped; null where it has none. */
+    /** Inverse of the lower triangle gathered in {@link #gathered}, hardly damped; null where it has none. */
     private double[] inverseOfDamped() {
         for (int a = 0; a < UNKNOWNS; a++) {
-            damped[a * (UNKNOWNS + 1)] += 1e-9;
+            gathered[a * (UNKNOWNS + 1)] += 1e-9;
             for (int b = 0; b < a; b++) {
-                damped[b * UNKNOWNS + a] = damped[a * UNKNOWNS + b];
+                gathered[b * UNKNOWNS + a] = gathered[a * UNKNOWNS + b];
             }
         }
-        return Cholesky.inverse(damped, UNKNOWNS);
+        return Cholesky.inverse(gathered, UNKNOWNS);
     }
 
     /** Projects the side's own unknowns out of score and information of the shape. */

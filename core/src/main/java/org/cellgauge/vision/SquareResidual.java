@@ -6,14 +6,15 @@ import boofcv.factory.geo.FactoryMultiView;
 import boofcv.struct.geo.Point2D3D;
 import georegression.struct.se.Se3_F64;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import org.cellgauge.geometry.DampedGaussNewton;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.geometry.Rotations;
-import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
-import org.ejml.interfaces.linsol.LinearSolverDense;
+import org.cellgauge.geometry.TangentPlane;
 
 /**
  * How far four corners are from being the image of any square: what remains after the best pose.
@@ -34,16 +35,17 @@ final class SquareResidual {
     private static final double SIDE = 2;
 
     private final PinholeCamera camera;
+    private final Lens lens;
     private final double[] intrinsics;
+    /** Where the square is looked at under a wide lens; null for others, which have one plane for all. */
+    private final TangentPlane plane;
     private final double[] square = MarkerGeometry.cornersMm(SIDE);
     private final Estimate1ofPnP ippe = FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0);
     private final List<Point2D3D> correspondences = new ArrayList<>();
     private final Se3_F64 cameraFromSquare = new Se3_F64();
-    private final LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.symmPosDef(POSE);
-    private final DMatrixRMaj normal = new DMatrixRMaj(POSE, POSE);
-    private final DMatrixRMaj damped = new DMatrixRMaj(POSE, POSE);
-    private final DMatrixRMaj gradient = new DMatrixRMaj(POSE, 1);
-    private final DMatrixRMaj step = new DMatrixRMaj(POSE, 1);
+    private final Pose pose = new Pose();
+    private final DampedGaussNewton solver =
+            new DampedGaussNewton(POSE, DampedGaussNewton.Damping.TENFOLD, MAX_STEPS);
     private final double[] normalised = new double[2];
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
@@ -51,7 +53,9 @@ final class SquareResidual {
 
     SquareResidual(PinholeCamera camera) {
         this.camera = camera;
+        this.lens = camera.lens();
         this.intrinsics = camera.intrinsics();
+        this.plane = lens.isWide() ? new TangentPlane(camera) : null;
         for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
             correspondences.add(new Point2D3D());
         }
@@ -65,8 +69,13 @@ final class SquareResidual {
      *     deviation of one corner coordinate; infinite where no pose puts a square in front of the camera
      */
     double impliedStdPx(double[] cornersPx) {
+        if (plane != null && !plane.aim(cornersPx)) {
+            return Double.POSITIVE_INFINITY;
+        }
         for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
-            if (!camera.toNormalised(cornersPx[2 * i], cornersPx[2 * i + 1], normalised)) {
+            double u = cornersPx[2 * i];
+            double v = cornersPx[2 * i + 1];
+            if (plane != null ? !plane.toNormalised(u, v, normalised) : !camera.toNormalised(u, v, normalised)) {
                 return Double.POSITIVE_INFINITY;
             }
             correspondences.get(i).setTo(normalised[0], normalised[1], square[3 * i], square[3 * i + 1],
@@ -77,48 +86,56 @@ final class SquareResidual {
         }
         double[] rotation = cameraFromSquare.R.data.clone();
         double[] translation = {cameraFromSquare.T.x, cameraFromSquare.T.y, cameraFromSquare.T.z};
+        if (plane != null) {
+            RigidTransform pose = plane.inCamera(RigidTransform.of(rotation, translation));
+            rotation = pose.rotation();
+            translation = pose.translationMm();
+        }
         double sum = refine(cornersPx, rotation, translation);
         return Math.sqrt(sum / DEGREES_OF_FREEDOM);
     }
 
     private double refine(double[] cornersPx, double[] rotation, double[] translation) {
-        double damping = 1e-3;
-        double sum = linearise(cornersPx, rotation, translation);
-        double[] update = new double[9];
-        double[] trialRotation = new double[9];
-        double[] trialTranslation = new double[3];
-        for (int i = 0; i < MAX_STEPS && Double.isFinite(sum); i++) {
-            damped.setTo(normal);
-            for (int k = 0; k < POSE; k++) {
-                damped.set(k, k, normal.get(k, k) * (1 + damping));
-            }
-            if (!solver.setA(damped)) {
-                return sum;
-            }
-            solver.solve(gradient, step);
-            Rotations.exp(-step.get(0), -step.get(1), -step.get(2), update);
-            Rotations.multiply(update, rotation, trialRotation);
-            for (int k = 0; k < 3; k++) {
-                trialTranslation[k] = translation[k] - step.get(3 + k);
-            }
-            double trial = sumOfSquares(cornersPx, trialRotation, trialTranslation);
-            if (trial < sum) {
-                boolean settled = sum - trial < ENOUGH * sum;
-                System.arraycopy(trialRotation, 0, rotation, 0, 9);
-                System.arraycopy(trialTranslation, 0, translation, 0, 3);
-                damping /= 10;
-                sum = linearise(cornersPx, rotation, translation);
-                if (settled) {
-                    return sum;
-                }
-            } else {
-                damping *= 10;
-                if (damping > 1e6) {
-                    return sum;
-                }
-            }
+        pose.observed = cornersPx;
+        pose.rotation = rotation;
+        pose.translation = translation;
+        return solver.minimise(pose);
+    }
+
+    /** The pose as the solver sees it: steps turn it by a rotation vector in the camera frame, and shift it. */
+    private final class Pose implements DampedGaussNewton.Problem {
+        private double[] observed;
+        private double[] rotation;
+        private double[] translation;
+        private final double[] turn = new double[9];
+        private final double[] trialRotation = new double[9];
+        private final double[] trialTranslation = new double[3];
+
+        @Override
+        public double linearise(double[] information, double[] gradient) {
+            return SquareResidual.this.linearise(observed, rotation, translation, information, gradient);
         }
-        return sum;
+
+        @Override
+        public double at(double[] step) {
+            Rotations.exp(step[0], step[1], step[2], turn);
+            Rotations.multiply(turn, rotation, trialRotation);
+            for (int k = 0; k < 3; k++) {
+                trialTranslation[k] = translation[k] + step[3 + k];
+            }
+            return sumOfSquares(observed, trialRotation, trialTranslation);
+        }
+
+        @Override
+        public void accept() {
+            System.arraycopy(trialRotation, 0, rotation, 0, 9);
+            System.arraycopy(trialTranslation, 0, translation, 0, 3);
+        }
+
+        @Override
+        public boolean isEnough(double[] step, double squaredStds, double before, double after, boolean accepted) {
+            return accepted && before - after <= ENOUGH * before;
+        }
     }
 
     private double sumOfSquares(double[] cornersPx, double[] r, double[] t) {
@@ -127,7 +144,7 @@ final class SquareResidual {
             double x = r[0] * square[3 * i] + r[1] * square[3 * i + 1] + t[0];
             double y = r[3] * square[3 * i] + r[4] * square[3 * i + 1] + t[1];
             double z = r[6] * square[3 * i] + r[7] * square[3 * i + 1] + t[2];
-            if (!Projection.project(intrinsics, x, y, z, uv, 0)) {
+            if (!lens.project(intrinsics, x, y, z, uv, 0)) {
                 return Double.POSITIVE_INFINITY;
             }
             double du = uv[0] - cornersPx[2 * i];
@@ -138,15 +155,15 @@ final class SquareResidual {
     }
 
     /** Fills the normal equations at a pose, rotation vector (in the camera frame) before translation. */
-    private double linearise(double[] cornersPx, double[] r, double[] t) {
-        normal.zero();
-        gradient.zero();
+    private double linearise(double[] cornersPx, double[] r, double[] t, double[] normal, double[] gradient) {
+        Arrays.fill(normal, 0);
+        Arrays.fill(gradient, 0);
         double sum = 0;
         for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
             double px = r[0] * square[3 * i] + r[1] * square[3 * i + 1];
             double py = r[3] * square[3 * i] + r[4] * square[3 * i + 1];
             double pz = r[6] * square[3 * i] + r[7] * square[3 * i + 1];
-            if (!Projection.projectWithDerivatives(intrinsics, px + t[0], py + t[1], pz + t[2], uv, byPoint, null)) {
+            if (!lens.projectWithDerivatives(intrinsics, px + t[0], py + t[1], pz + t[2], uv, byPoint, null)) {
                 return Double.POSITIVE_INFINITY;
             }
             for (int k = 0; k < 2; k++) {
@@ -163,9 +180,9 @@ final class SquareResidual {
                 double residual = uv[k] - cornersPx[2 * i + k];
                 sum += residual * residual;
                 for (int m = 0; m < POSE; m++) {
-                    gradient.add(m, 0, row[m] * residual);
+                    gradient[m] += row[m] * residual;
                     for (int n = 0; n < POSE; n++) {
-                        normal.add(m, n, row[m] * row[n]);
+                        normal[POSE * m + n] += row[m] * row[n];
                     }
                 }
             }

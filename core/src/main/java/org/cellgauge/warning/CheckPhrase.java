@@ -1,6 +1,6 @@
 package org.cellgauge.warning;
 
-/** Parts of the sentences of {@link CheckWarning}. */
+/** Parts of the sentences of {@link CheckWarning} and {@link CheckRefusal}. */
 public enum CheckPhrase implements WarningKind {
     /** What shows that chains would hardly move: efficiency of importance sampling, %, accepted steps, %. */
     MISFIT("importance efficiency %s %%, acceptance %s %%"),
@@ -27,7 +27,13 @@ public enum CheckPhrase implements WarningKind {
     /** Other objects move less. */
     MORE_THAN_ANY_OTHER(", more than any other"),
     /** The largest deviation, mm, of any object or gripping point: without the misplaced references, with them. */
-    LARGEST_DEVIATION(", and the largest deviation is %s mm instead of %s mm");
+    LARGEST_DEVIATION(", and the largest deviation is %s mm instead of %s mm"),
+    /** A remedy for chains that were too short. */
+    MORE_ITERATIONS("allow more iterations"),
+    /** A remedy for a start that leads nowhere. */
+    INITIAL_PNP("take pnp as the initial estimate"),
+    /** Why chains cannot start: the log density there. */
+    DENSITY_AT_START("the density is %s at the start of the chain");
 
     private final String english;
 

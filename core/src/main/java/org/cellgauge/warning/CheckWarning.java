@@ -34,14 +34,17 @@ public enum CheckWarning implements WarningKind {
     /** A reference that no pose explains along with the others: id. */
     REFERENCE_LEFT_OUT("reference %s is left out: its corners are nowhere near where the other references put it; "
             + "check its id and position in the cell file"),
-    /** The initial estimate failed: its option's name. */
+    /** The initial estimate failed: its name. */
     INITIAL_ESTIMATE_FAILED("the %s estimate found no camera pose; pnp was used instead"),
     /** The result leans on the pose prior: its share, %, {@link CheckPhrase#WEAK_PRIOR}. */
     DIRECTION_OPEN("the references leave a direction of the camera pose open: %s %% of what is known there is the weak "
             + "prior %s; add a reference"),
-    /** Too few iterations allowed: how many, the parameter's name, its Monte Carlo error, %, what was asked for, %. */
+    /**
+     * Too few iterations allowed: how many, the parameter's name, its Monte Carlo error, %, what was asked for, %,
+     * {@link CheckPhrase#MORE_ITERATIONS}.
+     */
     CAP_REACHED("the chains reached their cap of %s iterations before the precision asked for: the standard deviation "
-            + "of %s has a Monte Carlo error of %s %% in place of %s %%; allow more with --max-iterations"),
+            + "of %s has a Monte Carlo error of %s %% in place of %s %%; %s"),
     /** Tails too heavy: the parameter's name, its Pareto k, largest k at which deviations are as stated. */
     HEAVY_TAILS("the draws of %s have heavy tails (Pareto k %s, up to %s is well): its standard deviation is less "
             + "precise than its stated Monte Carlo error, and more iterations hardly help; more or better placed "

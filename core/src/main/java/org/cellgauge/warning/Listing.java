@@ -3,6 +3,7 @@ package org.cellgauge.warning;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Function;
 
 /** Several things in a row, as in "5, 20 and 30"; immutable. */
 public final class Listing {
@@ -26,15 +27,16 @@ public final class Listing {
     private final List<Object> items;
 
     private Listing(Join join, List<?> items) {
-        items.forEach(Warning::checkType);
+        List<Object> checked = new ArrayList<>();
+        items.forEach(item -> checked.add(Message.checked(item)));
         this.join = join;
-        this.items = Collections.unmodifiableList(new ArrayList<>(items));
+        this.items = Collections.unmodifiableList(checked);
     }
 
     /**
      * All of several things.
      *
-     * @param items as arguments of a {@link Warning}
+     * @param items as arguments of a {@link Message}
      * @return the row
      * @throws IllegalArgumentException if one is none
      */
@@ -45,7 +47,7 @@ public final class Listing {
     /**
      * One of several things.
      *
-     * @param items as arguments of a {@link Warning}
+     * @param items as arguments of a {@link Message}
      * @return the row
      * @throws IllegalArgumentException if one is none
      */
@@ -56,7 +58,7 @@ public final class Listing {
     /**
      * Several things with nothing but commas between them.
      *
-     * @param items as arguments of a {@link Warning}
+     * @param items as arguments of a {@link Message}
      * @return the row
      * @throws IllegalArgumentException if one is none
      */
@@ -92,13 +94,23 @@ public final class Listing {
         return 31 * join.hashCode() + items.hashCode();
     }
 
+    /** Other things in such a row. */
+    Listing withItems(List<?> others) {
+        return new Listing(join, others);
+    }
+
+    String english(Function<MessageKind, String> patterns) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < items.size(); i++) {
+            text.append(i == 0 ? "" : i == items.size() - 1 ? join.english : ", ")
+                    .append(Message.english(items.get(i), patterns));
+        }
+        return text.toString();
+    }
+
     /** The row in English. */
     @Override
     public String toString() {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < items.size(); i++) {
-            text.append(i == 0 ? "" : i == items.size() - 1 ? join.english : ", ").append(items.get(i));
-        }
-        return text.toString();
+        return english(MessageKind::english);
     }
 }

@@ -1,11 +1,5 @@
 package org.cellgauge.warning;
 
-/** What a warning, or a part of one, says; constants of an enum, so that a translation can be complete. */
-public interface WarningKind {
-    /**
-     * The sentence in English.
-     *
-     * @return a pattern of {@link String#format}, with one {@code %s} for each argument, in order
-     */
-    String english();
+/** What a warning, or a part of one, says. */
+public interface WarningKind extends MessageKind {
 }

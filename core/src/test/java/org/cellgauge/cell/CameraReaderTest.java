@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.stream.Stream;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -47,21 +48,21 @@ class CameraReaderTest {
     @Test
     void modelWithoutDistortionNeedsNoBlock() {
         String text = FILE.substring(0, FILE.indexOf("model:")) + "model: pinhole\nversion: 0\n";
-        assertFalse(CameraReader.read(text, "camera.yaml").hasDistortion());
+        assertFalse(CameraReader.read(text, "camera.yaml").isDistorting());
     }
 
     @Test
     void distortionMayBeLeftOutOrHalfStated() {
-        assertFalse(CameraReader.read(FILE.substring(0, FILE.indexOf("radial_tangential:\n")), "c").hasDistortion());
+        assertFalse(CameraReader.read(FILE.substring(0, FILE.indexOf("radial_tangential:\n")), "c").isDistorting());
         PinholeCamera tangential = CameraReader.read(FILE.replace("  radial:\n  - 0.05\n  - -0.16\n", ""), "c");
-        assertEquals(0, tangential.get(PinholeCamera.K1));
-        assertEquals(1e-4, tangential.get(PinholeCamera.P1));
+        assertEquals(0, tangential.get(BrownLens.K1));
+        assertEquals(1e-4, tangential.get(BrownLens.P1));
     }
 
     @Test
     void thirdRadialCoefficientIsRead() {
         PinholeCamera camera = CameraReader.read(FILE.replace("  - -0.16\n", "  - -0.16\n  - 0.01\n"), "c");
-        assertEquals(0.01, camera.get(PinholeCamera.K3));
+        assertEquals(0.01, camera.get(BrownLens.K3));
     }
 
     static Stream<Arguments> faults() {
@@ -121,6 +122,6 @@ class CameraReaderTest {
         PinholeCamera camera = CameraReader.read(SharedData.file("boofcv/" + folder + "/intrinsic.yaml"));
         assertEquals(width, camera.widthPx());
         assertEquals(height, camera.heightPx());
-        assertTrue(camera.hasDistortion());
+        assertTrue(camera.isDistorting());
     }
 }

@@ -201,9 +201,9 @@ class CellFaultsTest {
     void streamIsReadAndJudgedAsAFileIs() {
         byte[] text = "\uFEFFcellgauge: 1\n".getBytes(StandardCharsets.UTF_8);
         assertEquals("cellgauge: 1\n",
-                InputFiles.text(new ByteArrayInputStream(text), "cell.yaml", "cell file", text.length));
+                InputFiles.text(new ByteArrayInputStream(text), "cell.yaml", CellPhrase.CELL_FILE, text.length));
         assertHolds(assertThrows(InputRefusedException.class, () -> InputFiles.text(new ByteArrayInputStream(text),
-                "cell.yaml", "cell file", text.length - 1)).getMessage(), "cell.yaml: ", "larger than");
+                "cell.yaml", CellPhrase.CELL_FILE, text.length - 1)).getMessage(), "cell.yaml: ", "larger than");
     }
 
     @Test
@@ -270,7 +270,7 @@ class CellFaultsTest {
     @Test
     void detectionsFileInPlaceOfACellFileIsRecognised() throws IOException {
         assertHolds(refusal(written("a.json", "{\"image\": {\"width\": 1280}, \"markers\": []}")), "a.json, line 1",
-                "detections file", "--detections");
+                "detections file", "name a cell file");
     }
 
     @Test

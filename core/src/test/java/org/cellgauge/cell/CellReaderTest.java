@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.OptionalDouble;
 import java.util.Collections;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -206,7 +207,7 @@ class CellReaderTest {
         Cell cell = CellReader.read(CELL.replaceFirst("camera: .*\n", inline), "cell.yaml", name -> {
             throw new IOException("no file is to be read");
         });
-        assertEquals(-0.002, cell.camera().get(PinholeCamera.P2));
+        assertEquals(-0.002, cell.camera().get(BrownLens.P2));
     }
 
     @Test

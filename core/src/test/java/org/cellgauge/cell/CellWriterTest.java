@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.Random;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
@@ -108,14 +109,14 @@ class CellWriterTest {
     void anyNumberComesBackWithAllItsDigits() {
         Random random = new Random(11);
         for (int n = 0; n < 200; n++) {
-            double[] k = new double[PinholeCamera.INTRINSICS];
+            double[] k = new double[BrownLens.PARAMETERS];
             k[PinholeCamera.FX] = 900 + 200 * random.nextDouble();
             k[PinholeCamera.FY] = 900 + 200 * random.nextDouble();
             k[PinholeCamera.CX] = 600 + random.nextDouble();
             k[PinholeCamera.CY] = 300 + random.nextDouble();
             k[PinholeCamera.SKEW] = 1e-9 * random.nextGaussian();
-            k[PinholeCamera.K1] = 1e-2 * random.nextGaussian();
-            k[PinholeCamera.P2] = 1e-4 * random.nextGaussian();
+            k[BrownLens.K1] = 1e-2 * random.nextGaussian();
+            k[BrownLens.P2] = 1e-4 * random.nextGaussian();
             double[] grip = {1e-7 * random.nextGaussian(), 123456.789 * random.nextDouble(), -random.nextDouble()};
             Cell cell = new Cell(PinholeCamera.of(1281, 719, k), MarkerFamily.SQUARE_BINARY,
                     Collections.singletonList(new Reference(7, 20 + random.nextDouble(),

@@ -46,7 +46,7 @@ class SensorCalibrationTest {
         assertProjects(sensor.toCamera(1440, 1080, true), true, 16, 22, 1440 / 4032.0);
         assertProjects(sensor.toCamera(2024, 1518, false), false, 8, 16, 0.5);
         assertEquals(1440, sensor.toCamera(1440, 1080, true).widthPx());
-        assertFalse(sensor.toCamera(1440, 1080, true).hasDistortion());
+        assertFalse(sensor.toCamera(1440, 1080, true).isDistorting());
     }
 
     @Test

@@ -3,7 +3,6 @@ package org.cellgauge.live;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -22,17 +21,19 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.vision.PhotoLight;
+import org.cellgauge.warning.CheckRefusal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 
@@ -150,7 +151,7 @@ class LiveCheckTest {
         assertSame(frame, state.detections());
         assertEquals(1, state.keyFrameNumber());
         assertEquals(0, state.displacementPx());
-        assertNull(state.message());
+        assertNull(state.refusal());
         assertEquals(List.of(), state.missingIds());
         assertArrayEquals(CellCheck.stream(CELL, frame, SETTINGS).blockingFirst().estimate().camera().mean(),
                 state.update().estimate().camera().mean());
@@ -414,7 +415,8 @@ class LiveCheckTest {
         send(new Detections("clipped", seen.widthPx(), seen.heightPx(), seen.markers(), seen.warnings(),
                 new PhotoLight(ToneCurve.SRGB, true, 0.7, 2, 100, 0.1).withOpenToneCurve()));
         assertEquals(LiveState.Phase.REFUSED, last(states).phase());
-        assertTrue(last(states).message().startsWith("clipped: whites are clipped"), last(states).message());
+        assertEquals("clipped", last(states).refusal().place().file());
+        assertEquals(CheckRefusal.TONE_CURVE_OPEN, last(states).refusal().kind());
         send(noisy(0, 2));
         assertEquals(LiveState.Phase.QUICK_LOOK, last(states).phase());
         states.assertNoErrors();
@@ -433,13 +435,12 @@ class LiveCheckTest {
         send(bad);
         LiveState refused = last(states);
         assertEquals(LiveState.Phase.REFUSED, refused.phase());
-        assertNotNull(refused.message());
-        assertTrue(refused.message().startsWith("bad: "), refused.message());
+        assertEquals("bad", refused.refusal().place().file());
         assertNull(refused.update());
         assertNull(refused.keyFrame());
         send(noisy(0, 2));
         assertEquals(LiveState.Phase.QUICK_LOOK, last(states).phase());
-        assertNull(last(states).message());
+        assertNull(last(states).refusal());
         send(bad);
         assertEquals(LiveState.Phase.REFUSED, last(states).phase());
         runChains();
@@ -451,8 +452,8 @@ class LiveCheckTest {
         TestSubscriber<LiveState> states = start();
         send(new Detections("small", 640, 480, noisy(0, 1).markers()));
         assertEquals(LiveState.Phase.REFUSED, last(states).phase());
-        assertTrue(last(states).message().contains("640 x 480") && last(states).message().contains("1280 x 720"),
-                last(states).message());
+        assertEquals(CellRefusal.IMAGE_SIZE, last(states).refusal().kind());
+        assertEquals(Arrays.asList(640, 480, 1280, 720), last(states).refusal().arguments().subList(0, 4));
     }
 
     // ---- pace

@@ -18,6 +18,7 @@ import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
@@ -56,10 +57,10 @@ class CellOverlayTest {
 
     private static PinholeCamera distorted() {
         double[] v = ThesisScene.CAMERA.intrinsics();
-        v[PinholeCamera.K1] = -0.3;
-        v[PinholeCamera.K2] = 0.1;
-        v[PinholeCamera.P1] = 0.001;
-        v[PinholeCamera.P2] = -0.0008;
+        v[BrownLens.K1] = -0.3;
+        v[BrownLens.K2] = 0.1;
+        v[BrownLens.P1] = 0.001;
+        v[BrownLens.P2] = -0.0008;
         return PinholeCamera.of(1280, 720, v);
     }
 

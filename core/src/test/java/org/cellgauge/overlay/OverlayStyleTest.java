@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.ThesisScene;
+import org.cellgauge.settings.CheckSettings;
 import org.junit.jupiter.api.Test;
 
 /** The size of letters; what else a style says is held where overlays are turned and translated. */

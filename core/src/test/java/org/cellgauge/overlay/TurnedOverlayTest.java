@@ -12,11 +12,12 @@ import java.util.stream.Stream;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.ThesisScene;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.api.Test;
@@ -41,8 +42,8 @@ class TurnedOverlayTest {
 
     private static PinholeCamera distorted() {
         double[] v = ThesisScene.CAMERA.intrinsics();
-        v[PinholeCamera.K1] = -0.2;
-        v[PinholeCamera.P1] = 0.001;
+        v[BrownLens.K1] = -0.2;
+        v[BrownLens.P1] = 0.001;
         return PinholeCamera.of(1280, 720, v);
     }
 

@@ -169,7 +169,7 @@ class CameraModeFinderTest {
                 .modes(scene.worldFromCamera()));
         double[] whitening = new double[64 * 4];
         ReferenceNoise atMode = noise.about(mode.placed());
-        assertTrue(ReprojectionFit.whitening(atMode, mode.state(), 4, whitening));
+        assertTrue(ReprojectionFit.whitening(atMode, mode.state(), mode.blocks(), whitening));
         double largest = 0;
         for (double w : whitening) {
             largest = Math.max(largest, Math.abs(w));

@@ -161,7 +161,7 @@ class ReferenceNoiseTest {
         }
         assertFalse(rigid);
         assertFalse(cube);
-        assertFalse(ReprojectionFit.whitening(new RigidMarkerNoise(view, 0.3), state, view.size(), new double[256]));
+        assertFalse(ReprojectionFit.whitening(new RigidMarkerNoise(view, 0.3), state, view.blocks(), new double[256]));
     }
 
     @Test

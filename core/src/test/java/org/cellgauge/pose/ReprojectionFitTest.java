@@ -185,7 +185,7 @@ class ReprojectionFitTest {
         ReprojectionFit fit = new ReprojectionFit(view.points(), view.observed(), IntrinsicsPrior.KNOWN, null);
         fit.freeze(noise, truth);
         double cost = fit.evaluate(truth, true);
-        PoseMode mode = PoseMode.of(fit, truth, cost, 3);
+        PoseMode mode = PoseMode.of(fit, truth, cost, null);
         var random = RandomStreams.of(5);
         for (int m = 0; m < 3; m++) {
             double[] observed = view.observedPx();

@@ -108,7 +108,7 @@ class CameraLikelihoodTest {
 
     private static RigidMarkerLikelihood rigid(ReferenceView view, CameraState frozen) {
         double[] whitening = new double[64 * view.size()];
-        assertTrue(ReprojectionFit.whitening(new RigidMarkerNoise(view, SIGMA_PX), frozen, view.size(), whitening));
+        assertTrue(ReprojectionFit.whitening(new RigidMarkerNoise(view, SIGMA_PX), frozen, view.blocks(), whitening));
         return new RigidMarkerLikelihood(view, whitening);
     }
 

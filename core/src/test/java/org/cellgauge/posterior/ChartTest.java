@@ -102,7 +102,7 @@ class ChartTest {
         CameraChart centred = new CentredChart(BASE, FOCAL);
         CameraChart euler = new EulerChart(VIEW.centroidMm(), BASE, FOCAL);
         double[] whitening = new double[192];
-        ReprojectionFit.whitening(new RigidMarkerNoise(VIEW, 0.3), BASE, 3, whitening);
+        ReprojectionFit.whitening(new RigidMarkerNoise(VIEW, 0.3), BASE, VIEW.blocks(), whitening);
         PosePrior weak = new PosePrior(BASE, 1000, 0.7);
         for (RotationPrior prior : RotationPrior.values()) {
             LogDensity inCentred = new CameraPosterior(centred, new RigidMarkerLikelihood(VIEW, whitening), prior,

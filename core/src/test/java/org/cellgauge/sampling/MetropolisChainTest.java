@@ -10,10 +10,15 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.random.RandomGenerator;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.pose.IntrinsicsPrior;
+import org.cellgauge.pose.StateLayout;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.junit.jupiter.api.Test;
 
 class MetropolisChainTest {
+    private static final StateLayout FOCAL = StateLayout.of(1,
+            IntrinsicsPrior.focal(PinholeCamera.ideal(640, 480, 500, 500, 320, 240), 50), 0);
     private static LogDensity density(int dimension, ToDoubleFunction<double[]> log) {
         return new LogDensity() {
             @Override
@@ -180,7 +185,7 @@ class MetropolisChainTest {
             evaluations[0]++;
             return normal(8).at(x);
         });
-        MetropolisChain chain = new MetropolisChain(counting, ThesisMixture.proposals(2), new double[8],
+        MetropolisChain chain = new MetropolisChain(counting, ThesisMixture.proposals(FOCAL), new double[8],
                 RandomStreams.of(47));
         int steps = 5000;
         int accepted = 0;

@@ -19,7 +19,6 @@ import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.Cholesky;
@@ -27,6 +26,7 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
@@ -196,7 +196,7 @@ class CoverageStudyTest {
                 Reference reference = new Reference(IDS[m], size, RigidTransform.ofEuler(x, y, m == 1 ? 2 : 0, 0, 0,
                         2 * Math.PI * random.nextDouble()), placement);
                 nominal.add(reference);
-                actual.put(reference.id(), SimulatedPhoto.misplaced(reference, random));
+                actual.put(reference.id(), reference.drawn(random));
             }
             double focal = small ? 1500 : 581;
             double[] towards = {Math.toRadians(20) * random.nextGaussian(), Math.toRadians(20) * random.nextGaussian(),
@@ -316,8 +316,8 @@ class CoverageStudyTest {
                 RandomGenerator random = RandomStreams.of(seed, 9, index);
                 Map<Integer, RigidTransform> actual = new LinkedHashMap<>();
                 for (Reference r : prior.cell().references()) {
-                    actual.put(r.id(), SimulatedPhoto.misplaced(new Reference(r.id(), r.sizeMm(), r.worldFromMarker(),
-                            new Placement(2.5, 2.5, 2.5, 0.0125)), random));
+                    actual.put(r.id(), new Reference(r.id(), r.sizeMm(), r.worldFromMarker(),
+                            new Placement(2.5, 2.5, 2.5, 0.0125)).drawn(random));
                 }
                 return new SimulatedCell(prior.cell(), prior.nominal(), actual);
             }
@@ -486,7 +486,7 @@ class CoverageStudyTest {
             double focal = cell.camera().intrinsics()[0];
             leastFocal = Math.min(leastFocal, focal);
             largestFocal = Math.max(largestFocal, focal);
-            distorted += cell.camera().hasDistortion() ? 1 : 0;
+            distorted += cell.camera().isDistorting() ? 1 : 0;
             double px = cell.pixelStdPx().getAsDouble();
             assertTrue(px >= 0.05 && px <= 0.5);
             for (Reference r : cell.references()) {

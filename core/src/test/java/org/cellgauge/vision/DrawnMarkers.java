@@ -45,7 +45,7 @@ public final class DrawnMarkers {
 
     /** Draws a marker with its quiet zone; corners: top-left, top-right, bottom-right, bottom-left of the marker. */
     public DrawnMarkers draw(MarkerFamily family, int id, double[] corners, double black, double white) {
-        MarkerPattern pattern = new MarkerPattern(family);
+        FamilyPatterns pattern = new FamilyPatterns(family);
         boolean[] cells = pattern.white(id);
         int n = pattern.cells();
         double[] h = imageToSquare(corners);

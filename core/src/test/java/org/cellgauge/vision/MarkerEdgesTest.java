@@ -36,8 +36,8 @@ class MarkerEdgesTest {
 
     private static double[] light(double[] cornersPx, double blurPx) {
         int n = SIZE_PX * SUB;
-        boolean[] cells = new MarkerPattern(FAMILY).white(ID);
-        int count = new MarkerPattern(FAMILY).cells();
+        boolean[] cells = new FamilyPatterns(FAMILY).white(ID);
+        int count = new FamilyPatterns(FAMILY).cells();
         double[] toImage = new double[8];
         assertTrue(Homography.ofUnitSquare(cornersPx, toImage));
         double[] h = inverse(toImage);

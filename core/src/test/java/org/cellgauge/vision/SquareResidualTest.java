@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.junit.jupiter.api.Test;
@@ -12,10 +13,10 @@ import org.junit.jupiter.api.Test;
 class SquareResidualTest {
     private static PinholeCamera distorted() {
         double[] values = PinholeCamera.ideal(1280, 720, 581, 590, 650, 350).intrinsics();
-        values[PinholeCamera.K1] = -0.3;
-        values[PinholeCamera.K2] = 0.09;
-        values[PinholeCamera.P1] = 0.002;
-        values[PinholeCamera.P2] = -0.001;
+        values[BrownLens.K1] = -0.3;
+        values[BrownLens.K2] = 0.09;
+        values[BrownLens.P1] = 0.002;
+        values[BrownLens.P2] = -0.001;
         return PinholeCamera.of(1280, 720, values);
     }
 

@@ -67,8 +67,9 @@ class CheckWarningTest {
                 + "N(initial estimate, 1000 mm, 0.7 rad); add a reference", CheckWarning.DIRECTION_OPEN, n(45, 0),
                 Warning.of(CheckPhrase.WEAK_PRIOR, n(1000, 0), n(0.7, 1)));
         says("the chains reached their cap of 4000 iterations before the precision asked for: the standard deviation "
-                + "of camera_x has a Monte Carlo error of 1.7 % in place of 0.1 %; allow more with --max-iterations",
-                CheckWarning.CAP_REACHED, n(4000, 0), "camera_x", n(1.66, 1), Decimal.shortest(0.1));
+                + "of camera_x has a Monte Carlo error of 1.7 % in place of 0.1 %; allow more iterations",
+                CheckWarning.CAP_REACHED, n(4000, 0), "camera_x", n(1.66, 1), Decimal.shortest(0.1),
+                CheckPhrase.MORE_ITERATIONS);
         says("the draws of camera_x_mm have heavy tails (Pareto k 0.41, up to 0.25 is well): its standard deviation is "
                 + "less precise than its stated Monte Carlo error, and more iterations hardly help; more or better "
                 + "placed references do", CheckWarning.HEAVY_TAILS, "camera_x_mm", n(0.412, 2), n(0.25, 2));

@@ -18,7 +18,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
@@ -41,10 +40,11 @@ import org.cellgauge.vision.GreyImage;
 import org.cellgauge.vision.MarkerDetector;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.Warning;
 import org.cellgauge.warning.WarningKind;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -54,6 +54,7 @@ import picocli.CommandLine.Spec;
 
 /** {@code cellgauge check}: from photos of a cell to poses, their uncertainties and a verdict. */
 @Command(name = "check", mixinStandardHelpOptions = true, sortOptions = false, versionProvider = Main.Version.class,
+        modelTransformer = CheckOptions.OfCheck.class,
         description = "Finds the markers in photos of a cell, estimates the poses of camera and objects with their "
                 + "uncertainties, and judges these against the target of the cell file.",
         footer = {"", "Examples:",
@@ -97,14 +98,6 @@ public final class CheckCommand implements Callable<Integer> {
             description = "Prints the result file to standard output in place of the table; of several photos, a list.")
     private boolean json;
 
-    @Option(names = "--target", paramLabel = "MM",
-            description = "Largest standard deviation allowed on any axis of any object and gripping point, mm, in "
-                    + "place of the cell file's.")
-    private Double targetMm;
-
-    @Mixin
-    private CheckOptions options;
-
     private Cell cell;
     private CheckSettings settings;
     private String version;
@@ -118,11 +111,7 @@ public final class CheckCommand implements Callable<Integer> {
      */
     @Override
     public Integer call() {
-        settings = options.settings(spec.commandLine());
-        if (targetMm != null && !(targetMm > 0 && Double.isFinite(targetMm))) {
-            throw new ParameterException(spec.commandLine(),
-                    "--target: must be a positive number of mm, not " + targetMm);
-        }
+        settings = CheckOptions.settings(spec.commandLine(), CheckOptions.OfCheck.USUAL);
         if (images.isEmpty() && detectionsFiles.isEmpty()) {
             throw new ParameterException(spec.commandLine(),
                     "nothing to check; name photos, a folder of them, or --detections FILE");
@@ -132,9 +121,6 @@ public final class CheckCommand implements Callable<Integer> {
         version = Main.version();
         try {
             cell = CellReader.read(cellFile);
-            if (targetMm != null) {
-                cell = cell.withTarget(OptionalDouble.of(targetMm));
-            }
             stages.end("cell file");
             CheckOutput output = out != null ? CheckOutput.into(out) : json ? null : CheckOutput.into(DEFAULT_FOLDER);
             return run(CheckInput.resolve(images, detectionsFiles), output);
@@ -159,9 +145,9 @@ public final class CheckCommand implements Callable<Integer> {
                 // one photo must not cost the others their results
                 run.refused(input, ExitCodes.INTERNAL_ERROR, "internal error", e);
             } catch (OutOfMemoryError e) {
-                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(input.file()
-                        + ": this takes more memory than Java may use (" + Runtime.getRuntime().maxMemory() / (1 << 20)
-                        + " MB); use smaller images, fewer chains or fewer iterations"));
+                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(
+                        input.file().toString(), CommandRefusal.MEMORY,
+                        (int) (Runtime.getRuntime().maxMemory() / (1 << 20))));
             }
         }
         return run.finish();
@@ -173,7 +159,7 @@ public final class CheckCommand implements Callable<Integer> {
 
     private Outcome one(CheckInput input) {
         if (input.refusal() != null) {
-            throw new InputRefusedException(input.refusal());
+            throw new InputRefusedException(input.file().toString(), input.refusal());
         }
         GreyImage photo;
         Detections detections;
@@ -265,7 +251,8 @@ public final class CheckCommand implements Callable<Integer> {
             }
             return hex.toString();
         } catch (IOException e) {
-            throw new InputRefusedException(file + ": it cannot be read (" + e.getMessage() + "); check the disk", e);
+            throw new InputRefusedException(Refusal.at(Place.of(file.toString()), CommandRefusal.NOT_READABLE,
+                    String.valueOf(e.getMessage())), e);
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
         }
@@ -303,11 +290,13 @@ public final class CheckCommand implements Callable<Integer> {
 
         void result(CheckInput input, Outcome outcome) {
             CheckResult result = outcome.result();
-            String text = ResultJson.of(result, input.file().getFileName().toString(), outcome.sha256(), version);
+            String command = RepeatingCommand.check(cellFile, input, settings);
+            String text = ResultJson.of(result, input.file().getFileName().toString(), outcome.sha256(), version,
+                    command);
             CheckOutput.UnwritableException unwritable = null;
             if (output != null) {
                 try {
-                    files(input, outcome, text);
+                    files(input, outcome, text, command);
                 } catch (CheckOutput.UnwritableException e) {
                     // what was computed is at least shown
                     unwritable = e;
@@ -340,7 +329,7 @@ public final class CheckCommand implements Callable<Integer> {
             }
         }
 
-        private void files(CheckInput input, Outcome outcome, String text) {
+        private void files(CheckInput input, Outcome outcome, String text, String command) {
             CheckResult result = outcome.result();
             // painted while the chains are written, which takes about as long
             CompletableFuture<Picture> picture = CompletableFuture.supplyAsync(() -> picture(outcome));
@@ -356,7 +345,7 @@ public final class CheckCommand implements Callable<Integer> {
             files.put(input.name() + ".overlay.png", bytes -> bytes.write(picture.join().png()));
             files.put(input.name() + ".result.json", text(text));
             output.write(files);
-            report.add(input, result, picture.join().jpeg());
+            report.add(input, result, picture.join().jpeg(), command);
             output.deleteChainsFrom(input.name(), result.draws().size() + 1);
             stages.end("files");
         }
@@ -380,7 +369,7 @@ public final class CheckCommand implements Callable<Integer> {
         }
 
         void refused(CheckInput input, int code, String word, RuntimeException e) {
-            String message = code == ExitCodes.INPUT_REFUSED ? e.getMessage() : Main.inShort(e);
+            String message = code == ExitCodes.INPUT_REFUSED ? CommandWords.of(e) : Main.inShort(e);
             main.report(e, code, spec.commandLine());
             exitCode = ExitCodes.moreSerious(exitCode, code);
             if (output != null) {

@@ -20,7 +20,7 @@ import java.util.regex.Pattern;
  * @param name what its results are called: the base name without its ending, with a number where another has it already
  * @param refusal why there is nothing to check here; null where there is a file to try
  */
-record CheckInput(Path file, boolean isDetections, String name, String refusal) {
+record CheckInput(Path file, boolean isDetections, String name, CommandRefusal refusal) {
     private static final Pattern NUMBER = Pattern.compile("\\d+");
     private static final Set<String> IMAGE_ENDINGS = Set.of("png", "jpg", "jpeg", "bmp", "tif", "tiff", "gif");
 
@@ -64,14 +64,11 @@ record CheckInput(Path file, boolean isDetections, String name, String refusal) 
         try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder, CheckInput::isPhoto)) {
             entries.forEach(files::add);
         } catch (IOException e) {
-            found.add(new CheckInput(folder, false, baseName(folder),
-                    folder + ": the folder cannot be read; check its permissions"));
+            found.add(new CheckInput(folder, false, baseName(folder), CommandRefusal.FOLDER_NOT_READ));
             return;
         }
         if (files.isEmpty()) {
-            found.add(new CheckInput(folder, false, baseName(folder), folder
-                    + ": no image in this folder; photos end in .png, .jpg, .bmp, .tif or .gif (folders within it are "
-                    + "not searched)"));
+            found.add(new CheckInput(folder, false, baseName(folder), CommandRefusal.NO_IMAGE_IN_FOLDER));
         }
         files.sort(Comparator.comparing((Path file) -> countable(file.getFileName().toString()))
                 .thenComparing(Comparator.naturalOrder()));

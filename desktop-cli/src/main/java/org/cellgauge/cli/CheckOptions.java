@@ -1,202 +1,159 @@
 package org.cellgauge.cli;
 
-import java.util.Arrays;
 import java.util.List;
-import java.util.function.Function;
-import java.util.stream.Collectors;
+import java.util.Map;
+import java.util.function.BiFunction;
 import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.settings.Estimate;
-import org.cellgauge.settings.InitialEstimate;
-import org.cellgauge.settings.LikelihoodModel;
-import org.cellgauge.settings.ObjectNoise;
-import org.cellgauge.settings.SamplerKind;
-import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
+import org.cellgauge.settings.Setting;
+import org.cellgauge.settings.SettingTable;
 import picocli.CommandLine;
+import picocli.CommandLine.IModelTransformer;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
 
-/** Options common to the commands that sample. What is not given stays as the preset or the default has it. */
+/**
+ * Options of the commands that sample, made from the table of settings: each is called after its setting. What is not
+ * given stays as the preset or the command's default has it.
+ */
 final class CheckOptions {
-    @Option(names = "--preset", paramLabel = "thesis",
-            description = "Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of "
-                    + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no noise "
-                    + "of the objects' own corners. Options given besides still count.")
-    private String preset;
+    private static final String PRESET = "--preset";
+    private static final String THESIS = "thesis";
 
-    @Option(names = "--model", paramLabel = "rigid-marker|corner-cube",
-            description = "How placement errors move corners: each reference as a rigid whole (default), or every "
-                    + "corner on its own as in the thesis.")
-    private String model;
+    /** What an option is to be shown with, where it is not what its setting takes. */
+    private static final Map<Setting<?>, String> LABELS = Map.of(SettingTable.ESTIMATE, "none|focal|intrinsics");
 
-    @Option(names = "--kappa", paramLabel = "K",
-            description = "Half extent of corner-cube's box in standard deviations (0.5).")
-    private Double kappa;
+    /** A text that an option refuses with words of its own. */
+    private static final Map<Setting<?>, BiFunction<String, String, String>> REFUSED = Map.of(SettingTable.ESTIMATE,
+            (option, text) -> text.equals("intrinsics") ? option + ": this version estimates no intrinsics but the "
+                    + "focal length; use " + option + " focal, or calibrate the camera beforehand" : null);
 
-    @Option(names = "--sampler", paramLabel = "independence|adaptive|thesis-mixture",
-            description = "How the camera pose is sampled (independence).")
-    private String sampler;
+    private final CommandLine command;
+    private final CheckSettings usual;
 
-    @Option(names = "--chains", paramLabel = "N", description = "Number of chains (4).")
-    private Integer chains;
+    private CheckOptions(CommandLine command, CheckSettings usual) {
+        this.command = command;
+        this.usual = usual;
+    }
 
-    @Option(names = "--iterations", paramLabel = "N",
-            description = "Iterations of each chain, warm-up included. Without it: as many as --precision takes.")
-    private Integer iterations;
+    /** Adds the options to {@code check}. */
+    static final class OfCheck implements IModelTransformer {
+        static final CheckSettings USUAL = CheckSettings.builder().build();
 
-    @Option(names = "--precision", paramLabel = "SHARE",
-            description = "Chains run until the Monte Carlo error of every standard deviation is below this share of "
-                    + "it (0.02; validate 0.1).")
-    private Double precision;
+        @Override
+        public CommandSpec transform(CommandSpec spec) {
+            return add(spec, USUAL, List.of());
+        }
+    }
 
-    @Option(names = "--max-iterations", paramLabel = "N",
-            description = "Cap on the iterations of each chain, warm-up included, whatever the precision is by then; a "
-                    + "warning says if it was not reached (50000).")
-    private Integer maxIterations;
+    /** Adds the options to {@code validate}: errors of its checks average out, and it judges nothing by a target. */
+    static final class OfValidate implements IModelTransformer {
+        static final CheckSettings USUAL = CheckSettings.builder().targetMcseStdRel(0.1).build();
 
-    @Option(names = "--warmup", paramLabel = "N",
-            description = "Iterations of each chain that are not kept (independence 200, adaptive 5000, thesis-mixture "
-                    + "half of them).")
-    private Integer warmup;
+        @Override
+        public CommandSpec transform(CommandSpec spec) {
+            return add(spec, USUAL, List.of(SettingTable.TARGET_STD_MM));
+        }
+    }
 
-    @Option(names = "--seed", paramLabel = "SEED",
-            description = "Seed of everything random; the same seed gives the same figures (1). Each photo has random "
-                    + "numbers of its own, named by the seed and by the corners of its markers.")
-    private Long seed;
+    private static CommandSpec add(CommandSpec spec, CheckSettings usual, List<Setting<?>> without) {
+        // help tells of itself last
+        List<OptionSpec> last = List.of(spec.findOption("--help"), spec.findOption("--version"));
+        last.forEach(spec::remove);
+        spec.addOption(OptionSpec.builder(PRESET).paramLabel(THESIS).type(String.class)
+                .description("Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of "
+                        + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no "
+                        + "noise of the objects' own corners. Options given besides still count.").build());
+        for (Setting<?> setting : SettingTable.all()) {
+            if (!without.contains(setting)) {
+                spec.addOption(OptionSpec.builder(name(setting)).type(String.class)
+                        .paramLabel(LABELS.getOrDefault(setting, setting.form().placeholder()))
+                        .description(description(setting, usual)).build());
+            }
+        }
+        last.forEach(spec::addOption);
+        return spec;
+    }
 
-    @Option(names = "--estimate", paramLabel = "none|focal|intrinsics",
-            description = "What of the camera is estimated along with its pose (none).")
-    private String estimate;
+    private static String description(Setting<?> setting, CheckSettings usual) {
+        String words = usual.get(setting).equals(setting.usual()) ? setting.usualWords() : setting.text(usual);
+        // a per cent sign begins a variable there
+        return (setting.description() + (words.isEmpty() ? "" : " (" + words + ")") + ".").replace("%", "%%");
+    }
 
-    @Option(names = "--focal-prior-std", paramLabel = "PX",
-            description = "With --estimate focal: standard deviation of what is known of the focal length beforehand, "
-                    + "about the camera file's fx, px (200).")
-    private Double focalPriorStdPx;
-
-    @Option(names = "--aspect-prior-std", paramLabel = "SHARE|independent",
-            description = "With --estimate focal: standard deviation of what is known of fy / fx beforehand, as a "
-                    + "share of the camera file's (0.005); independent for two focal lengths that know nothing of each "
-                    + "other, as in the thesis.")
-    private String aspectPriorStd;
-
-    @Option(names = "--initial", paramLabel = "average|ransac|pnp",
-            description = "First estimate of the camera pose (pnp).")
-    private String initial;
-
-    @Option(names = "--object-noise", paramLabel = "detection|none",
-            description = "Whether the noise in an object's own corners counts (detection), or the camera's part alone "
-                    + "is wanted (none).")
-    private String objectNoise;
-
-    @Option(names = "--threads", paramLabel = "N",
-            description = "Number of threads; no figure depends on it (all cores).")
-    private Integer threads;
+    /** The option of a setting. */
+    static String name(Setting<?> setting) {
+        return "--" + setting.name();
+    }
 
     /**
-     * The settings that these options ask for.
+     * The settings that the options of a command ask for.
      *
-     * @param command for messages about faulty options
+     * @param command the command, parsed
+     * @param usual settings where neither option nor preset says otherwise
      * @return the settings
      * @throws ParameterException if an option has no such value, or values do not go together
      */
-    CheckSettings settings(CommandLine command) {
-        CheckSettings.Builder b = CheckSettings.builder();
-        if (preset != null) {
-            choose(command, "--preset", preset, List.of("thesis"), Function.identity());
-            b = CheckSettings.thesis();
-        }
-        if (model != null) {
-            b.likelihood(choose(command, "--model", model, Arrays.asList(LikelihoodModel.values()),
-                    LikelihoodModel::word));
-        }
-        if (sampler != null) {
-            b.sampler(choose(command, "--sampler", sampler, Arrays.asList(SamplerKind.values()),
-                    SamplerKind::word));
-        }
-        if (estimate != null) {
-            if (estimate.equals("intrinsics")) {
-                throw new ParameterException(command, "--estimate: this version estimates no intrinsics but the focal "
-                        + "length; use --estimate focal, or calibrate the camera beforehand");
+    static CheckSettings settings(CommandLine command, CheckSettings usual) {
+        return new CheckOptions(command, usual).settings();
+    }
+
+    private CheckSettings settings() {
+        CheckSettings.Builder builder = start();
+        if (given(SettingTable.ITERATIONS) != null) {
+            for (Setting<?> other : List.of(SettingTable.PRECISION, SettingTable.MAX_ITERATIONS)) {
+                if (given(other) != null) {
+                    throw new ParameterException(command, name(SettingTable.ITERATIONS) + " fixes the length of the "
+                            + "chains; leave it out, or leave out " + name(other));
+                }
             }
-            b.estimate(choose(command, "--estimate", estimate, Arrays.asList(Estimate.values()),
-                    Estimate::word));
+        } else if (given(SettingTable.PRECISION) != null || given(SettingTable.MAX_ITERATIONS) != null) {
+            builder.untilPrecise();
         }
-        if (initial != null) {
-            b.initial(choose(command, "--initial", initial,
-                    Arrays.asList(InitialEstimate.values()), InitialEstimate::word));
-        }
-        if (objectNoise != null) {
-            b.objectNoise(choose(command, "--object-noise", objectNoise,
-                    Arrays.asList(ObjectNoise.values()), ObjectNoise::word));
-        }
-        if (kappa != null) {
-            b.kappa(kappa);
-        }
-        if (chains != null) {
-            b.chains(chains);
-        }
-        if (iterations != null && (precision != null || maxIterations != null)) {
-            throw new ParameterException(command, "--iterations fixes the length of the chains; leave it out, or leave "
-                    + "out " + (precision != null ? "--precision" : "--max-iterations"));
-        }
-        if (iterations != null) {
-            b.iterations(iterations);
-        }
-        if (precision != null) {
-            b.untilPrecise().targetMcseStdRel(precision);
-        }
-        if (maxIterations != null) {
-            b.untilPrecise().maxIterations(maxIterations);
-        }
-        if (warmup != null) {
-            b.warmup(warmup);
-        }
-        if (seed != null) {
-            b.seed(seed);
-        }
-        if (focalPriorStdPx != null) {
-            b.focalPriorStdPx(focalPriorStdPx);
-        }
-        if (aspectPriorStd != null) {
-            b.aspectPriorStd(aspect(command, aspectPriorStd));
-        }
-        if (threads != null) {
-            b.threads(threads);
+        for (Setting<?> setting : SettingTable.all()) {
+            String text = given(setting);
+            if (text != null) {
+                read(setting, text, builder);
+            }
         }
         try {
-            return b.build();
+            return builder.build();
         } catch (IllegalArgumentException e) {
             throw new ParameterException(command, e.getMessage());
         }
     }
 
-    private static double aspect(CommandLine command, String text) {
-        if (text.equals("independent")) {
-            return Double.POSITIVE_INFINITY;
+    private CheckSettings.Builder start() {
+        String preset = matched(PRESET);
+        if (preset == null) {
+            return usual.toBuilder();
+        }
+        if (!preset.equals(THESIS)) {
+            throw new ParameterException(command, PRESET + ": '" + preset + "' is not known; write " + THESIS);
+        }
+        return CheckSettings.thesis().targetMcseStdRel(usual.sampling().targetMcseStdRel());
+    }
+
+    private void read(Setting<?> setting, String text, CheckSettings.Builder builder) {
+        String refusal = REFUSED.getOrDefault(setting, (option, word) -> null).apply(name(setting), text);
+        if (refusal != null) {
+            throw new ParameterException(command, refusal);
         }
         try {
-            double share = Double.parseDouble(text);
-            if (share > 0 && share < Double.POSITIVE_INFINITY) {
-                return share;
-            }
-        } catch (NumberFormatException e) {
-            // said below
+            setting.read(text, builder);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(command, name(setting) + ": " + e.getMessage());
         }
-        throw new ParameterException(command, "--aspect-prior-std: '" + text + "' is neither a share above 0, such as "
-                + "0.005, nor independent");
     }
 
-    /** Whether the precision was given, so that no default of a command's own takes its place. */
-    boolean hasPrecision() {
-        return precision != null;
+    /** What was given for a setting, or null. */
+    private String given(Setting<?> setting) {
+        return command.getCommandSpec().findOption(name(setting)) == null ? null : matched(name(setting));
     }
 
-    private static <T> T choose(CommandLine command, String option, String given, List<T> choices,
-            Function<T, String> name) {
-        for (T choice : choices) {
-            if (name.apply(choice).equals(given)) {
-                return choice;
-            }
-        }
-        throw new ParameterException(command, option + ": '" + given + "' is not known; write "
-                + choices.stream().map(name).collect(Collectors.joining(" or ")));
+    private String matched(String option) {
+        ParseResult parsed = command.getParseResult();
+        return parsed.matchedOptionValue(option, (String) null);
     }
 }

@@ -9,9 +9,10 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 
-/** The folder that results go to. */
+/** The folder that results, or rendered photos, go to. */
 final class CheckOutput {
     private final Path folder;
 
@@ -90,20 +91,20 @@ final class CheckOutput {
     }
 
     private static UnwritableException unwritable(Path folder, IOException e) {
-        String why;
+        Place place = Place.of(folder.toString());
+        Refusal why;
         if (e instanceof FileAlreadyExistsException) {
-            why = "this is a file, not a folder; name a folder with --out";
+            why = Refusal.at(place, CommandRefusal.OUT_IS_FILE);
         } else if (e instanceof AccessDeniedException) {
-            why = "no permission to write here; name another folder with --out";
+            why = Refusal.at(place, CommandRefusal.OUT_NOT_PERMITTED);
         } else if (e instanceof NoSuchFileException) {
-            why = "this folder cannot be made or is gone; name another with --out";
+            why = Refusal.at(place, CommandRefusal.OUT_NOT_MADE);
         } else {
             String reason = e instanceof FileSystemException && ((FileSystemException) e).getReason() != null
                     ? ((FileSystemException) e).getReason() : e.getMessage();
-            why = "results cannot be written (" + reason + "); free space or name another folder with --out";
+            why = Refusal.at(place, CommandRefusal.OUT_NOT_WRITTEN, String.valueOf(reason));
         }
-        // control characters of names stay out of terminals
-        return new UnwritableException(new InputRefusedException(folder + ": " + why).getMessage(), e);
+        return new UnwritableException(why.toString(), e);
     }
 
     @Override

@@ -94,7 +94,7 @@ final class CheckText {
         if (!result.warnings().isEmpty()) {
             text.append("\nWarnings\n");
             for (Warning warning : result.warnings()) {
-                text.append(wrap("  - " + warning, "    "));
+                text.append(wrap("  - " + CommandWords.of(warning), "    "));
             }
         }
         return text.toString();

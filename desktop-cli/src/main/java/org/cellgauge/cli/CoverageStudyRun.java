@@ -26,6 +26,7 @@ import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.SettingsJson;
 import org.cellgauge.validation.CellSource;
 import org.cellgauge.validation.CellTruth;
 import org.cellgauge.validation.CoverageFigures;
@@ -36,8 +37,9 @@ import org.cellgauge.validation.OneCell;
 import org.cellgauge.validation.RandomLayouts;
 import org.cellgauge.validation.TruthPrior;
 import org.cellgauge.vision.BoofThreads;
-import picocli.CommandLine.ParameterException;
+import org.cellgauge.warning.Refusal;
 import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
 
 /** {@code validate} with {@code --photos} or {@code --random-layouts}. */
 final class CoverageStudyRun {
@@ -48,12 +50,15 @@ final class CoverageStudyRun {
     private final StudyOptions options;
     private final CheckSettings check;
     private final int simulations;
+    private final String repeating;
 
-    CoverageStudyRun(CommandLine command, StudyOptions options, CheckSettings check, int simulations) {
+    CoverageStudyRun(CommandLine command, StudyOptions options, CheckSettings check, int simulations,
+            String repeating) {
         this.command = command;
         this.options = options;
         this.check = check;
         this.simulations = simulations;
+        this.repeating = repeating;
         if (simulations < 1 || simulations > 1_000_000) {
             throw new ParameterException(command, "simulations must be between 1 and 1000000, not " + simulations);
         }
@@ -83,10 +88,9 @@ final class CoverageStudyRun {
         CoverageFigures figures = run(OneCell.inFullView(prior),
                 new RenderedPhotos(sensor, options.jpegQuality(), options.printGainMm()), progress);
         Map<String, Object> settings = settings();
-        settings.put("marker_px", meanSidePx(cell, seen));
-        settings.put("spread_mm", prior.stdMm());
-        settings.put("spread_rad", prior.stdRad());
-        addSensor(settings, sensor);
+        addTruth(settings, cell, seen, prior);
+        addSensor(settings, sensor, options.jpegQuality(), options.printGainMm());
+        addPoses(settings, seen);
         return print(figures, settings, json, String.format(Locale.ROOT, "photos with %s, blur %s px, light times %s, "
                 + "markers of %.1f px, seed %d", sensor.toneCurve().words(), CheckText.plain(sensor.blurPx()),
                 CheckText.plain(sensor.exposure()), meanSidePx(cell, seen), check.sampling().seed()));
@@ -112,11 +116,12 @@ final class CoverageStudyRun {
             detections = new RenderedPhotos(sensor, options.jpegQuality(), options.printGainMm());
             what = "a layout for each, photos with " + sensor.toneCurve().words() + ", blur "
                     + CheckText.plain(sensor.blurPx()) + " px";
-            addSensor(settings, sensor);
+            addSensor(settings, sensor, options.jpegQuality(), options.printGainMm());
         } else {
             cells = pixelStdPx == null ? RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY)
                     : RandomLayouts.withNoise(MarkerFamily.SQUARE_BINARY, OptionalDouble.of(pixelStdPx));
             detections = DrawnCorners.asStated();
+            settings.put("simulated_pixel_std_px", pixelStdPx == null ? "drawn" : pixelStdPx);
             what = "a layout for each, corners drawn with the stated noise";
         }
         return print(run(cells, detections, progress), settings, json, what + ", seed " + check.sampling().seed());
@@ -173,7 +178,8 @@ final class CoverageStudyRun {
                 }
                 continue;
             }
-            CoverageFigures figures = row(row, given, nominal, priors);
+            RowResult found = row(row, given, nominal, priors);
+            CoverageFigures figures = found == null ? null : found.figures;
             String line = start + (figures == null ? "refused |"
                     : String.join(" | ", cellsOfRow(figures, columns)) + " |");
             if (file != null) {
@@ -182,8 +188,11 @@ final class CoverageStudyRun {
             if (json && figures != null) {
                 Map<String, Object> settings = settings();
                 settings.put("row", row.name());
-                addSensor(settings, row.sensor());
-                out.print(new StudyText(figures).json(settings, Main.version()));
+                addSensor(settings, row.sensor(), row.jpegQuality(), row.printGainMm());
+                addTruth(settings, found.cell, found.seen, found.prior);
+                addPoses(settings, found.seen);
+                addCheck(settings);
+                out.print(new StudyText(figures).json(settings, repeating, Main.version()));
             } else if (!json) {
                 out.println(line);
             }
@@ -196,18 +205,23 @@ final class CoverageStudyRun {
         return !told ? ExitCodes.NO_FIGURE : covered ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
     }
 
-    /** Figures of one row; null, with a message, if its markers do not fit into the image. */
-    private CoverageFigures row(PhotoGrid.Row row, Cell given, CellTruth nominal,
+    /** What a row of the grid was made from, and its figures. */
+    private record RowResult(CoverageFigures figures, Cell cell, CellTruth seen, TruthPrior prior) {
+    }
+
+    /** One row; null, with a message, if its markers do not fit into the image. */
+    private RowResult row(PhotoGrid.Row row, Cell given, CellTruth nominal,
             BiFunction<Cell, CellTruth, TruthPrior> priors) {
         Cell cell = options.stated(command, row.aprilTags() ? PhotoGrid.withAprilTags(given) : given);
         CellTruth named = row.aprilTags() ? new CellTruth(nominal.worldFromCamera(),
                 PhotoGrid.renumbered(given, nominal.worldFromObjects())) : nominal;
         try {
-            TruthPrior prior = priors.apply(cell, atSide(cell, named, row.markerPx()));
-            return run(OneCell.inFullView(prior), new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm()),
-                    done -> { });
+            CellTruth seen = atSide(cell, named, row.markerPx());
+            TruthPrior prior = priors.apply(cell, seen);
+            RenderedPhotos photos = new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm());
+            return new RowResult(run(OneCell.inFullView(prior), photos, done -> { }), cell, seen, prior);
         } catch (InputRefusedException e) {
-            command.getErr().println(row.name() + ": " + e.getMessage());
+            command.getErr().println(row.name() + ": " + CommandWords.of(e));
             return null;
         }
     }
@@ -277,7 +291,25 @@ final class CoverageStudyRun {
         return settings;
     }
 
-    private void addSensor(Map<String, Object> settings, Sensor sensor) {
+    /** What check's settings hold besides. */
+    private void addCheck(Map<String, Object> settings) {
+        SettingsJson.plain(check).forEach(settings::putIfAbsent);
+    }
+
+    private static void addTruth(Map<String, Object> settings, Cell cell, CellTruth seen, TruthPrior prior) {
+        settings.put("marker_px", meanSidePx(cell, seen));
+        settings.put("spread_mm", prior.stdMm());
+        settings.put("spread_rad", prior.stdRad());
+    }
+
+    private static void addPoses(Map<String, Object> settings, CellTruth seen) {
+        settings.put("camera_pose", ValidationText.poseValues(seen.worldFromCamera()));
+        Map<String, Object> objects = new LinkedHashMap<>();
+        seen.worldFromObjects().forEach((id, pose) -> objects.put(String.valueOf(id), ValidationText.poseValues(pose)));
+        settings.put("object_poses", objects);
+    }
+
+    private void addSensor(Map<String, Object> settings, Sensor sensor, int jpegQuality, double printGainMm) {
         settings.put("tone_curve", sensor.toneCurve().words());
         settings.put("blur_px", sensor.blurPx());
         settings.put("exposure", sensor.exposure());
@@ -287,17 +319,18 @@ final class CoverageStudyRun {
         settings.put("full_well_electrons", sensor.fullWellElectrons());
         settings.put("vignetting", sensor.vignetting());
         settings.put("gradient", sensor.gradient());
-        settings.put("jpeg_quality", options.jpegQuality());
-        settings.put("print_gain_mm", options.printGainMm());
+        settings.put("jpeg_quality", jpegQuality);
+        settings.put("print_gain_mm", printGainMm);
         OptionalDouble stated = options.statedPixelStd(command);
         settings.put("stated_pixel_std_px", stated == null ? "as in the cell" : stated.isPresent()
                 ? stated.getAsDouble() : "auto");
     }
 
     private int print(CoverageFigures figures, Map<String, Object> settings, boolean json, String what) {
+        addCheck(settings);
         StudyText text = new StudyText(figures);
         PrintWriter out = command.getOut();
-        out.print(json ? text.json(settings, Main.version()) : text.text(what));
+        out.print(json ? text.json(settings, repeating, Main.version()) : text.text(what));
         out.flush();
         return StudyText.withoutFigure(figures) > MOST_WITHOUT_FIGURE ? ExitCodes.NO_FIGURE
                 : covers(figures) ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
@@ -336,8 +369,7 @@ final class CoverageStudyRun {
             }
         }
         if (!(Math.abs(meanSidePx(cell, moved) / sidePx - 1) < 0.01)) {
-            throw new InputRefusedException("no distance of the camera makes markers " + CheckText.plain(sidePx)
-                    + " px wide; give another --marker-px or --camera-pose");
+            throw new InputRefusedException(Refusal.of(CommandRefusal.NO_DISTANCE, CheckText.plain(sidePx)));
         }
         return moved;
     }

@@ -17,6 +17,8 @@ import org.cellgauge.placement.ReferenceFit;
 import org.cellgauge.placement.WithoutMisplaced;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Setting;
+import org.cellgauge.settings.SettingTable;
 import org.cellgauge.statistics.ChainDiagnostics;
 
 /**
@@ -34,10 +36,15 @@ final class HtmlReport {
             + ".verdict{font-weight:700;white-space:nowrap}.verdict svg{width:1em;height:1em;vertical-align:-.12em}"
             + ".pass{color:#1a6b36}.fail,.refused{color:#b3261e}.not-converged,.ambiguous{color:#8a4b00}"
             + ".no-target{color:#3b4754}.caution{font-weight:700;color:#8a4b00}details{margin:.5rem 0}"
-            + "summary{cursor:pointer}.scroll{overflow-x:auto}"
+            + "summary{cursor:pointer}pre{white-space:pre-wrap}.scroll{overflow-x:auto}"
             + "@media (prefers-color-scheme:dark){body{color:#e4e8ec;background:#15191e}.pass{color:#6fd08c}"
             + ".fail,.refused{color:#ff8a80}.not-converged,.ambiguous,.caution{color:#ffb74d}.no-target{color:#aab4be}"
             + "h2,img{border-color:#3b4754}th,td{border-color:#2a323a}}";
+
+    /** What it means that a setting is open. */
+    private static final Map<Setting<?>, String> OPEN = Map.of(
+            SettingTable.ITERATIONS, "as many as the precision takes",
+            SettingTable.TARGET_STD_MM, "as the cell file has it");
 
     private final String cellName;
     private final String version;
@@ -62,8 +69,9 @@ final class HtmlReport {
      * @param input what was checked
      * @param result what was found
      * @param jpeg picture of the result
+     * @param command what makes the same figures again
      */
-    void add(CheckInput input, CheckResult result, byte[] jpeg) {
+    void add(CheckInput input, CheckResult result, byte[] jpeg, String command) {
         String id = "photo-" + ++photos;
         String key = result.verdict().key();
         double worst = result.estimate().objects().stream().mapToDouble(ObjectEstimate::worstStdMm).max()
@@ -76,7 +84,7 @@ final class HtmlReport {
                 .append("\"></p>\n");
         if (!result.warnings().isEmpty()) {
             sections.append("<h3>Warnings</h3>\n<ul>");
-            result.warnings().forEach(w -> sections.append("<li>").append(escape(w.toString())).append("</li>"));
+            result.warnings().forEach(w -> sections.append("<li>").append(escape(CommandWords.of(w))).append("</li>"));
             sections.append("</ul>\n");
         }
         objects(result);
@@ -86,7 +94,7 @@ final class HtmlReport {
         references(result);
         without(result);
         diagnostics(result);
-        settings(result);
+        settings(result, command);
         sections.append("</section>\n");
     }
 
@@ -328,22 +336,16 @@ final class HtmlReport {
         sections.append("</div></details>\n");
     }
 
-    private void settings(CheckResult result) {
+    private void settings(CheckResult result, String command) {
         CheckSettings s = result.settings();
         Map<String, String> values = new LinkedHashMap<>();
-        values.put("model", s.model().likelihood().word());
-        values.put("kappa", CheckText.plain(s.model().kappa()));
-        values.put("sampler", s.sampling().sampler().word());
-        values.put("chains", String.valueOf(s.sampling().chains()));
-        values.put("iterations", s.sampling().iterations().isPresent() ? String.valueOf(s.sampling().iterations().getAsInt())
-                : "until the Monte Carlo error of every std is below " + CheckText.plain(100 * s.sampling().targetMcseStdRel())
-                        + " %, at most " + s.sampling().maxIterations());
-        values.put("warm-up", String.valueOf(result.warmup()));
-        values.put("seed", String.valueOf(s.sampling().seed()));
-        values.put("estimated intrinsics", s.model().estimate().word());
-        values.put("initial estimate", s.sampling().initial().word());
-        values.put("object noise", s.model().objectNoise().word());
-        values.put("rotation prior", s.model().rotationPrior().name().toLowerCase(Locale.ROOT).replace('_', ' '));
+        for (Setting<?> setting : SettingTable.all()) {
+            if (setting.determinesFigures() && setting.appliesTo(s)) {
+                String text = setting == SettingTable.WARMUP ? String.valueOf(result.warmup()) : setting.text(s);
+                values.put(setting.name().replace('-', ' '), text.isEmpty() ? OPEN.get(setting)
+                        : setting.unit().isEmpty() ? text : text + " " + setting.unit());
+            }
+        }
         values.put("prior on the camera pose", result.posePrior() == null ? "none" : result.posePrior());
         values.put("pixel std", CheckText.fixed(result.pixelStdPx(), 4) + " px"
                 + (result.cell().pixelStdPx().isPresent() ? "" : " (learned from the photo)"));
@@ -355,7 +357,8 @@ final class HtmlReport {
         sections.append("<details><summary>Settings</summary>\n<table>\n");
         values.forEach((name, value) -> sections.append("<tr><td>").append(escape(name))
                 .append("</td><td class=\"text\">").append(escape(value)).append("</td></tr>\n"));
-        sections.append("</table></details>\n");
+        sections.append("</table>\n<p>The same figures again:</p>\n<pre>").append(escape(command))
+                .append("</pre></details>\n");
     }
 
     private void header(String... cells) {

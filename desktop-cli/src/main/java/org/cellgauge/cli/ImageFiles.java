@@ -22,6 +22,8 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
 import org.cellgauge.vision.StatedToneCurve;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Reads photos from files as the detector wants them: grey, as they are stored.
@@ -42,7 +44,6 @@ public final class ImageFiles {
     /** Largest image that is decoded, in pixels: four times what cameras on robots have, 400 MB as colour. */
     public static final long MAX_PIXELS = 100_000_000;
     private static final String FORMATS = "PNG, JPEG, BMP, TIFF or GIF";
-    private static final String CMYK = "its colours are CMYK, made for print; save it as an RGB or grey image";
     private static final int CMYK_BANDS = 4;
     private static final long MAX_BARE_BYTES = 200 << 20;
     private static final int APP0 = 0xE0;
@@ -64,22 +65,22 @@ public final class ImageFiles {
      */
     public static GreyImage read(Path file) {
         if (Files.isDirectory(file)) {
-            throw refuse(file, "is a folder, not an image; name a file in it", null);
+            throw refused(file, ImageRefusal.IS_FOLDER);
         }
         try {
             if (!Files.exists(file)) {
-                throw refuse(file, "there is no such file; check the name", null);
+                throw refused(file, ImageRefusal.NO_SUCH_FILE);
             }
             if (Files.size(file) == 0) {
-                throw refuse(file, "the file is empty; copy it again from the camera", null);
+                throw refused(file, ImageRefusal.EMPTY);
             }
             if (!Files.isReadable(file)) {
-                throw refuse(file, "reading it is not permitted; change its permissions", null);
+                throw refused(file, ImageRefusal.NOT_PERMITTED);
             }
             // over the file itself: a stream would first be copied to a temporary file
             try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
                 if (in == null) {
-                    throw refuse(file, "it cannot be opened; check its permissions", null);
+                    throw refused(file, ImageRefusal.NOT_OPENED);
                 }
                 // before the reader, which may leave no way back
                 ToneCurve toneCurve = StatedToneCurve.of((position, into) -> {
@@ -90,7 +91,7 @@ public final class ImageFiles {
                 return decoded(file, in).withToneCurve(toneCurve);
             }
         } catch (IOException e) {
-            throw refuse(file, "it cannot be read (" + e.getMessage() + "); check the disk or copy it again", e);
+            throw damaged(e, file, ImageRefusal.NOT_READABLE, String.valueOf(e.getMessage()));
         }
     }
 
@@ -146,7 +147,7 @@ public final class ImageFiles {
     private static GreyImage read(Path file, ImageInputStream in) throws IOException {
         Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
         if (!readers.hasNext()) {
-            throw refuse(file, "this is no image of a known format; save it as " + FORMATS, null);
+            throw refused(file, ImageRefusal.UNKNOWN_FORMAT, FORMATS);
         }
         ImageReader reader = readers.next();
         try {
@@ -165,12 +166,10 @@ public final class ImageFiles {
                 width = reader.getWidth(0);
                 height = reader.getHeight(0);
                 if (width < 1 || height < 1 || (long) width * height > MAX_PIXELS) {
-                    throw refuse(file, String.format(Locale.ROOT, "it announces %d x %d px, more than the %d million "
-                            + "pixels that are decoded; scale it down before calibration and measurement alike", width,
-                            height, MAX_PIXELS / 1_000_000), null);
+                    throw refused(file, ImageRefusal.TOO_LARGE, width, height, (int) (MAX_PIXELS / 1_000_000));
                 }
                 if (hasNoType(reader)) {
-                    throw refuse(file, CMYK, null);
+                    throw refused(file, ImageRefusal.CMYK);
                 }
                 image = reader.read(0);
             } catch (IOException | RuntimeException e) {
@@ -178,13 +177,12 @@ public final class ImageFiles {
                     throw e;
                 }
                 // readers throw whatever a damaged file leads them to, unchecked exceptions included
-                String what = e instanceof EOFException || e.getCause() instanceof EOFException
-                        ? "it is cut short" : "it is damaged or of an unusual kind (" + e.getMessage() + ")";
-                throw refuse(file, what + "; copy it again or save it as 8-bit PNG", e);
+                throw e instanceof EOFException || e.getCause() instanceof EOFException
+                        ? damaged(e, file, ImageRefusal.CUT_SHORT)
+                        : damaged(e, file, ImageRefusal.DAMAGED, String.valueOf(e.getMessage()));
             }
             if (warning[0] != null) {
-                throw refuse(file, "it is damaged or cut short (" + warning[0]
-                        + "); copy it again from the camera", null);
+                throw refused(file, ImageRefusal.PARTLY_DAMAGED, warning[0]);
             }
             return grey(file, image);
         } finally {
@@ -219,13 +217,13 @@ public final class ImageFiles {
         int colourBands = colours.getNumColorComponents();
         int space = colours.getColorSpace().getType();
         if (colourBands == CMYK_BANDS) {
-            throw refuse(file, CMYK, null);
+            throw refused(file, ImageRefusal.CMYK);
         }
         boolean isGrey = colourBands == 1 && space == ColorSpace.TYPE_GRAY;
         if (!isGrey && (colourBands != 3 || space != ColorSpace.TYPE_RGB)
                 || image.getSampleModel().getTransferType() > DataBuffer.TYPE_USHORT
                 && image.getSampleModel().getTransferType() != DataBuffer.TYPE_INT) {
-            throw refuse(file, "its colours are neither grey nor RGB; save it as an 8-bit RGB or grey image", null);
+            throw refused(file, ImageRefusal.OTHER_COLOURS);
         }
         Raster raster = image.getRaster();
         int bands = raster.getNumBands();
@@ -272,7 +270,11 @@ public final class ImageFiles {
         return 0.299 * red + 0.587 * green + 0.114 * blue;
     }
 
-    private static InputRefusedException refuse(Path file, String what, Throwable cause) {
-        return new InputRefusedException(file + ": " + what, cause);
+    private static InputRefusedException refused(Path file, ImageRefusal kind, Object... arguments) {
+        return new InputRefusedException(file.toString(), kind, arguments);
+    }
+
+    private static InputRefusedException damaged(Exception cause, Path file, ImageRefusal kind, Object... arguments) {
+        return new InputRefusedException(Refusal.at(Place.of(file.toString()), kind, arguments), cause);
     }
 }

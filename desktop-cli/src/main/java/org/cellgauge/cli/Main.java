@@ -107,7 +107,7 @@ public final class Main implements Callable<Integer> {
             err.println("Internal error: " + inShort(e)
                     + (debug ? "" : ". Run it again with --debug for the stack trace, and please report it."));
         } else {
-            err.println(e.getMessage());
+            err.println(CommandWords.of(e));
         }
         if (debug) {
             e.printStackTrace(err);

@@ -3,9 +3,9 @@ package org.cellgauge.cli;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.cli.render.MarkerPattern;
 import org.cellgauge.cli.render.Sensor;
 import org.cellgauge.light.ToneCurve;
+import org.cellgauge.vision.MarkerPattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 
@@ -79,12 +79,11 @@ final class PhotoOptions {
             return;
         }
         double leastMm = Double.POSITIVE_INFINITY;
-        String family = cell.family().familyName();
         for (Reference r : cell.references()) {
-            leastMm = Math.min(leastMm, r.sizeMm() / MarkerPattern.of(family, r.id()).cells());
+            leastMm = Math.min(leastMm, r.sizeMm() / MarkerPattern.of(cell.family(), r.id()).cells());
         }
         for (ObjectMarker o : cell.objects()) {
-            leastMm = Math.min(leastMm, o.sizeMm() / MarkerPattern.of(family, o.id()).cells());
+            leastMm = Math.min(leastMm, o.sizeMm() / MarkerPattern.of(cell.family(), o.id()).cells());
         }
         if (!(Math.abs(printGainMm) < leastMm / 2)) {
             throw new ParameterException(command, "--print-gain: must be below half a cell of every marker, "

@@ -46,8 +46,6 @@ import picocli.CommandLine.Spec;
             "The written files are named on standard output.",
             "Exit codes: 0 done, 1 internal error, 2 usage, 3 input refused."})
 public final class SimulateCommand implements Callable<Integer> {
-    private static final int INTERNAL_ERROR = 1;
-    private static final int INPUT_REFUSED = 3;
 
     @Spec
     private CommandSpec spec;
@@ -158,9 +156,10 @@ public final class SimulateCommand implements Callable<Integer> {
      * Renders the photos.
      *
      * @return the exit code
+     * @throws IOException if this Java cannot encode images
      */
     @Override
-    public Integer call() {
+    public Integer call() throws IOException {
         Sensor sensor = sensor();
         CellSimulation.Settings settings = settings();
         if (count < 1 || count > 100_000) {
@@ -176,20 +175,20 @@ public final class SimulateCommand implements Callable<Integer> {
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, poses);
             PhotoOptions.requirePrintable(spec.commandLine(), cell, printGainMm);
             RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
-            makeFolder();
-            run(cell, new CellSimulation(cell, camera, poses, settings), poses, sensor);
+            if (Files.exists(out) && !Files.isDirectory(out)) {
+                throw usage("--out: " + out + " is a file, not a folder");
+            }
+            CheckOutput output = CheckOutput.into(out);
+            run(cell, new CellSimulation(cell, camera, poses, settings), poses, sensor, output);
             return CommandLine.ExitCode.OK;
-        } catch (InputRefusedException e) {
-            err.println(e.getMessage());
-            return INPUT_REFUSED;
-        } catch (IOException e) {
-            err.println("Cannot write to " + out + ": " + e.getMessage());
-            return INTERNAL_ERROR;
+        } catch (InputRefusedException | CheckOutput.UnwritableException e) {
+            err.println(CommandWords.of(e));
+            return ExitCodes.INPUT_REFUSED;
         }
     }
 
-    private void run(Cell cell, CellSimulation simulation, Map<Integer, RigidTransform> poses, Sensor sensor)
-            throws IOException {
+    private void run(Cell cell, CellSimulation simulation, Map<Integer, RigidTransform> poses, Sensor sensor,
+            CheckOutput output) throws IOException {
         PrintWriter err = spec.commandLine().getErr();
         PrintWriter stdout = spec.commandLine().getOut();
         int digits = Integer.toString(count).length();
@@ -198,13 +197,14 @@ public final class SimulateCommand implements Callable<Integer> {
             CellSimulation.Photo photo = simulation.photo(i, sensor);
             String imageName = base + (jpegQuality == null ? ".png" : ".jpg");
             String truth = TruthFile.json(cell, photo, imageName, seed, i, settingsByName(photo, sensor), command());
-            Map<Path, byte[]> files = new LinkedHashMap<>();
-            files.put(out.resolve(base + ".truth.json"), truth.getBytes(StandardCharsets.UTF_8));
-            files.put(out.resolve(imageName), jpegQuality == null
+            byte[] image = jpegQuality == null
                     ? GreyPng.encode(photo.image(), noProfile ? ToneCurve.LINEAR : sensor.toneCurve())
-                    : GreyJpeg.encode(photo.image(), jpegQuality));
-            WholeFiles.write(files);
-            files.keySet().forEach(stdout::println);
+                    : GreyJpeg.encode(photo.image(), jpegQuality);
+            Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
+            files.put(base + ".truth.json", bytes -> bytes.write(truth.getBytes(StandardCharsets.UTF_8)));
+            files.put(imageName, bytes -> bytes.write(image));
+            output.write(files);
+            files.keySet().forEach(file -> stdout.println(out.resolve(file)));
             stdout.flush();
             for (SceneTruth.MarkerInImage marker : SceneTruth.of(photo.scene())) {
                 if (!marker.whollyInside()) {
@@ -262,13 +262,6 @@ public final class SimulateCommand implements Callable<Integer> {
             // said below, as for negative values
         }
         throw usage("--camera-jitter: '" + cameraJitter + "' is not MM,DEG with two values of at least 0, as in 5,0.5");
-    }
-
-    private void makeFolder() throws IOException {
-        if (Files.exists(out) && !Files.isDirectory(out)) {
-            throw usage("--out: " + out + " is a file, not a folder");
-        }
-        Files.createDirectories(out);
     }
 
     /** What is as it was before there was a choice is left out, so that older truths stay what they were. */

@@ -171,8 +171,15 @@ final class StudyText {
 
     // ---- JSON
 
-    /** All figures; ended by a line feed. */
-    String json(Map<String, ?> settings, String version) {
+    /**
+     * All figures.
+     *
+     * @param settings all that determines them, by key
+     * @param command what makes them again
+     * @param version of this program
+     * @return JSON ended by a line feed
+     */
+    String json(Map<String, ?> settings, String command, String version) {
         Gson gson = new GsonBuilder().setPrettyPrinting().serializeNulls().disableHtmlEscaping().create();
         JsonObject root = new JsonObject();
         root.addProperty("schema", 1);
@@ -221,6 +228,7 @@ final class StudyText {
         corners.add("squared_as_taken_per_8", mean(c.squaredAsTaken()));
         corners.add("outlying_share", number(c.outlyingShare()));
         root.add("corners", corners);
+        root.addProperty("command", command);
         root.addProperty("version", version);
         return gson.toJson(root) + "\n";
     }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
@@ -29,7 +30,7 @@ import picocli.CommandLine.Spec;
 
 /** {@code cellgauge validate}: is a stated 95 % right 95 times in 100, for this cell? */
 @Command(name = "validate", mixinStandardHelpOptions = true, sortOptions = false,
-        versionProvider = Main.Version.class,
+        versionProvider = Main.Version.class, modelTransformer = CheckOptions.OfValidate.class,
         description = "Simulates cells that were built and photographed just as precisely as the cell file states, "
                 + "checks each, and counts how often the stated regions hold the truth.",
         footer = {"", "Examples:",
@@ -52,8 +53,9 @@ import picocli.CommandLine.Spec;
 public final class ValidateCommand implements Callable<Integer> {
     /** Share of simulations without a figure beyond which coverage of the others says little. */
     private static final double MOST_WITHOUT_FIGURE = 0.05;
-    private static final double MCSE_STD_REL = 0.1;
     private static final int REPORTS = 10;
+    /** Options of which no figure depends. */
+    private static final Set<String> WITHOUT_EFFECT = Set.of("--json", "--out", "--threads", "--debug");
 
     @Spec
     private CommandSpec spec;
@@ -99,9 +101,6 @@ public final class ValidateCommand implements Callable<Integer> {
     @Mixin
     private StudyOptions study;
 
-    @Mixin
-    private CheckOptions options;
-
     /**
      * Runs the validation.
      *
@@ -109,7 +108,7 @@ public final class ValidateCommand implements Callable<Integer> {
      */
     @Override
     public Integer call() {
-        CheckSettings check = options.settings(spec.commandLine());
+        CheckSettings check = CheckOptions.settings(spec.commandLine(), CheckOptions.OfValidate.USUAL);
         study.check(spec.commandLine());
         if (cellFile == null && !study.randomLayouts()) {
             throw new ParameterException(spec.commandLine(), "Missing required option: '--cell=CELL'");
@@ -141,7 +140,7 @@ public final class ValidateCommand implements Callable<Integer> {
             ValidationResult result = Validation.run(prior, settings, this::progress);
             ValidationText text = new ValidationText(prior, settings, result);
             PrintWriter out = spec.commandLine().getOut();
-            out.print(json ? text.json(Main.version()) : text.text());
+            out.print(json ? text.json(repeating(), Main.version()) : text.text());
             out.flush();
             return exitCode(result);
         } catch (InputRefusedException e) {
@@ -151,8 +150,13 @@ public final class ValidateCommand implements Callable<Integer> {
         }
     }
 
+    /** What makes the figures again. */
+    private String repeating() {
+        return RepeatingCommand.asGiven(spec.name(), spec.commandLine().getParseResult(), WITHOUT_EFFECT);
+    }
+
     private CoverageStudyRun study(CheckSettings check) {
-        return new CoverageStudyRun(spec.commandLine(), study, lessPrecise(check), simulations);
+        return new CoverageStudyRun(spec.commandLine(), study, check, simulations, repeating());
     }
 
     private void requireNoCell() {
@@ -162,10 +166,6 @@ public final class ValidateCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--random-layouts makes its own cells"
                     + (study.photos() ? " and photos" : "") + ": leave out " + given);
         }
-    }
-
-    private CheckSettings lessPrecise(CheckSettings check) {
-        return options.hasPrecision() ? check : check.toBuilder().targetMcseStdRel(MCSE_STD_REL).build();
     }
 
     private static int exitCode(ValidationResult result) {
@@ -184,12 +184,11 @@ public final class ValidateCommand implements Callable<Integer> {
 
     private ValidationSettings settings(Cell cell, CheckSettings check) {
         if (pixelStdPx == null && cell.pixelStdPx().isEmpty()) {
-            throw new InputRefusedException(cellFile + ": pixel_std_px is 'auto', which says nothing of the noise to "
-                    + "simulate; give it with --pixel-std, for instance 0.3");
+            throw new InputRefusedException(cellFile.toString(), CommandRefusal.NO_CORNER_NOISE);
         }
         double pixels = pixelStdPx != null ? pixelStdPx : cell.pixelStdPx().getAsDouble();
         try {
-            return new ValidationSettings(simulations, lessPrecise(check), pixels, check.sampling().threads());
+            return new ValidationSettings(simulations, check, pixels, check.sampling().threads());
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());
         }

@@ -8,16 +8,19 @@ import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.DoubleStream;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.SettingsJson;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.validation.RankedQuantity;
 import org.cellgauge.validation.RegionCoverage;
@@ -215,8 +218,14 @@ final class ValidationText {
 
     // ---- JSON
 
-    /** All counts and ranks; ASCII, ended by a line feed. */
-    String json(String version) {
+    /**
+     * All counts and ranks.
+     *
+     * @param command what makes them again
+     * @param version of this program
+     * @return JSON ended by a line feed
+     */
+    String json(String command, String version) {
         CheckSettings check = settings.check();
         JsonObject root = new JsonObject();
         root.addProperty("schema", 1);
@@ -238,6 +247,12 @@ final class ValidationText {
         JsonObject objects = new JsonObject();
         prior.nominal().worldFromObjects().forEach((id, p) -> objects.add(String.valueOf(id), pose(p)));
         used.add("object_poses", objects);
+        Gson gson = new GsonBuilder().setPrettyPrinting().serializeNulls().create();
+        SettingsJson.plain(check).forEach((key, value) -> {
+            if (!used.has(key)) {
+                used.add(key, gson.toJsonTree(value));
+            }
+        });
         root.add("settings", used);
         root.addProperty("not_converged", result.notConverged());
         root.addProperty("refused", result.refused());
@@ -286,8 +301,8 @@ final class ValidationText {
             quantities.add(o);
         }
         root.add("ranks", quantities);
+        root.addProperty("command", command);
         root.addProperty("version", version);
-        Gson gson = new GsonBuilder().setPrettyPrinting().serializeNulls().create();
         return gson.toJson(root) + "\n";
     }
 
@@ -297,12 +312,13 @@ final class ValidationText {
 
     private static JsonArray pose(RigidTransform pose) {
         JsonArray values = new JsonArray();
-        for (double v : pose.translationMm()) {
-            values.add(v);
-        }
-        for (double v : pose.eulerRad()) {
-            values.add(v);
-        }
+        poseValues(pose).forEach(values::add);
         return values;
+    }
+
+    /** Position in mm, then the angles in radians. */
+    static List<Double> poseValues(RigidTransform pose) {
+        return DoubleStream.concat(Arrays.stream(pose.translationMm()), Arrays.stream(pose.eulerRad())).boxed()
+                .toList();
     }
 }

@@ -29,18 +29,6 @@ public final class WholeFiles {
     }
 
     /**
-     * Writes files that belong together, as {@link #writeContents}.
-     *
-     * @param contents bytes by file, moved in this order; the folders must exist
-     * @throws IOException if a file cannot be written
-     */
-    public static void write(Map<Path, byte[]> contents) throws IOException {
-        Map<Path, Content> all = new LinkedHashMap<>();
-        contents.forEach((place, bytes) -> all.put(place, out -> out.write(bytes)));
-        writeContents(all);
-    }
-
-    /**
      * Writes files that belong together. All are complete on the disk before the first takes its name, so an error
      * while writing (a full disk, say) leaves the old files untouched and nothing behind.
      *

@@ -626,6 +626,9 @@ class CheckCommandTest {
         String report = Files.readString(out.resolve("report.html"));
         assertTrue(report.contains("data:image/jpeg;base64,/9j/"), "no picture in it");
         assertTrue(report.contains("a&lt;b") && !report.contains("a<b"), "names must be escaped");
+        assertTrue(report.contains("<pre>cellgauge check --cell " + cell + " --target 5 &#39;" + folder
+                + "/a&lt;b.png&#39;</pre>"), "command that repeats it");
+        assertTrue(report.contains("<tr><td>target</td><td class=\"text\">5 mm</td></tr>"), "its settings");
         for (String outside : List.of("http:", "https:", "src=\"/", "<script", "<link", "@import", "url(")) {
             assertFalse(report.contains(outside), outside);
         }

@@ -11,6 +11,7 @@ import org.cellgauge.cli.render.Scene;
 import org.cellgauge.cli.render.SceneRenderer;
 import org.cellgauge.cli.render.SceneTruth;
 import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
@@ -50,8 +51,8 @@ final class MarkerField {
     static MarkerField of(String family, double sizeMm, double k1, double k2, Backdrop backdrop, double quietZone,
             double printGainMm) {
         double[] values = PinholeCamera.ideal(1280, 720, FOCAL_PX, FOCAL_PX, 640, 360).intrinsics();
-        values[PinholeCamera.K1] = k1;
-        values[PinholeCamera.K2] = k2;
+        values[BrownLens.K1] = k1;
+        values[BrownLens.K2] = k2;
         PinholeCamera camera = PinholeCamera.of(1280, 720, values);
         RandomGenerator random = new Well19937c(17);
         RigidTransform above = RigidTransform.ofEuler(0, 0, DISTANCE_MM, Math.PI, 0, 0);

@@ -185,6 +185,13 @@ class SimulateCommandTest {
     }
 
     @Test
+    void folderThatCannotBeMadeIsRefusedBeforeAnythingIsRendered() throws IOException {
+        Path file = Files.createFile(folder.resolve("file"));
+        assertEquals(3, simulate(file.resolve("photos"), "--count", "100000"));
+        assertEquals(file + ": this is a file, not a folder; name a folder with --out", err.trim());
+    }
+
+    @Test
     void markerOutsideTheImageIsSaid() {
         assertEquals(0, simulate(folder.resolve("photos"), "--camera-pose", "0,0,600,180,0,0", "--object",
                 "5=1000,0,0"));

@@ -348,7 +348,7 @@ class ValidateCommandTest {
         "--object 7=0,0,0 | has no object 7; its objects are [5, 20]",
         "--object 5 | --object",
         "--camera-pose 1,2 | --camera-pose",
-        "--estimate focal --aspect-prior-std 0 | neither a share above 0, such as 0.005, nor independent",
+        "--estimate focal --aspect-prior-std 0 | --aspect-prior-std: must be a share above 0, such as 0.005",
         "--model cube | --model: 'cube' is not known; write rigid-marker or corner-cube",
         "--simulation 5 | Possible solutions: --simulations"})
     void faultyOptionsAreUsageErrors(String args, String message) {

@@ -26,10 +26,10 @@ class WholeFilesTest {
     @Test
     void filesHoldWhatWasGivenAndNothingElseIsLeft() throws IOException {
         Files.writeString(folder.resolve("a"), "old and longer");
-        Map<Path, byte[]> files = new LinkedHashMap<>();
-        files.put(folder.resolve("a"), "new".getBytes());
-        files.put(folder.resolve("b"), new byte[0]);
-        WholeFiles.write(files);
+        Map<Path, WholeFiles.Content> files = new LinkedHashMap<>();
+        files.put(folder.resolve("a"), out -> out.write("new".getBytes()));
+        files.put(folder.resolve("b"), out -> { });
+        WholeFiles.writeContents(files);
         assertEquals("new", Files.readString(folder.resolve("a")));
         assertEquals(List.of("a", "b"), names());
     }
@@ -37,10 +37,10 @@ class WholeFilesTest {
     @Test
     void oneFileThatCannotBeWrittenLeavesAllAsTheyWere() throws IOException {
         Files.writeString(folder.resolve("a"), "old");
-        Map<Path, byte[]> files = new LinkedHashMap<>();
-        files.put(folder.resolve("a"), "new".getBytes());
-        files.put(folder.resolve("missing").resolve("b"), "new".getBytes());
-        assertThrows(IOException.class, () -> WholeFiles.write(files));
+        Map<Path, WholeFiles.Content> files = new LinkedHashMap<>();
+        files.put(folder.resolve("a"), out -> out.write("new".getBytes()));
+        files.put(folder.resolve("missing").resolve("b"), out -> out.write("new".getBytes()));
+        assertThrows(IOException.class, () -> WholeFiles.writeContents(files));
         assertEquals("old", Files.readString(folder.resolve("a")));
         assertEquals(List.of("a"), names());
     }

@@ -8,16 +8,17 @@ import java.io.UncheckedIOException;
 import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cell.CameraSource;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellPhrase;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputFiles;
 import org.cellgauge.cell.StatedCamera;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.warning.RefusalKind;
 
 /** Cells and photos out of Android's document picker, and the example out of the app itself. */
 public final class DocumentLibrary implements CellLibrary {
-    private static final String CELL_FILE = "cell file";
-    private static final String CAMERA_FILE = "camera file";
-    private static final String PHOTO = "photo";
+    private static final RefusalKind CELL_FILE = CellPhrase.CELL_FILE;
+    private static final RefusalKind CAMERA_FILE = CellPhrase.CAMERA_FILE;
     private static final String EXAMPLE = "example/";
     private static final String EXAMPLE_CELL = "cell.yaml";
     private static final String EXAMPLE_PHOTO = "photo.png";
@@ -53,7 +54,7 @@ public final class DocumentLibrary implements CellLibrary {
         }
     }
 
-    private String asset(String name, String what, int maxBytes) {
+    private String asset(String name, RefusalKind what, int maxBytes) {
         try (InputStream in = assets.open(EXAMPLE + name)) {
             return InputFiles.text(in, name, what, maxBytes);
         } catch (IOException e) {
@@ -89,6 +90,6 @@ public final class DocumentLibrary implements CellLibrary {
 
     @Override
     public Photo photo(String uri) {
-        return documents.read(uri, PHOTO, false, (in, name) -> new Photo(name, PhotoReader.read(in, name)));
+        return documents.read(uri, FileRefusal.PHOTO, false, (in, name) -> new Photo(name, PhotoReader.read(in, name)));
     }
 }

@@ -9,6 +9,9 @@ import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.RefusalKind;
 
 /** Documents that the user chose, opened; what other apps' providers do wrong becomes a refusal with a remedy. */
 final class Documents {
@@ -35,18 +38,17 @@ final class Documents {
      * Reads a document.
      *
      * @param uriText its address
-     * @param what what it should be, for messages: "cell file"
+     * @param what what it should be, without places, for messages
      * @param again whether it will be wanted again later: the permission to read it is then kept where it can be
      * @param reading what is done with it
      * @return what was read
      * @throws InputRefusedException if it cannot be read, or as {@code reading} throws it
      */
-    <T> T read(String uriText, String what, boolean again, Reading<T> reading) {
+    <T> T read(String uriText, RefusalKind what, boolean again, Reading<T> reading) {
         Uri uri = Uri.parse(uriText);
         if (!ContentResolver.SCHEME_CONTENT.equals(uri.getScheme())) {
             // a path would be read with the app's own rights, whoever handed it over
-            throw new InputRefusedException(uriText + ": this is no document of this device; choose the " + what
-                    + " in the app");
+            throw new InputRefusedException(uriText, FileRefusal.NO_DOCUMENT, what);
         }
         String name = name(uri);
         if (again) {
@@ -58,21 +60,21 @@ final class Documents {
             }
             return reading.read(in, name);
         } catch (FileNotFoundException e) {
-            throw new InputRefusedException(name + ": this " + what + " is not there any more, or its app does not "
-                    + "give it; choose it again", e);
+            throw refused(e, name, FileRefusal.GONE, what);
         } catch (SecurityException e) {
-            throw new InputRefusedException(name + ": the permission to read this " + what + " has ended; choose it "
-                    + "again", e);
+            throw refused(e, name, FileRefusal.PERMISSION_ENDED, what);
         } catch (InputRefusedException e) {
             throw e;
         } catch (IOException e) {
-            throw new InputRefusedException(name + ": the " + what + " cannot be read (" + e.getMessage()
-                    + "); check the connection or copy it to this device", e);
+            throw refused(e, name, FileRefusal.NOT_READABLE, what, String.valueOf(e.getMessage()));
         } catch (RuntimeException e) {
             // whatever the app behind the document throws comes through
-            throw new InputRefusedException(name + ": the app that holds this " + what + " does not give it ("
-                    + e.getClass().getSimpleName() + "); copy it to this device and choose it there", e);
+            throw refused(e, name, FileRefusal.APP_FAILS, what, e.getClass().getSimpleName());
         }
+    }
+
+    private static InputRefusedException refused(Exception cause, String name, FileRefusal kind, Object... arguments) {
+        return new InputRefusedException(Refusal.at(Place.of(name), kind, arguments), cause);
     }
 
     private void keepPermission(Uri uri) {

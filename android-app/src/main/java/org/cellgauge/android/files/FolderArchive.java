@@ -93,15 +93,15 @@ public final class FolderArchive implements ResultArchive {
     private synchronized SavedResult saveWhole(Photo photo, CheckResult result) throws IOException {
         String name = store.freeName("cellgauge-" + LocalDateTime.now(clock).format(TIME));
         byte[] png = GreyPng.encode(photo.luminance());
+        String command = DesktopCommand.of(name, result.settings());
         Map<String, byte[]> files = new LinkedHashMap<>();
         files.put(name + ".png", png);
         files.put(name + ".result.json",
-                utf8(ResultJson.of(result, name + ".png", sha256(png), version)));
+                utf8(ResultJson.of(result, name + ".png", sha256(png), version, command)));
         files.put(name + ".overlay.png", overlayPng(photo.luminance(), result));
         files.put(name + ".cell.yaml", utf8(CellWriter.text(result.cell(), Arrays.asList(
                 "Cell and camera of the result " + name + ", made by CellGauge " + version + " on an Android device.",
-                "The same figures on another machine:",
-                DesktopCommand.of(name, result.settings())))));
+                "The same figures on another machine:", command))));
         store.write(name, files);
         links.changed();
         return saved(name);

@@ -26,14 +26,14 @@ final class ImageHeader {
      */
     static void judge(byte[] file, String name) {
         if (file.length == 0) {
-            throw refused(name, "the file is empty; copy it again from the camera");
+            throw new InputRefusedException(name, FileRefusal.EMPTY);
         }
         if (isPng(file)) {
             judgePng(file, name);
         } else if (u8(file, 0) == 0xFF && u8(file, 1) == 0xD8) {
             judgeJpeg(file, name);
         } else {
-            throw refused(name, other(file) + "; save it as PNG or JPEG");
+            throw new InputRefusedException(name, other(file));
         }
     }
 
@@ -46,16 +46,16 @@ final class ImageHeader {
         return true;
     }
 
-    private static String other(byte[] file) {
+    private static FileRefusal other(byte[] file) {
         String begin = new String(file, 0, Math.min(file.length, 12), java.nio.charset.StandardCharsets.ISO_8859_1);
         if (begin.startsWith("GIF8") || begin.startsWith("BM") || begin.startsWith("RIFF") || begin.startsWith("II*\0")
                 || begin.startsWith("MM\0*")) {
-            return "images of this format are not read by the app";
+            return FileRefusal.OTHER_FORMAT;
         }
         if (begin.indexOf("ftyp") == 4) {
-            return "images in HEIC or AVIF, and films, are not read by the app";
+            return FileRefusal.HEIC;
         }
-        return "this is no image of a known format";
+        return FileRefusal.UNKNOWN_FORMAT;
     }
 
     private static void judgePng(byte[] file, String name) {
@@ -73,7 +73,7 @@ final class ImageHeader {
                 crc.reset();
                 crc.update(file, at + 4, (int) length + 4);
                 if (crc.getValue() != u32(file, end, name)) {
-                    throw refused(name, "it is damaged; copy it again");
+                    throw new InputRefusedException(name, FileRefusal.DAMAGED);
                 }
             }
             if (type == TYPE_IEND) {
@@ -94,7 +94,7 @@ final class ImageHeader {
                 throw cutShort(name);
             }
             if (u8(file, at) != 0xFF) {
-                throw refused(name, "it is damaged; copy it again or save it as PNG");
+                throw new InputRefusedException(name, FileRefusal.DAMAGED_JPEG);
             }
             int marker = u8(file, at + 1);
             at += 2;
@@ -113,7 +113,7 @@ final class ImageHeader {
             }
             boolean frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
             if (frame && u8(file, at + 7) == CMYK_COMPONENTS) {
-                throw refused(name, "its colours are CMYK, made for print; save it as an RGB or grey image");
+                throw new InputRefusedException(name, FileRefusal.CMYK);
             }
             at += length;
             if (marker == 0xDA) {
@@ -150,10 +150,6 @@ final class ImageHeader {
     }
 
     private static InputRefusedException cutShort(String name) {
-        return refused(name, "it is cut short; copy it again");
-    }
-
-    private static InputRefusedException refused(String name, String what) {
-        return new InputRefusedException(name + ": " + what);
+        return new InputRefusedException(name, FileRefusal.CUT_SHORT);
     }
 }

@@ -22,7 +22,7 @@ public final class LicenceTexts {
      */
     public static String read(AssetManager assets) {
         try (InputStream in = assets.open(ASSET)) {
-            return InputFiles.text(in, ASSET, "licences", MAX_BYTES);
+            return InputFiles.text(in, ASSET, FileRefusal.LICENCES, MAX_BYTES);
         } catch (IOException e) {
             throw new UncheckedIOException("the app was packed without its licences", e);
         }

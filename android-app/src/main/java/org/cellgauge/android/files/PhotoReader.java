@@ -7,10 +7,11 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
-import java.util.Locale;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.vision.GreyImage;
 import org.cellgauge.vision.StatedToneCurve;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Reads photos as the command line does: colours become grey by the luma weights of ITU-R BT.601 (0.299, 0.587, 0.114)
@@ -60,8 +61,7 @@ final class PhotoReader {
             ImageHeader.judge(file, name);
             return grey(decoded(file, name, freeBytes)).withToneCurve(StatedToneCurve.of(file));
         } catch (OutOfMemoryError e) {
-            throw new InputRefusedException(name + ": it is too large for the memory of this device; scale it down "
-                    + "before calibration and measurement alike, or check it with the command line", e);
+            throw new InputRefusedException(Refusal.at(Place.of(name), FileRefusal.MEMORY), e);
         }
     }
 
@@ -72,8 +72,7 @@ final class PhotoReader {
         while (n >= 0) {
             out.write(buffer, 0, n);
             if (out.size() > MAX_BYTES) {
-                throw new InputRefusedException(name + ": larger than " + (MAX_BYTES >> 20) + " MiB, which no photo is"
-                        + "; check the name of the file");
+                throw new InputRefusedException(name, FileRefusal.TOO_LARGE, MAX_BYTES >> 20);
             }
             n = in.read(buffer);
         }
@@ -92,10 +91,7 @@ final class PhotoReader {
         long pixels = (long) width * height;
         // the file itself lies in the memory already
         if (pixels > MAX_PIXELS || pixels * BYTES_PER_PIXEL > freeBytes) {
-            throw new InputRefusedException(name + ": " + String.format(Locale.ROOT,
-                    "%d x %d px are too many for the memory of this device (%d MB free); scale it down before "
-                            + "calibration and measurement alike, or check it with the command line",
-                    width, height, freeBytes >> 20));
+            throw new InputRefusedException(name, FileRefusal.PIXELS, width, height, (int) (freeBytes >> 20));
         }
         options = new BitmapFactory.Options();
         options.inPreferredConfig = Bitmap.Config.ARGB_8888;
@@ -111,8 +107,7 @@ final class PhotoReader {
     }
 
     private static InputRefusedException damaged(String name) {
-        return new InputRefusedException(name + ": it is damaged or of an unusual kind; copy it again or save it as "
-                + "8-bit PNG");
+        return new InputRefusedException(name, FileRefusal.UNUSUAL);
     }
 
     private static GreyImage grey(Bitmap bitmap) {

@@ -60,9 +60,9 @@ final class ScreenContent {
                 return words.plural(R.plurals.reason_sampling, s.iterationsPerChain(),
                         words.number(s.iterationsPerChain(), 0));
             case REFUSED:
-                return s.live().message();
+                return words.refusal(s.live().refusal());
             case INTERNAL:
-                return words.get(R.string.reason_internal, s.checkProblem().message());
+                return words.get(R.string.reason_internal, words.problem(s.checkProblem()));
             case PASS:
             case FAIL:
             case NOT_CONVERGED:
@@ -119,9 +119,9 @@ final class ScreenContent {
         Problem cell = s.cellProblem();
         if (cell != null) {
             return s.cell() == null
-                    ? new Message(words.get(R.string.cell_refused), cell.message(), Action.CHOOSE_ANOTHER_CELL,
+                    ? new Message(words.get(R.string.cell_refused), words.problem(cell), Action.CHOOSE_ANOTHER_CELL,
                             Action.TRY_EXAMPLE)
-                    : new Message(words.get(R.string.cell_refused), cell.message(), Action.CHOOSE_ANOTHER_CELL,
+                    : new Message(words.get(R.string.cell_refused), words.problem(cell), Action.CHOOSE_ANOTHER_CELL,
                             Action.KEEP_CELL);
         }
         if (s.cell() == null) {
@@ -144,10 +144,10 @@ final class ScreenContent {
                                 Action.CHOOSE_CALIBRATION)
                         : new Message(words.get(R.string.photo_without_camera), text, Action.BACK_TO_CAMERA);
             case PHOTO_SIZE:
-                return new Message(words.get(R.string.photo_size), problem.message(), Action.OPEN_ANOTHER_PHOTO,
+                return new Message(words.get(R.string.photo_size), words.problem(problem), Action.OPEN_ANOTHER_PHOTO,
                         Action.BACK_TO_CAMERA);
             default:
-                return new Message(words.get(R.string.photo_refused), problem.message(), Action.OPEN_ANOTHER_PHOTO,
+                return new Message(words.get(R.string.photo_refused), words.problem(problem), Action.OPEN_ANOTHER_PHOTO,
                         Action.BACK_TO_CAMERA);
         }
     }
@@ -224,7 +224,7 @@ final class ScreenContent {
             rows.add(note(R.drawable.mark_preliminary, words.get(R.string.saving), null, null));
         } else if (s.saveProblem() != null) {
             boolean full = s.saveProblem().kind() == Problem.Kind.STORAGE_FULL;
-            String message = s.saveProblem().message();
+            String message = words.problem(s.saveProblem());
             rows.add(new Row(R.drawable.mark_not_converged, R.color.mark_fail,
                     words.get(full ? R.string.storage_full : R.string.not_saved), null,
                     full ? words.get(R.string.storage_full_text, message).trim() : message,
@@ -411,7 +411,7 @@ final class ScreenContent {
             List<String> sentences = new ArrayList<>();
             for (Warning warning : warnings) {
                 // several are told apart by more than where a line happens to end
-                sentences.add((warnings.size() > 1 ? BULLET : "") + words.warning(warning));
+                sentences.add((warnings.size() > 1 ? BULLET : "") + words.message(warning));
             }
             rows.add(new Row(R.drawable.mark_not_converged, R.color.mark_ambiguous, words.get(R.string.warnings), null,
                     String.join("\n", sentences), null));

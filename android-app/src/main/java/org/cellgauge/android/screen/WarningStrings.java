@@ -4,7 +4,7 @@ import org.cellgauge.android.R;
 import org.cellgauge.vision.DetectionWarning;
 import org.cellgauge.warning.CheckPhrase;
 import org.cellgauge.warning.CheckWarning;
-import org.cellgauge.warning.WarningKind;
+import org.cellgauge.warning.MessageKind;
 
 /** The strings that say in the user's language what core warns of. Their arguments are those of the kind, as texts. */
 final class WarningStrings {
@@ -15,7 +15,7 @@ final class WarningStrings {
     }
 
     /** The string of a kind, or {@link #NONE}. */
-    static int of(WarningKind kind) {
+    static int of(MessageKind kind) {
         if (kind instanceof DetectionWarning) {
             return of((DetectionWarning) kind);
         }
@@ -131,6 +131,12 @@ final class WarningStrings {
                 return R.string.warning_part_more_than_any_other;
             case LARGEST_DEVIATION:
                 return R.string.warning_part_largest_deviation;
+            case MORE_ITERATIONS:
+                return R.string.warning_part_more_iterations;
+            case INITIAL_PNP:
+                return R.string.warning_part_initial_pnp;
+            case DENSITY_AT_START:
+                return R.string.warning_part_density_at_start;
             default:
                 return NONE;
         }

@@ -9,6 +9,7 @@ import org.cellgauge.android.R;
 import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
+import org.cellgauge.android.state.Problem;
 import org.cellgauge.check.Reason;
 import org.cellgauge.overlay.LabelWords;
 import org.cellgauge.overlay.LegendWords;
@@ -17,7 +18,9 @@ import org.cellgauge.placement.Misplacement;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Listing;
-import org.cellgauge.warning.Warning;
+import org.cellgauge.warning.Message;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 
 /** Sentences in the user's language, with numbers as written there, from what core and camera say in parts. */
 final class Wording {
@@ -85,15 +88,34 @@ final class Wording {
 
     // ---- core
 
-    /** What the user should know besides the figures; in English where it is of a kind that only others know. */
-    String warning(Warning warning) {
-        int id = WarningStrings.of(warning.kind());
+    /** Why a file, a photo or a frame cannot be used, with the place of the fault. */
+    String refusal(Refusal refusal) {
+        String sentence = message(refusal);
+        return refusal.place() == null ? sentence : get(R.string.refusal_at, place(refusal.place()), sentence);
+    }
+
+    private String place(Place place) {
+        String text = place.file();
+        text = place.line() > 0 ? get(R.string.place_line, text, place.line()) : text;
+        text = place.column() > 0 ? get(R.string.place_column, text, place.column()) : text;
+        return place.key().isEmpty() ? text : get(R.string.place_key, text, place.key());
+    }
+
+    /** Why something was not done; what the system says of it in its own words. */
+    String problem(Problem problem) {
+        return problem.refusal() == null ? problem.message() : refusal(problem.refusal());
+    }
+
+    /** A sentence of core, or a part of one; in English where it is of a kind that only others know. */
+    String message(Message message) {
+        int warning = WarningStrings.of(message.kind());
+        int id = warning == WarningStrings.NONE ? RefusalStrings.of(message.kind()) : warning;
         if (id == WarningStrings.NONE) {
-            return warning.toString();
+            return message.toString();
         }
-        Object[] arguments = new Object[warning.arguments().size()];
+        Object[] arguments = new Object[message.arguments().size()];
         for (int i = 0; i < arguments.length; i++) {
-            arguments[i] = argument(warning.arguments().get(i));
+            arguments[i] = argument(message.arguments().get(i));
         }
         return get(id, arguments);
     }
@@ -105,7 +127,10 @@ final class Wording {
         if (argument instanceof Listing) {
             return listing((Listing) argument);
         }
-        return argument instanceof Warning ? warning((Warning) argument) : argument.toString();
+        if (argument instanceof Refusal) {
+            return refusal((Refusal) argument);
+        }
+        return argument instanceof Message ? message((Message) argument) : argument.toString();
     }
 
     /** Grouped where it is whole: those with decimals stand in rows, where a comma between thousands would mislead. */

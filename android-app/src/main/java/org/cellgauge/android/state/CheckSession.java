@@ -22,18 +22,21 @@ import org.cellgauge.android.camera.CameraSetup;
 import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.CellLibrary;
+import org.cellgauge.android.files.FileRefusal;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
 import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Holds the screen's state: what the user and the camera do goes in, {@link #states()} comes out, and nothing flows the
@@ -335,8 +338,8 @@ public final class CheckSession {
         try {
             begin(cell, camera, focal, photo);
         } catch (OutOfMemoryError e) {
-            photoRefused(new Problem(Problem.Kind.PHOTO_REFUSED, photo.name() + ": the memory of this device does not "
-                    + "suffice to check a photo of this size; take a smaller one"));
+            photoRefused(new Problem(Problem.Kind.PHOTO_REFUSED,
+                    Refusal.at(Place.of(photo.name()), FileRefusal.MEMORY_FOR_CHECK)));
         } catch (RuntimeException e) {
             photoRefused(problem(fits ? Problem.Kind.PHOTO_REFUSED : Problem.Kind.PHOTO_SIZE, e));
         }
@@ -646,7 +649,9 @@ public final class CheckSession {
 
     private static Problem problem(Problem.Kind kind, Throwable cause) {
         String message = cause.getMessage();
-        boolean plain = cause instanceof InputRefusedException || cause instanceof IOException;
-        return new Problem(kind, plain && message != null ? message : cause.toString());
+        if (cause instanceof InputRefusedException) {
+            return new Problem(kind, ((InputRefusedException) cause).refusal());
+        }
+        return new Problem(kind, cause instanceof IOException && message != null ? message : cause.toString());
     }
 }

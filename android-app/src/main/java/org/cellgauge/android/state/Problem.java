@@ -1,14 +1,16 @@
 package org.cellgauge.android.state;
 
+import org.cellgauge.warning.Refusal;
+
 /** Why something that the user asked for was not done; immutable. */
 public final class Problem {
     /** What kind of thing went wrong. */
     public enum Kind {
-        /** The cell file, or a calibration file chosen with it, was refused: {@link Problem#message()}. */
+        /** The cell file, or a calibration file chosen with it, was refused: {@link Problem#refusal()}. */
         CELL_REFUSED,
-        /** The photo cannot be read or checked: {@link Problem#message()}. */
+        /** The photo cannot be read or checked: {@link Problem#refusal()}. */
         PHOTO_REFUSED,
-        /** The photo is of another size than the camera's calibration: {@link Problem#message()}. */
+        /** The photo is of another size than the camera's calibration: {@link Problem#refusal()}. */
         PHOTO_SIZE,
         /** The cell has no camera of its own and the device's is not known yet, so no photo can be checked. */
         PHOTO_WITHOUT_CAMERA,
@@ -21,16 +23,30 @@ public final class Problem {
     }
 
     private final Kind kind;
+    private final Refusal refusal;
     private final String message;
+
+    /**
+     * An input that cannot be used.
+     *
+     * @param kind what kind of thing
+     * @param refusal what, where and what to do
+     */
+    public Problem(Kind kind, Refusal refusal) {
+        this.kind = kind;
+        this.refusal = refusal;
+        this.message = "";
+    }
 
     /**
      * A problem.
      *
      * @param kind what kind of thing
-     * @param message what, where and what to do, in English as it comes from the library; may be empty
+     * @param message what the system or the program says of it; may be empty
      */
     public Problem(Kind kind, String message) {
         this.kind = kind;
+        this.refusal = null;
         this.message = message == null ? "" : message;
     }
 
@@ -46,7 +62,16 @@ public final class Problem {
     /**
      * What, where and what to do.
      *
-     * @return in English; empty where the kind says all
+     * @return null where no input was refused
+     */
+    public Refusal refusal() {
+        return refusal;
+    }
+
+    /**
+     * What the system or the program says of it.
+     *
+     * @return in the words it has, mostly English; empty where the kind or the refusal says all
      */
     public String message() {
         return message;

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import android.hardware.camera2.CameraMetadata;
 import java.util.Collections;
 import java.util.EnumSet;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.PixelArea;
 import org.junit.jupiter.api.Test;
@@ -65,8 +66,8 @@ class ModelChoiceTest {
         assertEquals(CameraModelSource.DEVICE_CALIBRATION, model.source());
         assertEquals(Collections.emptySet(), model.notes());
         assertCamera(model.camera(), 775, 777.5, 505, 372.5);
-        assertEquals(0.1, model.camera().get(PinholeCamera.K1), 1e-7);
-        assertEquals(-0.002, model.camera().get(PinholeCamera.P2), 1e-7);
+        assertEquals(0.1, model.camera().get(BrownLens.K1), 1e-7);
+        assertEquals(-0.002, model.camera().get(BrownLens.P2), 1e-7);
     }
 
     @Test
@@ -90,7 +91,7 @@ class ModelChoiceTest {
         ModelChoice model = ModelChoice.of(traits, QUARTER, null);
         double scale = 1000 / 3800.0;
         assertCamera(model.camera(), scale * 3100, scale * 3110, scale * (2020 - 100), scale * (1490 - 75));
-        assertEquals(false, model.camera().hasDistortion());
+        assertEquals(false, model.camera().isDistorting());
         assertEquals(CameraModelSource.DEVICE_CALIBRATION, model.source());
         assertEquals(EnumSet.of(CameraNote.DISTORTION_UNKNOWN), model.notes());
     }

@@ -168,7 +168,8 @@ public class FolderArchiveTest {
         assertArrayEquals(Fixtures.pixels(photo.luminance()),
                 Fixtures.pixels(PhotoReader.read(new ByteArrayInputStream(png), "png")));
         String json = new String(content(saved, ".result.json"), StandardCharsets.UTF_8);
-        assertEquals(ResultJson.of(result, NAME + ".png", sha256(png), VERSION), json);
+        assertEquals(ResultJson.of(result, NAME + ".png", sha256(png), VERSION,
+                DesktopCommand.of(NAME, result.settings())), json);
         byte[] overlay = content(saved, ".overlay.png");
         Bitmap bitmap = BitmapFactory.decodeByteArray(overlay, 0, overlay.length);
         assertEquals(1280, bitmap.getWidth());
@@ -257,7 +258,10 @@ public class FolderArchiveTest {
         JsonObject theirs = json(Files.readAllBytes(made.toPath()));
         JsonObject ours = json(content(saved, ".result.json"));
         assertEquals(verdict, ours.get("verdict").getAsString());
-        // all of it but the version: verdict, photo with its hash, settings, figures to the last digit, diagnostics
+        assertEquals("cellgauge " + command, ours.get("command").getAsString());
+        theirs.remove("command");
+        ours.remove("command");
+        // all of it but the version and where files lie: verdict, photo with its hash, settings, figures to the last digit, diagnostics
         theirs.remove("version");
         ours.remove("version");
         assertEquals(ours, theirs);

@@ -46,6 +46,7 @@ import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.android.camera.CameraSetup;
 import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellDocument;
+import org.cellgauge.android.files.FileRefusal;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.android.state.CheckSession;
@@ -53,6 +54,8 @@ import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.ObjectRow;
 import org.cellgauge.android.state.SessionThreads;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellPhrase;
+import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
@@ -72,6 +75,8 @@ import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 import org.robolectric.RobolectricTestRunner;
@@ -798,13 +803,15 @@ public class MainActivityTest {
     @Test
     public void refusedCellIsShownInFullAndTheOldOneStays() {
         try (Screen screen = live()) {
-            String message = "kitchen.yaml, line 7: references.944.position_mm has 2 numbers; write three, in mm";
+            Refusal refusal = Refusal.at(Place.of("kitchen.yaml", 7, 0, "references.944.position_mm"),
+                    CellRefusal.EXPECTED, Refusal.of(CellPhrase.NUMBERS, 3), 2, "[x, y, z] in mm", "");
             Screen.app().library.cells.put("content://cells/kitchen", () -> {
-                throw new InputRefusedException(message);
+                throw new InputRefusedException(refusal);
             });
             screen.session().chooseCell("content://cells/kitchen");
             screen.settle();
-            assertEquals(message, screen.text(R.id.message_text));
+            assertEquals("kitchen.yaml, line 7, references.944.position_mm: expected 3 numbers, got 2; write [x, y, z] in "
+                    + "mm", screen.text(R.id.message_text));
             assertTrue(((TextView) screen.find(R.id.message_text)).isTextSelectable());
             assertEquals("Keep lifted-4.yaml", screen.text(R.id.message_second));
             screen.tap(R.id.message_second);
@@ -818,8 +825,8 @@ public class MainActivityTest {
         try (Screen screen = live()) {
             screen.openPhoto(new Photo("small.png", GreyImage.packed(new byte[640 * 480], 640, 480)));
             assertEquals("The photo has another size", screen.text(R.id.message_title));
-            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("640 x 480 px"));
-            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("1280 x 720 px"));
+            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("640 x 480\u00a0px"));
+            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("1280 x 720\u00a0px"));
             screen.tap(R.id.message_second);
             assertEquals(ImageSource.LIVE, screen.state().source());
             assertTrue(feed().isOpen());
@@ -830,12 +837,12 @@ public class MainActivityTest {
     public void photoThatCannotBeReadIsRefusedWithItsReason() {
         try (Screen screen = live()) {
             Screen.app().library.photos.put("content://photos/broken", () -> {
-                throw new InputRefusedException("broken.png: is no image; choose a PNG or JPEG file");
+                throw new InputRefusedException("broken.png", FileRefusal.CUT_SHORT);
             });
             screen.session().openPhoto("content://photos/broken");
             screen.settle();
             assertEquals("The photo was refused", screen.text(R.id.message_title));
-            assertEquals("broken.png: is no image; choose a PNG or JPEG file", screen.text(R.id.message_text));
+            assertEquals("broken.png: it is cut short; copy it again", screen.text(R.id.message_text));
         }
     }
 

@@ -22,11 +22,15 @@ import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.android.state.CameraPermission;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellPhrase;
+import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.GreyImage;
 import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.WarningKind;
 import org.junit.Test;
 import org.junit.runner.RunWith;
@@ -245,12 +249,12 @@ public class ScreenshotTest {
     @Test
     @Config(minSdk = 27)
     public void files() {
-        String message = "kitchen.yaml, line 7, references.944.position_mm: has 2 numbers where three are needed; "
-                + "write position_mm: [x, y, z], in mm along the world's axes";
         RuntimeEnvironment.setQualifiers(Screen.TABLET_LANDSCAPE);
         try (Screen screen = Screen.start()) {
             Screen.app().library.cells.put("content://cells/kitchen", () -> {
-                throw new InputRefusedException(message);
+                throw new InputRefusedException(Refusal.at(Place.of("kitchen.yaml", 7, 0,
+                        "references.944.position_mm"), CellRefusal.EXPECTED, Refusal.of(CellPhrase.NUMBERS, 3), 2,
+                        "[x, y, z] in mm", ""));
             });
             screen.session().chooseCell("content://cells/kitchen");
             screen.settle();

@@ -29,8 +29,8 @@ import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
 import org.cellgauge.android.state.SessionThreads;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.GreyImage;
 
 /** The app with a camera, files and an archive that a test leads. */

@@ -11,7 +11,12 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.cellgauge.android.files.FileRefusal;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellPhrase;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.cell.CellRefusal;
+import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
@@ -22,9 +27,15 @@ import org.cellgauge.vision.DetectionWarning;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.CheckPhrase;
+import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Listing;
+import org.cellgauge.warning.Message;
+import org.cellgauge.warning.MessageKind;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.RefusalKind;
 import org.cellgauge.warning.Warning;
 import org.cellgauge.warning.WarningKind;
 import org.junit.Test;
@@ -32,13 +43,17 @@ import org.junit.runner.RunWith;
 import org.robolectric.RobolectricTestRunner;
 import org.robolectric.RuntimeEnvironment;
 
-/** Warnings in both languages. That their strings take the same arguments in both: {@link StringsTest}. */
+/** Warnings and refusals in both languages. That their strings take the same arguments in both: {@link StringsTest}. */
 @RunWith(RobolectricTestRunner.class)
 public class WarningWordsTest {
-    private static List<WarningKind> kinds() {
-        List<WarningKind> kinds = new ArrayList<>(Arrays.asList(DetectionWarning.values()));
+    private static List<MessageKind> kinds() {
+        List<MessageKind> kinds = new ArrayList<>(Arrays.asList(DetectionWarning.values()));
         kinds.addAll(Arrays.asList(CheckWarning.values()));
         kinds.addAll(Arrays.asList(CheckPhrase.values()));
+        kinds.addAll(Arrays.asList(CellRefusal.values()));
+        kinds.addAll(Arrays.asList(CellPhrase.values()));
+        kinds.addAll(Arrays.asList(CheckRefusal.values()));
+        kinds.addAll(Arrays.asList(FileRefusal.values()));
         return kinds;
     }
 
@@ -47,14 +62,15 @@ public class WarningWordsTest {
         return new Wording(RuntimeEnvironment.getApplication().getResources());
     }
 
-    /** A warning of each kind, whose arguments are names that are the same in every language. */
-    private static Warning sample(WarningKind kind) {
+    /** A warning or refusal of a kind, whose arguments are names that are the same in every language. */
+    private static Message sample(MessageKind kind) {
         int places = kind.english().split("%s", -1).length - 1;
         Object[] arguments = new Object[places];
         for (int i = 0; i < places; i++) {
             arguments[i] = "<" + (char) ('a' + i) + ">";
         }
-        return Warning.of(kind, arguments);
+        return kind instanceof WarningKind ? Warning.of((WarningKind) kind, arguments)
+                : Refusal.of((RefusalKind) kind, arguments);
     }
 
     private static String plain(String text) {
@@ -64,34 +80,35 @@ public class WarningWordsTest {
     @Test
     public void everyKindHasAStringOfItsOwn() {
         Set<Integer> ids = new HashSet<>();
-        for (WarningKind kind : kinds()) {
-            assertTrue(kind + " has a string", WarningStrings.of(kind) != WarningStrings.NONE);
-            assertTrue(kind + " shares its string", ids.add(WarningStrings.of(kind)));
+        for (MessageKind kind : kinds()) {
+            int id = kind instanceof WarningKind ? WarningStrings.of(kind) : RefusalStrings.of(kind);
+            assertTrue(kind + " has a string", id != WarningStrings.NONE);
+            assertTrue(kind + " shares its string", ids.add(id));
         }
     }
 
     @Test
     public void englishIsCoresSentence() {
         Wording words = in("en");
-        for (WarningKind kind : kinds()) {
-            // the app has no option that allows more
-            String core = sample(kind).toString().replace("allow more with --max-iterations",
-                    "only the command line can be allowed more");
-            assertEquals(core, plain(words.warning(sample(kind))));
+        for (MessageKind kind : kinds()) {
+            // the app has no setting for what these advise
+            if (kind != CheckPhrase.MORE_ITERATIONS && kind != CheckPhrase.INITIAL_PNP) {
+                assertEquals(sample(kind).toString(), plain(words.message(sample(kind))));
+            }
         }
     }
 
     @Test
     public void germanHasEveryArgumentAndNoEnglishSentence() {
         Wording words = in("de");
-        for (WarningKind kind : kinds()) {
-            Warning warning = sample(kind);
-            String german = words.warning(warning);
-            for (Object argument : warning.arguments()) {
+        for (MessageKind kind : kinds()) {
+            Message message = sample(kind);
+            String german = words.message(message);
+            for (Object argument : message.arguments()) {
                 assertTrue(kind + " says " + argument, german.contains((String) argument));
             }
             assertFalse(german, german.contains("%%"));
-            for (String word : "the its it is are and than left seen off instead against".split(" ")) {
+            for (String word : "the its it is are and than left seen off instead against this file write must has or".split(" ")) {
                 assertFalse(german, (" " + german + " ").contains(" " + word + " "));
             }
         }
@@ -109,24 +126,64 @@ public class WarningWordsTest {
     public void numbersAreWrittenAsTheUserDoes() {
         assertEquals("Referenz 1234 scheint um etwa 15,3 mm längs x und -3,0 mm längs y versetzt zu sein, was ihre "
                 + "angegebene Genauigkeit (1,0 mm) nicht zulässt: ihre Position neu messen; es kann stattdessen auch "
-                + "Referenz 8 oder 9 sein", plain(in("de").warning(misplaced())));
-        assertEquals(misplaced().toString(), plain(in("en").warning(misplaced())));
+                + "Referenz 8 oder 9 sein", plain(in("de").message(misplaced())));
+        assertEquals(misplaced().toString(), plain(in("en").message(misplaced())));
         Warning capped = Warning.of(CheckWarning.CAP_REACHED, Decimal.of(100_000, 0), "camera_x", Decimal.of(1.66, 1),
-                Decimal.shortest(0.1));
-        String german = plain(in("de").warning(capped));
+                Decimal.shortest(0.1), CheckPhrase.MORE_ITERATIONS);
+        String german = plain(in("de").message(capped));
         assertTrue(german, german.contains("Grenze von 100.000 Schritten") && german.contains("von camera_x")
-                && german.contains("1,7 % statt 0,1 %"));
-        String english = plain(in("en").warning(capped));
+                && german.contains("1,7 % statt 0,1 %; mehr lässt nur die Befehlszeile zu"));
+        String english = plain(in("en").message(capped));
         assertTrue(english, english.contains("cap of 100,000 iterations"));
-        assertTrue(english, english.contains("1.7 % in place of 0.1 %"));
+        assertTrue(english, english.contains("1.7 % in place of 0.1 %; only the command line"));
+    }
+
+    private static Refusal refused(String faulty, String right, String wrong) {
+        String text = faulty.replace(right, wrong);
+        assertTrue(!text.equals(faulty));
+        try {
+            CellReader.read(text, "zelle.yaml", Fixture.LIFTED.cell().camera());
+        } catch (InputRefusedException e) {
+            return e.refusal();
+        }
+        throw new AssertionError("not refused: " + wrong);
+    }
+
+    @Test
+    public void refusedCellFileIsSaidWithItsPlace() {
+        String cell = "cellgauge: 1\nmarkers: {family: square-binary, size_mm: 47}\n"
+                + "placement: {std_mm: [5, 5, 5], std_deg: 0.5}\nreferences:\n  944: {position_mm: [492, 380, 0]}\n";
+        Wording words = in("de");
+        assertEquals("zelle.yaml, Zeile 2, markers.size_mm: muss größer als 0 sein, da steht -47; zu schreiben ist die "
+                + "Außenkante des schwarzen Rands in mm", words.refusal(refused(cell, "size_mm: 47", "size_mm: -47")));
+        assertEquals("zelle.yaml, Zeile 5, references.944.position_mm: hier gehört eine Liste von 3 Zahlen hin, da "
+                + "steht 6; zu schreiben ist [x, y, z] in mm (Dezimalzahlen haben einen Punkt, kein Komma)",
+                words.refusal(refused(cell, "492, 380, 0", "492,0, 380,0, 0,0")));
+        assertEquals("zelle.yaml, Zeile 3, placement.std: unbekannter Schlüssel; ist \"std_mm\" gemeint?",
+                words.refusal(refused(cell, "std_mm:", "std:")));
+        Refusal syntax = refused(cell, "5, 5, 5]", "5, 5, 5");
+        String german = words.refusal(syntax);
+        assertTrue(german, german.startsWith("zelle.yaml, Zeile ") && german.contains(", Spalte ")
+                && german.contains("kein gültiges YAML ("));
+        assertEquals(syntax.toString(), plain(in("en").refusal(syntax)));
+    }
+
+    @Test
+    public void refusedFrameIsSaid() {
+        assertEquals("foto.png: keine der Referenzen 8, 9 und 22 ist im Foto; die Markerfamilie der Zelldatei, Licht und "
+                + "Schärfe prüfen", in("de").refusal(Refusal.at(Place.of("foto.png"), CheckRefusal.NO_REFERENCE_SEEN,
+                        Listing.and(Arrays.asList(8, 9, 22)))));
+        assertEquals("foto.png: das Bild hat 640 x 480 px, die Kamera ist aber für 1280 x 720 px kalibriert; der Zelle "
+                + "die Kamera dieser Bildgröße geben", plain(in("de").refusal(Refusal.at(Place.of("foto.png"),
+                        CellRefusal.IMAGE_SIZE, 640, 480, 1280, 720, CellPhrase.CAMERA_OF_THIS_SIZE))));
     }
 
     @Test
     public void placesInTheImageAreNotGrouped() {
         Warning square = Warning.of(DetectionWarning.SEEN_TWICE, 1234, 1500, 201, 2420, 1250);
-        String german = plain(in("de").warning(square));
+        String german = plain(in("de").message(square));
         assertTrue(german, german.startsWith("Marker 1234 ist bei (1500; 201) px und bei (2420; 1250) px"));
-        assertEquals(square.toString(), plain(in("en").warning(square)));
+        assertEquals(square.toString(), plain(in("en").message(square)));
     }
 
     @Test
@@ -135,7 +192,7 @@ public class WarningWordsTest {
                 Warning.of(CheckPhrase.CAMERA), Decimal.of(1, 1), Decimal.of(-1234.56, 1), Decimal.of(Double.NaN, 1),
                 "", "");
         assertEquals("Die Zahlen stützen sich trotzdem auf die Referenzen 22, 8 und 9: Ohne sie verschiebt sich die "
-                + "Kamera um (1,0; -1234,6; nicht definiert) mm", plain(in("de").warning(bare)));
+                + "Kamera um (1,0; -1234,6; nicht definiert) mm", plain(in("de").message(bare)));
     }
 
     /** A photo whose corners are noisier than stated: core's sentence, in both languages. */
@@ -176,6 +233,6 @@ public class WarningWordsTest {
     public void aKindOfSomeoneElseIsSaidInEnglish() {
         WarningKind other = () -> "marker %s is not mine";
         assertEquals(WarningStrings.NONE, WarningStrings.of(other));
-        assertEquals("marker 5 is not mine", in("de").warning(Warning.of(other, 5)));
+        assertEquals("marker 5 is not mine", in("de").message(Warning.of(other, 5)));
     }
 }

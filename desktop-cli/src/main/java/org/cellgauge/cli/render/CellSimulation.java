@@ -6,7 +6,6 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
-import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
@@ -150,7 +149,7 @@ public final class CellSimulation {
                 .quietZone(settings.quietZone()).printGainMm(settings.printGainMm());
         String family = cell.family().familyName();
         for (Reference reference : cell.references()) {
-            RigidTransform actual = settings.placementErrors() ? misplaced(reference, placement)
+            RigidTransform actual = settings.placementErrors() ? reference.drawn(placement)
                     : reference.worldFromMarker();
             references.put(reference.id(), actual);
             scene.marker(family, reference.id(), reference.sizeMm(), actual);
@@ -170,28 +169,12 @@ public final class CellSimulation {
     }
 
     private RigidTransform jittered(RandomGenerator random) {
-        double[] shift = gaussian(random, settings.jitterMm(), settings.jitterMm(), settings.jitterMm());
-        double[] turn = gaussian(random, settings.jitterRad(), settings.jitterRad(), settings.jitterRad());
-        return aboutItself(worldFromCamera, shift, turn);
+        double[] shift = gaussian(random, settings.jitterMm());
+        double[] turn = gaussian(random, settings.jitterRad());
+        return worldFromCamera.displaced(shift, turn);
     }
 
-    private static RigidTransform misplaced(Reference reference, RandomGenerator random) {
-        Placement p = reference.placement();
-        double[] shift = gaussian(random, p.stdMm(0), p.stdMm(1), p.stdMm(2));
-        double[] turn = gaussian(random, p.stdRad(), p.stdRad(), p.stdRad());
-        return aboutItself(reference.worldFromMarker(), shift, turn);
-    }
-
-    private static double[] gaussian(RandomGenerator random, double stdX, double stdY, double stdZ) {
-        return new double[] {stdX * random.nextGaussian(), stdY * random.nextGaussian(), stdZ * random.nextGaussian()};
-    }
-
-    /** Moved along the world's axes and turned about its own origin by a rotation vector in the world. */
-    private static RigidTransform aboutItself(RigidTransform pose, double[] shiftMm, double[] turnRad) {
-        double[] place = pose.translationMm();
-        RigidTransform turned = RigidTransform.ofRotationVector(turnRad, new double[3])
-                .compose(RigidTransform.of(pose.rotation(), new double[3]));
-        return RigidTransform.of(turned.rotation(),
-                new double[] {place[0] + shiftMm[0], place[1] + shiftMm[1], place[2] + shiftMm[2]});
+    private static double[] gaussian(RandomGenerator random, double std) {
+        return new double[] {std * random.nextGaussian(), std * random.nextGaussian(), std * random.nextGaussian()};
     }
 }

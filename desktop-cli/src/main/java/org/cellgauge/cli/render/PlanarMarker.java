@@ -1,15 +1,16 @@
 package org.cellgauge.cli.render;
 
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.vision.MarkerPattern;
 
 /**
  * A marker with its paper as one camera sees it: the map from a ray to a place on the paper, and the colours there.
  *
- * <p>With the marker's axes r0, r1 and its centre t in the camera frame, a ray (x, y, 1) meets the marker's plane at
- * (X, Y) where {@code [r0 r1 t] (X, Y, 1)^T = depth (x, y, 1)^T}; the inverse of that matrix is a homography (Hartley
- * and Zisserman, "Multiple View Geometry", 2nd edition, section 8.1.1) whose third row gives 1/depth.
+ * <p>With the marker's axes r0, r1 and its centre t in the camera frame, a ray (x, y, z) meets the marker's plane at
+ * (X, Y) where {@code [r0 r1 t] (X, Y, 1)^T = distance (x, y, z)^T}, the distance in lengths of the ray; the inverse of
+ * that matrix is a homography (Hartley and Zisserman, "Multiple View Geometry", 2nd edition, section 8.1.1) whose third
+ * row gives 1/distance.
  */
 final class PlanarMarker {
     /** No paper here: the ray goes on to what lies behind. */
@@ -68,7 +69,7 @@ final class PlanarMarker {
         bands = strayMm == 0 ? cells + 4 : 2 * cells + 5;
         colour = colours(marker, front, printGainMm > 0);
         invert(cameraFromMarker);
-        bound(cameraFromMarker, camera.intrinsics());
+        bound(cameraFromMarker, camera);
     }
 
     private double[] colours(SceneMarker marker, boolean front, boolean darkGrows) {
@@ -129,9 +130,7 @@ final class PlanarMarker {
         }
     }
 
-    private void bound(RigidTransform cameraFromMarker, double[] intrinsics) {
-        double[] uv = new double[2];
-        double[] back = new double[2];
+    private void bound(RigidTransform cameraFromMarker, PinholeCamera camera) {
         boundsPx[0] = Double.POSITIVE_INFINITY;
         boundsPx[1] = Double.POSITIVE_INFINITY;
         boundsPx[2] = Double.NEGATIVE_INFINITY;
@@ -151,11 +150,9 @@ final class PlanarMarker {
                 default -> -along;
             };
             double[] p = cameraFromMarker.apply(x, y, 0);
-            // a point behind the camera, or beyond the radius where the lens model folds over, bounds nothing
-            boolean sound = Projection.project(intrinsics, p[0], p[1], p[2], uv, 0)
-                    && Projection.toNormalised(intrinsics, uv[0], uv[1], back)
-                    && Math.hypot(back[0] - p[0] / p[2], back[1] - p[1] / p[2]) < 1e-6;
-            if (!sound) {
+            double[] uv = camera.image(p[0], p[1], p[2]);
+            // a point that the camera cannot see bounds nothing
+            if (uv == null) {
                 boundsPx[0] = Double.NEGATIVE_INFINITY;
                 boundsPx[1] = Double.NEGATIVE_INFINITY;
                 boundsPx[2] = Double.POSITIVE_INFINITY;
@@ -196,34 +193,40 @@ final class PlanarMarker {
         return left < right && top < bottom ? new int[] {left, top, right - left, bottom - top} : null;
     }
 
-    /** 1/depth in 1/mm where the ray (x, y, 1) meets the marker's plane; not positive: behind the camera. */
-    double inverseDepth(double x, double y) {
-        return fromRay[6] * x + fromRay[7] * y + fromRay[8];
+    /** 1/distance where the ray meets the marker's plane; not positive: on its way backwards. */
+    double inverseDistance(double x, double y, double z) {
+        return fromRay[6] * x + fromRay[7] * y + fromRay[8] * z;
     }
 
-    /** Reflectance where the ray (x, y, 1) meets the paper, or {@link #NOTHING}. */
-    double colourAt(double x, double y) {
-        double w = inverseDepth(x, y);
+    /** Reflectance where the ray meets the paper, or {@link #NOTHING}. */
+    double colourAt(double x, double y, double z) {
+        double w = inverseDistance(x, y, z);
         if (!(w > 0)) {
             return NOTHING;
         }
-        double placeX = (fromRay[0] * x + fromRay[1] * y + fromRay[2]) / w;
-        double placeY = (fromRay[3] * x + fromRay[4] * y + fromRay[5]) / w;
+        double placeX = (fromRay[0] * x + fromRay[1] * y + fromRay[2] * z) / w;
+        double placeY = (fromRay[3] * x + fromRay[4] * y + fromRay[5] * z) / w;
         return colour[band(-placeY) * bands + band(placeX)];
     }
 
     /**
-     * The one colour of all places that rays near (x, y, 1) meet.
+     * The one colour of all places that rays near one meet.
      *
-     * @param x normalised x of the middle ray
-     * @param y normalised y of the middle ray
-     * @param reachX largest deviation of x
-     * @param reachY largest deviation of y
+     * @param ray the middle ray
+     * @param reach largest deviations of its three coordinates
+     * @param times by how much the deviations are to be multiplied
      * @return the reflectance, {@link #NOTHING}, or NaN if there may be more than one
      */
-    double uniformColour(double x, double y, double reachX, double reachY) {
-        double w = inverseDepth(x, y);
-        double wReach = Math.abs(fromRay[6]) * reachX + Math.abs(fromRay[7]) * reachY;
+    double uniformColour(double[] ray, double[] reach, double times) {
+        double x = ray[0];
+        double y = ray[1];
+        double z = ray[2];
+        double reachX = times * reach[0];
+        double reachY = times * reach[1];
+        double reachZ = times * reach[2];
+        double w = inverseDistance(x, y, z);
+        double wReach = Math.abs(fromRay[6]) * reachX + Math.abs(fromRay[7]) * reachY
+                + Math.abs(fromRay[8]) * reachZ;
         if (w < -wReach) {
             return NOTHING;
         }
@@ -231,13 +234,15 @@ final class PlanarMarker {
         if (!(wLeast > 0)) {
             return Double.NaN;
         }
-        double placeX = (fromRay[0] * x + fromRay[1] * y + fromRay[2]) / w;
-        double placeY = (fromRay[3] * x + fromRay[4] * y + fromRay[5]) / w;
-        // |dX| <= (|a - X g| dx + |b - X h| dy) / w, exact for a homography if w is the least in reach
+        double placeX = (fromRay[0] * x + fromRay[1] * y + fromRay[2] * z) / w;
+        double placeY = (fromRay[3] * x + fromRay[4] * y + fromRay[5] * z) / w;
+        // |dX| <= (|a - X g| dx + |b - X h| dy + |c - X i| dz) / w, exact for a homography if w is the least in reach
         double spanX = (Math.abs(fromRay[0] - placeX * fromRay[6]) * reachX
-                + Math.abs(fromRay[1] - placeX * fromRay[7]) * reachY) / wLeast;
+                + Math.abs(fromRay[1] - placeX * fromRay[7]) * reachY
+                + Math.abs(fromRay[2] - placeX * fromRay[8]) * reachZ) / wLeast;
         double spanY = (Math.abs(fromRay[3] - placeY * fromRay[6]) * reachX
-                + Math.abs(fromRay[4] - placeY * fromRay[7]) * reachY) / wLeast;
+                + Math.abs(fromRay[4] - placeY * fromRay[7]) * reachY
+                + Math.abs(fromRay[5] - placeY * fromRay[8]) * reachZ) / wLeast;
         int left = band(placeX - spanX);
         int right = band(placeX + spanX);
         int top = band(-placeY - spanY);

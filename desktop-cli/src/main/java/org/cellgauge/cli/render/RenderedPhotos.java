@@ -14,6 +14,9 @@ import org.cellgauge.validation.SimulatedCell;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.warning.Place;
+import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.RefusalKind;
 
 /**
  * A photo of every simulated cell, rendered by {@link SceneRenderer#renderNearMarkers} before a plain wall, and what
@@ -25,6 +28,23 @@ public final class RenderedPhotos implements DetectionSource {
     private final double printGainMm;
     /** Detectors that are not at work: making one takes a while where the lens distorts. */
     private final Queue<Held> idle = new ConcurrentLinkedQueue<>();
+
+    /** Why a photo cannot be rendered. */
+    private enum Unrendered implements RefusalKind {
+        /** What the scene says. */
+        SCENE("%s");
+
+        private final String english;
+
+        Unrendered(String english) {
+            this.english = english;
+        }
+
+        @Override
+        public String english() {
+            return english;
+        }
+    }
 
     private record Held(Cell cell, BoofMarkerDetector detector) {
     }
@@ -76,7 +96,8 @@ public final class RenderedPhotos implements DetectionSource {
         try {
             built = scene.build();
         } catch (IllegalArgumentException e) {
-            throw new InputRefusedException("simulated: " + e.getMessage(), e);
+            throw new InputRefusedException(
+                    Refusal.at(Place.of("simulated"), Unrendered.SCENE, String.valueOf(e.getMessage())), e);
         }
         GreyImage image = SceneRenderer.renderNearMarkers(built, sensor, random);
         try {

@@ -3,8 +3,10 @@ package org.cellgauge.cli.render;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.vision.MarkerPattern;
 
 /**
  * What a rendered photo shows: printed markers on white paper in front of a wall (or on a table) in the plane z = 0 of
@@ -124,7 +126,7 @@ public final class Scene {
         /**
          * Adds a marker of a family.
          *
-         * @param familyName as in {@link MarkerPattern#of}
+         * @param familyName as in {@link MarkerFamily#of}
          * @param id marker id
          * @param sizeMm outer edge of the black border, mm
          * @param worldFromMarker its true pose
@@ -132,7 +134,8 @@ public final class Scene {
          * @throws IllegalArgumentException as {@link MarkerPattern#of} and {@link SceneMarker}
          */
         public Builder marker(String familyName, int id, double sizeMm, RigidTransform worldFromMarker) {
-            return marker(new SceneMarker(id, sizeMm, MarkerPattern.of(familyName, id), worldFromMarker));
+            return marker(new SceneMarker(id, sizeMm, MarkerPattern.of(MarkerFamily.of(familyName), id),
+                    worldFromMarker));
         }
 
         /**

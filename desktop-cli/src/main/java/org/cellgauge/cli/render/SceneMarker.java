@@ -1,6 +1,7 @@
 package org.cellgauge.cli.render;
 
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.vision.MarkerPattern;
 
 /**
  * A printed marker of a scene.

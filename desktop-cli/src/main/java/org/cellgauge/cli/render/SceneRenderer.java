@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.random.RandomGenerator;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.vision.GreyImage;
 
@@ -270,6 +270,7 @@ public final class SceneRenderer {
     private static final class Tile {
         private final Scene scene;
         private final Sensor sensor;
+        private final Lens lens;
         private final double[] intrinsics;
         private final boolean distorted;
         private final PlanarMarker[] markers;
@@ -283,7 +284,7 @@ public final class SceneRenderer {
         private final int margin;
         private final double[] rotation;
         private final double[] centre;
-        private final double[] ray = new double[2];
+        private final double[] ray = new double[3];
         /** x, y of the rays through the corners of the part at hand, where rays between them are interpolated. */
         private final double[] cornerRays = new double[8];
         /** The markers whose paper reaches into the part at hand. */
@@ -298,11 +299,12 @@ public final class SceneRenderer {
         Tile(Scene scene, Sensor sensor, PlanarMarker[] all, int[] area, boolean raysInterpolated) {
             this.scene = scene;
             this.sensor = sensor;
+            this.lens = scene.camera().lens();
             this.intrinsics = scene.camera().intrinsics();
-            this.distorted = scene.camera().hasDistortion();
+            this.distorted = scene.camera().isDistorting();
             this.wall = scene.backdrop().sampler();
             this.lamp = new Lamp(scene.camera(), sensor);
-            this.raysInterpolated = raysInterpolated && distorted;
+            this.raysInterpolated = raysInterpolated && distorted && !lens.isWide();
             this.u0 = area[0];
             this.v0 = area[1];
             this.columns = area[2];
@@ -330,11 +332,12 @@ public final class SceneRenderer {
         /** The ray through a place of the image; without distortion Newton's steps would end where they begin. */
         private boolean seen(double u, double v) {
             if (distorted) {
-                return Projection.toNormalised(intrinsics, u, v, ray);
+                return lens.toRay(intrinsics, u, v, ray);
             }
             ray[1] = (v - intrinsics[PinholeCamera.CY]) / intrinsics[PinholeCamera.FY];
             ray[0] = (u - intrinsics[PinholeCamera.CX] - intrinsics[PinholeCamera.SKEW] * ray[1])
                     / intrinsics[PinholeCamera.FX];
+            ray[2] = 1;
             return true;
         }
 
@@ -349,7 +352,7 @@ public final class SceneRenderer {
             for (int row = 0; row < rows; row++) {
                 for (int column = 0; column < columns; column++) {
                     boolean seen = seen(u0 + column + 0.5, v0 + row + 0.5);
-                    out[row * columns + column] = (float) backdrop(seen, ray[0], ray[1], softnessPx);
+                    out[row * columns + column] = (float) backdrop(seen, ray[0], ray[1], ray[2], softnessPx);
                 }
             }
             return out;
@@ -372,7 +375,7 @@ public final class SceneRenderer {
         private void pixel(int i0, int j0, double[] reach, float[] light, int across) {
             double colour = Double.NaN;
             if (seen(partU(i0 + PARTS / 2.0), partV(j0 + PARTS / 2.0))) {
-                colour = colour(ray[0], ray[1], PARTS * reach[0], PARTS * reach[1]);
+                colour = colour(reach, PARTS);
                 if (hereCount == 0 && scene.backdrop().isPlain()) {
                     colour = Backdrop.MEAN_REFLECTANCE;
                 }
@@ -384,10 +387,11 @@ public final class SceneRenderer {
             }
         }
 
-        /** Largest change of x and of y, with a margin, that half a part in u and half a part in v make. */
+        /** Largest change of x, of y and of z, with a margin, that half a part in u and half a part in v make. */
         private double[] reachOfHalfAPart() {
-            double[] reach = new double[2];
-            double[] before = new double[2];
+            double[] reach = new double[3];
+            double[] before = new double[3];
+            double[] change = new double[3];
             double part = 1.0 / PARTS;
             for (double v = v0 - margin; v <= v0 + rows + margin; v += REACH_STEP_PX) {
                 for (double u = u0 - margin; u <= u0 + columns + margin; u += REACH_STEP_PX) {
@@ -395,22 +399,24 @@ public final class SceneRenderer {
                     if (!seen(u, v)) {
                         continue;
                     }
-                    before[0] = ray[0];
-                    before[1] = ray[1];
+                    System.arraycopy(ray, 0, before, 0, 3);
                     if (!seen(u + part, v)) {
                         continue;
                     }
-                    double dx = Math.abs(ray[0] - before[0]);
-                    double dy = Math.abs(ray[1] - before[1]);
+                    for (int k = 0; k < 3; k++) {
+                        change[k] = Math.abs(ray[k] - before[k]);
+                    }
                     if (!seen(u, v + part)) {
                         continue;
                     }
-                    reach[0] = Math.max(reach[0], dx + Math.abs(ray[0] - before[0]));
-                    reach[1] = Math.max(reach[1], dy + Math.abs(ray[1] - before[1]));
+                    for (int k = 0; k < 3; k++) {
+                        reach[k] = Math.max(reach[k], change[k] + Math.abs(ray[k] - before[k]));
+                    }
                 }
             }
-            reach[0] *= REACH_MARGIN / 2;
-            reach[1] *= REACH_MARGIN / 2;
+            for (int k = 0; k < 3; k++) {
+                reach[k] *= REACH_MARGIN / 2;
+            }
             return reach;
         }
 
@@ -424,25 +430,23 @@ public final class SceneRenderer {
 
         private double part(int i, int j, double[] reach) {
             if (!seen(partU(i + 0.5), partV(j + 0.5))) {
-                return backdrop(false, 0, 0, 0);
+                return backdrop(false, 0, 0, 1, 0);
             }
-            double x = ray[0];
-            double y = ray[1];
-            double colour = colour(x, y, reach[0], reach[1]);
+            double colour = colour(reach, 1);
             if (hereCount == 0) {
-                return backdrop(true, x, y, 0);
+                return backdrop(true, ray[0], ray[1], ray[2], 0);
             }
             return Double.isNaN(colour) ? averageOfRays(i, j) : colour;
         }
 
         /**
-         * The one colour that paper has near a ray: NOTHING if there is no paper, NaN if there may be several colours.
+         * The one colour that paper has near the ray at hand: NOTHING if there is no paper, NaN if there may be several colours.
          */
-        private double colour(double x, double y, double reachX, double reachY) {
+        private double colour(double[] reach, double times) {
             hereCount = 0;
             double colour = PlanarMarker.NOTHING;
             for (PlanarMarker marker : markers) {
-                double own = marker.uniformColour(x, y, reachX, reachY);
+                double own = marker.uniformColour(ray, reach, times);
                 if (own != PlanarMarker.NOTHING) {
                     colour = own;
                     here[hereCount++] = marker;
@@ -460,10 +464,10 @@ public final class SceneRenderer {
                 // the second coordinate's centring keeps the mean of the points in the middle of the part
                 double across = (n * LATTICE_STEP % LATTICE_POINTS + 0.5) / LATTICE_POINTS;
                 if (interpolated) {
-                    sum += nearest(between(0, along, across), between(1, along, across));
+                    sum += nearest(between(0, along, across), between(1, along, across), 1);
                 } else {
-                    sum += seen(partU(i + along), partV(j + across)) ? nearest(ray[0], ray[1])
-                            : backdrop(false, 0, 0, 0);
+                    sum += seen(partU(i + along), partV(j + across)) ? nearest(ray[0], ray[1], ray[2])
+                            : backdrop(false, 0, 0, 1, 0);
                 }
             }
             return sum / LATTICE_POINTS;
@@ -487,37 +491,37 @@ public final class SceneRenderer {
             return top + across * (bottom - top);
         }
 
-        private double nearest(double x, double y) {
+        private double nearest(double x, double y, double z) {
             double colour = PlanarMarker.NOTHING;
-            double inverseDepth = 0;
+            double inverseDistance = 0;
             for (int m = 0; m < hereCount; m++) {
                 PlanarMarker marker = here[m];
-                double own = marker.colourAt(x, y);
-                if (own != PlanarMarker.NOTHING && marker.inverseDepth(x, y) > inverseDepth) {
+                double own = marker.colourAt(x, y, z);
+                if (own != PlanarMarker.NOTHING && marker.inverseDistance(x, y, z) > inverseDistance) {
                     colour = own;
-                    inverseDepth = marker.inverseDepth(x, y);
+                    inverseDistance = marker.inverseDistance(x, y, z);
                 }
             }
-            return colour == PlanarMarker.NOTHING ? backdrop(true, x, y, 0) : colour;
+            return colour == PlanarMarker.NOTHING ? backdrop(true, x, y, z, 0) : colour;
         }
 
         /**
          * Reflectance of the plane z = 0 where the ray meets it; the mean where it does not or the lens sees
          * nothing.
          */
-        private double backdrop(boolean seen, double x, double y, double softnessPx) {
+        private double backdrop(boolean seen, double x, double y, double z, double softnessPx) {
             if (scene.backdrop().isPlain()) {
                 return Backdrop.MEAN_REFLECTANCE;
             }
-            double fall = rotation[6] * x + rotation[7] * y + rotation[8];
+            double fall = rotation[6] * x + rotation[7] * y + rotation[8] * z;
             double depth = -centre[2] / fall;
             if (!seen || !(depth > 0) || Double.isInfinite(depth)) {
                 return Backdrop.MEAN_REFLECTANCE;
             }
-            double placeX = centre[0] + depth * (rotation[0] * x + rotation[1] * y + rotation[2]);
-            double placeY = centre[1] + depth * (rotation[3] * x + rotation[4] * y + rotation[5]);
+            double placeX = centre[0] + depth * (rotation[0] * x + rotation[1] * y + rotation[2] * z);
+            double placeY = centre[1] + depth * (rotation[3] * x + rotation[4] * y + rotation[5] * z);
             // a pixel covers depth / f mm of the wall, and more by the cosine where it is seen at a slant
-            double length = Math.sqrt(x * x + y * y + 1);
+            double length = Math.sqrt(x * x + y * y + z * z);
             double mmPerPx = depth / intrinsics[PinholeCamera.FX] * length / Math.abs(fall);
             return wall.reflectance(placeX, placeY, softnessPx * mmPerPx);
         }

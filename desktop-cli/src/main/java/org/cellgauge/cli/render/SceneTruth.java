@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.Projection;
 import org.cellgauge.geometry.RigidTransform;
 
 /** Where the corners of a scene's markers really are in its image. */
@@ -58,7 +57,7 @@ public final class SceneTruth {
         boolean all = true;
         boolean inside = facing;
         for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
-            cornersPx[i] = image(scene.camera(), corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
+            cornersPx[i] = scene.camera().image(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
             all &= cornersPx[i] != null;
             inside &= cornersPx[i] != null && within(scene.camera(), cornersPx[i]);
         }
@@ -73,20 +72,22 @@ public final class SceneTruth {
             double x = size * ((i % GRID + 0.5) / GRID - 0.5);
             double y = size * ((i / GRID + 0.5) / GRID - 0.5);
             double[] p = cameraFromMarker.apply(x, y, 0);
-            double[] uv = image(scene.camera(), p[0], p[1], p[2]);
-            if (uv != null && within(scene.camera(), uv) && !hidden(papers, m, p[0] / p[2], p[1] / p[2])) {
+            double[] uv = scene.camera().image(p[0], p[1], p[2]);
+            double scale = p[2] > 0 ? p[2] : Math.hypot(Math.hypot(p[0], p[1]), p[2]);
+            if (uv != null && within(scene.camera(), uv)
+                    && !hidden(papers, m, p[0] / scale, p[1] / scale, p[2] / scale)) {
                 visible++;
             }
         }
         return visible / (double) (GRID * GRID);
     }
 
-    private static boolean hidden(List<PlanarMarker> papers, int m, double x, double y) {
-        double own = papers.get(m).inverseDepth(x, y);
+    private static boolean hidden(List<PlanarMarker> papers, int m, double x, double y, double z) {
+        double own = papers.get(m).inverseDistance(x, y, z);
         for (int k = 0; k < papers.size(); k++) {
             PlanarMarker other = papers.get(k);
-            if (k != m && other != null && other.colourAt(x, y) != PlanarMarker.NOTHING) {
-                double theirs = other.inverseDepth(x, y);
+            if (k != m && other != null && other.colourAt(x, y, z) != PlanarMarker.NOTHING) {
+                double theirs = other.inverseDistance(x, y, z);
                 // of two papers in one plane the first in the scene lies on top, as in the renderer
                 if (theirs > own || theirs == own && k < m) {
                     return true;
@@ -100,12 +101,4 @@ public final class SceneTruth {
         return uv[0] >= 0 && uv[1] >= 0 && uv[0] <= camera.widthPx() && uv[1] <= camera.heightPx();
     }
 
-    /** The image of a point, or null behind the camera and beyond the radius where the lens model folds over. */
-    private static double[] image(PinholeCamera camera, double x, double y, double z) {
-        double[] uv = camera.project(x, y, z);
-        double[] back = new double[2];
-        boolean sound = uv != null && Projection.toNormalised(camera.intrinsics(), uv[0], uv[1], back)
-                && Math.hypot(back[0] - x / z, back[1] - y / z) < 1e-6;
-        return sound ? uv : null;
-    }
 }

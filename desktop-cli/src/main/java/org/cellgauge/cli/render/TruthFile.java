@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 
@@ -72,14 +73,32 @@ public final class TruthFile {
         intrinsics.addProperty("cx", camera.get(PinholeCamera.CX));
         intrinsics.addProperty("cy", camera.get(PinholeCamera.CY));
         intrinsics.addProperty("skew", camera.get(PinholeCamera.SKEW));
-        intrinsics.add("radial", array(camera.get(PinholeCamera.K1), camera.get(PinholeCamera.K2),
-                camera.get(PinholeCamera.K3)));
-        intrinsics.addProperty("t1", camera.get(PinholeCamera.P1));
-        intrinsics.addProperty("t2", camera.get(PinholeCamera.P2));
+        if (camera.lens() == BrownLens.MODEL) {
+            addBrown(intrinsics, camera);
+        } else {
+            addLens(intrinsics, camera);
+        }
         JsonObject out = new JsonObject();
         out.add("intrinsics", intrinsics);
         out.add("pose", pose("camera in world", worldFromCamera));
         return out;
+    }
+
+    /** Name and coefficients of any lens. */
+    private static void addLens(JsonObject intrinsics, PinholeCamera camera) {
+        intrinsics.addProperty("lens", camera.lens().modelName());
+        List<String> names = camera.lens().parameterNames();
+        for (int i = PinholeCamera.SKEW + 1; i < names.size(); i++) {
+            intrinsics.addProperty(names.get(i), camera.get(i));
+        }
+    }
+
+    /** The coefficients as BoofCV has them. */
+    private static void addBrown(JsonObject intrinsics, PinholeCamera camera) {
+        intrinsics.add("radial", array(camera.get(BrownLens.K1), camera.get(BrownLens.K2),
+                camera.get(BrownLens.K3)));
+        intrinsics.addProperty("t1", camera.get(BrownLens.P1));
+        intrinsics.addProperty("t2", camera.get(BrownLens.P2));
     }
 
     private static JsonObject references(Cell cell, CellSimulation.Photo photo,

@@ -22,9 +22,11 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.apache.commons.math3.random.Well19937c;
+import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.MarkerPattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -98,17 +100,17 @@ class MarkerPatternTest {
 
     @Test
     void idsBeyondTheFamilyAndUnknownFamiliesAreRefused() {
-        assertThrows(IllegalArgumentException.class, () -> MarkerPattern.of("square-binary", 4096));
-        assertThrows(IllegalArgumentException.class, () -> MarkerPattern.of("apriltag-36h11", 587));
-        assertThrows(IllegalArgumentException.class, () -> MarkerPattern.of("apriltag-36h11", -1));
-        assertThrows(IllegalArgumentException.class, () -> MarkerPattern.of("custom", 0));
+        assertThrows(IllegalArgumentException.class, () -> MarkerPattern.of(MarkerFamily.of("square-binary"), 4096));
+        assertThrows(IllegalArgumentException.class, () -> MarkerPattern.of(MarkerFamily.of("apriltag-36h11"), 587));
+        assertThrows(IllegalArgumentException.class, () -> MarkerPattern.of(MarkerFamily.of("apriltag-36h11"), -1));
+        assertThrows(IllegalArgumentException.class, () -> MarkerPattern.of(MarkerFamily.of("custom"), 0));
     }
 
     @Test
     void bordersAreBlack() {
-        MarkerPattern binary = MarkerPattern.of("square-binary", 4095);
+        MarkerPattern binary = MarkerPattern.of(MarkerFamily.of("square-binary"), 4095);
         assertEquals(8, binary.cells());
-        MarkerPattern tag = MarkerPattern.of("aruco-ocv-5x5-1000", 17);
+        MarkerPattern tag = MarkerPattern.of(MarkerFamily.of("aruco-ocv-5x5-1000"), 17);
         assertEquals(7, tag.cells());
         for (int i = 0; i < 8; i++) {
             assertTrue(!binary.isWhite(0, i) && !binary.isWhite(1, i) && !binary.isWhite(6, i));

@@ -15,10 +15,13 @@ import java.util.concurrent.ForkJoinPool;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import org.apache.commons.math3.special.Erf;
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.MarkerPattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -87,8 +90,8 @@ class SceneRendererTest {
         CameraPinholeBrown brown = new CameraPinholeBrown();
         brown.fsetK(camera.get(PinholeCamera.FX), camera.get(PinholeCamera.FY), 0, camera.get(PinholeCamera.CX),
                 camera.get(PinholeCamera.CY), camera.widthPx(), camera.heightPx());
-        brown.fsetRadial(camera.get(PinholeCamera.K1), camera.get(PinholeCamera.K2));
-        brown.fsetTangential(camera.get(PinholeCamera.P1), camera.get(PinholeCamera.P2));
+        brown.fsetRadial(camera.get(BrownLens.K1), camera.get(BrownLens.K2));
+        brown.fsetTangential(camera.get(BrownLens.P1), camera.get(BrownLens.P2));
         Point2Transform2_F64 toPixel = new LensDistortionBrown(brown).distort_F64(false, true);
         int pieces = 400;
         double[][] cornerSigns = {{-1, 1}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}};
@@ -405,7 +408,7 @@ class SceneRendererTest {
     @ValueSource(doubles = {-0.4, 0.4})
     void printGainShrinksWhiteCells(double gainMm) {
         double area = 0;
-        MarkerPattern pattern = MarkerPattern.of("square-binary", 22);
+        MarkerPattern pattern = MarkerPattern.of(MarkerFamily.of("square-binary"), 22);
         double cellMm = 5;
         // the area of all places farther than the gain from black, on a grid of a twentieth of a millimetre
         int fine = 100;
@@ -452,7 +455,7 @@ class SceneRendererTest {
     @ValueSource(doubles = {0, -0.25})
     void quickPictureIsTheWholeOneAroundMarkers(double k1) {
         double[] lens = PinholeCamera.ideal(200, 150, 300, 300, 100, 75).intrinsics();
-        lens[PinholeCamera.K1] = k1;
+        lens[BrownLens.K1] = k1;
         PinholeCamera camera = PinholeCamera.of(200, 150, lens);
         Scene scene = Scene.of(camera, FROM_ABOVE).marker("square-binary", 5, 90,
                 RigidTransform.ofEuler(20, -10, 0, 0.2, 0.1, 0.4)).marker("square-binary", 9, 60,

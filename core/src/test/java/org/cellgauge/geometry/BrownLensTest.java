@@ -3,7 +3,6 @@ package org.cellgauge.geometry;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -16,9 +15,8 @@ import org.apache.commons.math3.random.Well19937c;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
-class ProjectionTest {
+class BrownLensTest {
     /** fx, fy, cx, cy, skew, k1, k2, k3, p1, p2: a lens stronger in every term than those in use. */
     private static final double[] STRONG = {581, 590, 640.5, 359.5, 3, -0.3, 0.12, -0.02, 0.01, -0.02};
 
@@ -63,83 +61,6 @@ class ProjectionTest {
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(booleans = {false, true})
-    void derivativesAreThoseOfTheProjection(boolean distorted) {
-        RandomGenerator random = new Well19937c(3);
-        double[] intrinsics = STRONG.clone();
-        if (!distorted) {
-            java.util.Arrays.fill(intrinsics, PinholeCamera.SKEW, PinholeCamera.INTRINSICS, 0);
-        }
-        double[] uv = new double[2];
-        double[] byPoint = new double[6];
-        double[] byIntrinsics = new double[2 * PinholeCamera.INTRINSICS];
-        for (int k = 0; k < 100; k++) {
-            double[] p = random(random);
-            assertTrue(Projection.projectWithDerivatives(intrinsics, p[0], p[1], p[2], uv, byPoint, byIntrinsics));
-            assertArrayEquals(formula(intrinsics, p), uv, 1e-9);
-            for (int c = 0; c < 3; c++) {
-                // third-order error of a central difference at this step is 1e-8 relative, rounding 1e-9
-                double h = 1e-4 * p[2];
-                double[] plus = p.clone();
-                double[] minus = p.clone();
-                plus[c] += h;
-                minus[c] -= h;
-                double[] up = formula(intrinsics, plus);
-                double[] down = formula(intrinsics, minus);
-                for (int r = 0; r < 2; r++) {
-                    assertEquals((up[r] - down[r]) / (2 * h) * p[2], byPoint[3 * r + c] * p[2], 1e-6 * 600);
-                }
-            }
-            for (int c = 0; c < PinholeCamera.INTRINSICS; c++) {
-                // the image is linear in each intrinsic value alone: no error but rounding
-                double h = c < PinholeCamera.K1 ? 1 : 0.01;
-                double[] plus = intrinsics.clone();
-                double[] minus = intrinsics.clone();
-                plus[c] += h;
-                minus[c] -= h;
-                double[] up = formula(plus, p);
-                double[] down = formula(minus, p);
-                for (int r = 0; r < 2; r++) {
-                    assertEquals((up[r] - down[r]) / (2 * h), byIntrinsics[PinholeCamera.INTRINSICS * r + c], 1e-9);
-                }
-            }
-        }
-    }
-
-    @Test
-    void derivativesByPointAloneAreTheSame() {
-        double[] with = new double[6];
-        double[] without = new double[6];
-        double[] uv = new double[2];
-        Projection.projectWithDerivatives(STRONG, 300, -200, 900, uv, with, new double[20]);
-        Projection.projectWithDerivatives(STRONG, 300, -200, 900, uv, without, null);
-        assertArrayEquals(with, without, 0);
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {0, -0.0, -1, Double.NaN, Double.NEGATIVE_INFINITY})
-    void pointsNotInFrontOfTheCameraHaveNoImage(double z) {
-        double[] uv = {7, 8};
-        assertFalse(Projection.project(STRONG, 1, 2, z, uv, 0));
-        assertFalse(Projection.projectWithDerivatives(STRONG, 1, 2, z, uv, new double[6], null));
-        assertArrayEquals(new double[] {7, 8}, uv, 0);
-        assertNull(PinholeCamera.of(1280, 720, STRONG).project(1, 2, z));
-    }
-
-    @Test
-    void normalisedPointComesBackFromItsPixel() {
-        RandomGenerator random = new Well19937c(4);
-        PinholeCamera camera = PinholeCamera.of(1280, 720, STRONG);
-        double[] out = new double[2];
-        for (int k = 0; k < 500; k++) {
-            double[] p = random(random);
-            double[] uv = camera.project(p[0], p[1], p[2]);
-            assertTrue(camera.toNormalised(uv[0], uv[1], out));
-            assertArrayEquals(new double[] {p[0] / p[2], p[1] / p[2]}, out, 1e-11);
-        }
-    }
-
     /** Radius at which a lens with these radial terms folds back: where the derivative of r (1 + k1 r² + …) is 0. */
     private static double fold(double k1, double k2) {
         double r = 0;
@@ -155,25 +76,27 @@ class ProjectionTest {
         double[] intrinsics = {500, 500, 0, 0, 0, k1, k2, 0, 0, 0};
         double fold = fold(k1, k2);
         double edge = fold * (1 + k1 * fold * fold + k2 * Math.pow(fold, 4));
-        double[] out = new double[2];
+        double[] out = new double[3];
         for (int k = 0; k < 400; k++) {
             double angle = 0.7 * k;
             double r = fold * k / 401;
             double pixel = 500 * r * (1 + k1 * r * r + k2 * Math.pow(r, 4));
-            assertTrue(Projection.toNormalised(intrinsics, pixel * Math.cos(angle), pixel * Math.sin(angle), out),
+            assertTrue(BrownLens.MODEL.toRay(intrinsics, pixel * Math.cos(angle), pixel * Math.sin(angle), out),
                     "radius " + r + " of " + fold);
-            assertArrayEquals(new double[] {r * Math.cos(angle), r * Math.sin(angle)}, out, 1e-9);
+            assertArrayEquals(new double[] {r * Math.cos(angle), r * Math.sin(angle), 1}, out, 1e-9);
             double beyond = 500 * edge * (1.0001 + 0.01 * k);
-            assertFalse(Projection.toNormalised(intrinsics, beyond * Math.cos(angle), beyond * Math.sin(angle), out),
+            assertFalse(BrownLens.MODEL.toRay(intrinsics, beyond * Math.cos(angle), beyond * Math.sin(angle), out),
                     "pixel " + beyond + " beyond " + 500 * edge);
         }
     }
 
     @Test
-    void pixelThatIsNoNumberHasNoSource() {
-        double[] out = new double[2];
-        assertFalse(Projection.toNormalised(STRONG, Double.NaN, 3, out));
-        assertFalse(Projection.toNormalised(STRONG, 3, Double.POSITIVE_INFINITY, out));
+    void theFoldOfACubicLensIsWhereItsDerivativeVanishes() {
+        // d/dr (r + k1 r^3) = 0 at r = 1 / sqrt(-3 k1)
+        double[] barrel = {300, 300, 320, 240, 0, -0.3, 0, 0, 0, 0};
+        assertEquals(Math.atan(1 / Math.sqrt(0.9)), BrownLens.MODEL.reachRad(barrel), 0.002);
+        double[] pincushion = {300, 300, 320, 240, 0, 0.2, 0, 0, 0, 0};
+        assertTrue(BrownLens.MODEL.reachRad(pincushion) > Math.atan(10), "a pincushion never folds");
     }
 
     @Test
@@ -181,7 +104,7 @@ class ProjectionTest {
         double[] zeroFocal = STRONG.clone();
         zeroFocal[PinholeCamera.FY] = 0;
         double[] notFinite = STRONG.clone();
-        notFinite[PinholeCamera.K3] = Double.NaN;
+        notFinite[BrownLens.K3] = Double.NaN;
         assertThrows(IllegalArgumentException.class, () -> PinholeCamera.of(1280, 720, zeroFocal));
         assertThrows(IllegalArgumentException.class, () -> PinholeCamera.of(1280, 720, notFinite));
         assertThrows(IllegalArgumentException.class, () -> PinholeCamera.of(1280, 720, new double[9]));
@@ -199,8 +122,8 @@ class ProjectionTest {
         PinholeCamera other = camera.withFocal(100, 200);
         assertEquals(100, other.get(PinholeCamera.FX), 0);
         assertEquals(200, other.get(PinholeCamera.FY), 0);
-        assertEquals(STRONG[PinholeCamera.P2], other.get(PinholeCamera.P2), 0);
-        assertTrue(camera.hasDistortion());
-        assertFalse(PinholeCamera.ideal(10, 10, 5, 5, 5, 5).hasDistortion());
+        assertEquals(STRONG[BrownLens.P2], other.get(BrownLens.P2), 0);
+        assertTrue(camera.isDistorting());
+        assertFalse(PinholeCamera.ideal(10, 10, 5, 5, 5, 5).isDistorting());
     }
 }

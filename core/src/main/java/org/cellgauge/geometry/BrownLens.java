@@ -4,40 +4,100 @@ import static org.cellgauge.geometry.PinholeCamera.CX;
 import static org.cellgauge.geometry.PinholeCamera.CY;
 import static org.cellgauge.geometry.PinholeCamera.FX;
 import static org.cellgauge.geometry.PinholeCamera.FY;
-import static org.cellgauge.geometry.PinholeCamera.INTRINSICS;
-import static org.cellgauge.geometry.PinholeCamera.K1;
-import static org.cellgauge.geometry.PinholeCamera.K2;
-import static org.cellgauge.geometry.PinholeCamera.K3;
-import static org.cellgauge.geometry.PinholeCamera.P1;
-import static org.cellgauge.geometry.PinholeCamera.P2;
 import static org.cellgauge.geometry.PinholeCamera.SKEW;
 
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+
 /**
- * The projection of {@link PinholeCamera} over plain arrays, with its derivatives. Nothing here allocates: the inner
- * loops of the posterior stand on it.
+ * Radial and tangential (Brown-Conrady) distortion of a pinhole camera, for fields of view up to some 120 degrees.
+ *
+ * <p>The model is BoofCV's {@code pinhole_radial_tangential}: with the undistorted normalised point
+ * {@code (x, y) = (X/Z, Y/Z)} and {@code r² = x² + y²}
+ * <pre>
+ * xd = x (1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1 x y + p2 (r² + 2 x²)
+ * yd = y (1 + k1 r² + k2 r⁴ + k3 r⁶) + p1 (r² + 2 y²) + 2 p2 x y
+ * </pre>
+ * (D. C. Brown, "Decentering distortion of lenses", 1966; BoofCV calls p1, p2 t1, t2).
  */
-public final class Projection {
+public final class BrownLens implements Lens {
+    /** The model. */
+    public static final BrownLens MODEL = new BrownLens();
+
+    /** Index of the first radial coefficient. */
+    public static final int K1 = 5;
+    /** Index of the second radial coefficient. */
+    public static final int K2 = 6;
+    /** Index of the third radial coefficient. */
+    public static final int K3 = 7;
+    /** Index of the first tangential coefficient. */
+    public static final int P1 = 8;
+    /** Index of the second tangential coefficient. */
+    public static final int P2 = 9;
+    /** Number of parameters. */
+    public static final int PARAMETERS = 10;
+
+    private static final List<String> NAMES = Collections.unmodifiableList(Arrays.asList("fx_px", "fy_px", "cx_px",
+            "cy_px", "skew_px", "k1", "k2", "k3", "p1", "p2"));
     private static final int NEWTON_STEPS = 30;
     private static final double NEWTON_TOLERANCE = 1e-12;
     private static final double SHORTEST_NEWTON_STEP = 1e-3;
     /** Points of the ray at which a lens of strong distortion is looked at for a fold. */
     private static final int FOLD_CHECKS = 64;
+    private static final double FOLD_SCAN_STEP = 1e-3;
+    /** 87 degrees off the axis; nothing such a camera sees lies beyond. */
+    private static final double LARGEST_RADIUS = 20;
 
-    private Projection() {
+    private BrownLens() {
     }
 
-    /**
-     * Projects a point of the camera frame.
-     *
-     * @param intrinsics {@value PinholeCamera#INTRINSICS} values in the order of {@link PinholeCamera}
-     * @param x x in the camera frame, mm
-     * @param y y in the camera frame, mm
-     * @param z z in the camera frame, mm
-     * @param uv receives u and v, px, from {@code offset} on
-     * @param offset index of u in {@code uv}
-     * @return false, with {@code uv} untouched, if the point is not in front of the camera (z not positive or NaN)
-     */
-    public static boolean project(double[] intrinsics, double x, double y, double z, double[] uv, int offset) {
+    @Override
+    public String modelName() {
+        return "pinhole_radial_tangential";
+    }
+
+    @Override
+    public List<String> parameterNames() {
+        return NAMES;
+    }
+
+    @Override
+    public int parameterCount() {
+        return PARAMETERS;
+    }
+
+    @Override
+    public boolean isDistorting(double[] intrinsics) {
+        return intrinsics[K1] != 0 || intrinsics[K2] != 0 || intrinsics[K3] != 0 || intrinsics[P1] != 0
+                || intrinsics[P2] != 0;
+    }
+
+    @Override
+    public boolean isWide() {
+        return false;
+    }
+
+    /** Where the radial polynomial r (1 + k1 r² + k2 r⁴ + k3 r⁶) stops growing, at most 87 degrees. */
+    @Override
+    public double reachRad(double[] intrinsics) {
+        double k1 = intrinsics[K1];
+        double k2 = intrinsics[K2];
+        double k3 = intrinsics[K3];
+        if (k1 == 0 && k2 == 0 && k3 == 0) {
+            return Math.atan(LARGEST_RADIUS);
+        }
+        for (double r = FOLD_SCAN_STEP; r < LARGEST_RADIUS; r += FOLD_SCAN_STEP) {
+            double s = r * r;
+            if (1 + s * (3 * k1 + s * (5 * k2 + s * 7 * k3)) <= 0) {
+                return Math.atan(Math.max(r - FOLD_SCAN_STEP, FOLD_SCAN_STEP / 2));
+            }
+        }
+        return Math.atan(LARGEST_RADIUS);
+    }
+
+    @Override
+    public boolean project(double[] intrinsics, double x, double y, double z, double[] uv, int offset) {
         if (!(z > 0)) {
             return false;
         }
@@ -55,21 +115,9 @@ public final class Projection {
         return true;
     }
 
-    /**
-     * Projects a point of the camera frame and gives the derivatives of its image.
-     *
-     * @param intrinsics {@value PinholeCamera#INTRINSICS} values
-     * @param x x in the camera frame, mm
-     * @param y y in the camera frame, mm
-     * @param z z in the camera frame, mm
-     * @param uv receives u and v, px
-     * @param byPoint receives the 2x3 derivative by (x, y, z) row by row, px/mm
-     * @param byIntrinsics receives the 2x{@value PinholeCamera#INTRINSICS} derivative by the intrinsics row by row, or
-     *     null where it is not wanted
-     * @return false, with all outputs untouched, if the point is not in front of the camera
-     */
-    public static boolean projectWithDerivatives(double[] intrinsics, double x, double y, double z, double[] uv,
-            double[] byPoint, double[] byIntrinsics) {
+    @Override
+    public boolean projectWithDerivatives(double[] intrinsics, double x, double y, double z, double[] uv,
+            double[] byPoint, double[] byParameters) {
         if (!(z > 0)) {
             return false;
         }
@@ -108,43 +156,35 @@ public final class Projection {
         byPoint[4] = vByY * inverseZ;
         byPoint[5] = -(vByX * xn + vByY * yn) * inverseZ;
 
-        if (byIntrinsics != null) {
-            int v = INTRINSICS;
-            byIntrinsics[FX] = xd;
-            byIntrinsics[FY] = 0;
-            byIntrinsics[CX] = 1;
-            byIntrinsics[CY] = 0;
-            byIntrinsics[SKEW] = yd;
-            byIntrinsics[v + FX] = 0;
-            byIntrinsics[v + FY] = yd;
-            byIntrinsics[v + CX] = 0;
-            byIntrinsics[v + CY] = 1;
-            byIntrinsics[v + SKEW] = 0;
-            setDistortion(byIntrinsics, K1, xn * r2, yn * r2, fx, fy, skew);
-            setDistortion(byIntrinsics, K2, xn * r2 * r2, yn * r2 * r2, fx, fy, skew);
-            setDistortion(byIntrinsics, K3, xn * r2 * r2 * r2, yn * r2 * r2 * r2, fx, fy, skew);
-            setDistortion(byIntrinsics, P1, xy2, r2 + 2 * yn * yn, fx, fy, skew);
-            setDistortion(byIntrinsics, P2, r2 + 2 * xn * xn, xy2, fx, fy, skew);
+        if (byParameters != null) {
+            int v = PARAMETERS;
+            byParameters[FX] = xd;
+            byParameters[FY] = 0;
+            byParameters[CX] = 1;
+            byParameters[CY] = 0;
+            byParameters[SKEW] = yd;
+            byParameters[v + FX] = 0;
+            byParameters[v + FY] = yd;
+            byParameters[v + CX] = 0;
+            byParameters[v + CY] = 1;
+            byParameters[v + SKEW] = 0;
+            setDistortion(byParameters, K1, xn * r2, yn * r2, fx, fy, skew);
+            setDistortion(byParameters, K2, xn * r2 * r2, yn * r2 * r2, fx, fy, skew);
+            setDistortion(byParameters, K3, xn * r2 * r2 * r2, yn * r2 * r2 * r2, fx, fy, skew);
+            setDistortion(byParameters, P1, xy2, r2 + 2 * yn * yn, fx, fy, skew);
+            setDistortion(byParameters, P2, r2 + 2 * xn * xn, xy2, fx, fy, skew);
         }
         return true;
     }
 
-    private static void setDistortion(double[] byIntrinsics, int index, double xd, double yd, double fx, double fy,
+    private static void setDistortion(double[] byParameters, int index, double xd, double yd, double fx, double fy,
             double skew) {
-        byIntrinsics[index] = fx * xd + skew * yd;
-        byIntrinsics[INTRINSICS + index] = fy * yd;
+        byParameters[index] = fx * xd + skew * yd;
+        byParameters[PARAMETERS + index] = fy * yd;
     }
 
-    /**
-     * Inverse of the lens model; see {@link PinholeCamera#toNormalised}.
-     *
-     * @param intrinsics {@value PinholeCamera#INTRINSICS} values
-     * @param u pixel x
-     * @param v pixel y
-     * @param out x/z and y/z, 2 values
-     * @return whether it converged
-     */
-    public static boolean toNormalised(double[] intrinsics, double u, double v, double[] out) {
+    @Override
+    public boolean toRay(double[] intrinsics, double u, double v, double[] ray) {
         double yd = (v - intrinsics[CY]) / intrinsics[FY];
         double xd = (u - intrinsics[CX] - intrinsics[SKEW] * yd) / intrinsics[FX];
         double k1 = intrinsics[K1];
@@ -171,8 +211,9 @@ public final class Projection {
                 if (!uprightUpTo(intrinsics, x, y)) {
                     return false;
                 }
-                out[0] = x;
-                out[1] = y;
+                ray[0] = x;
+                ray[1] = y;
+                ray[2] = 1;
                 return true;
             }
             double r2 = x * x + y * y;

@@ -1,0 +1,29 @@
+package org.cellgauge.warning;
+
+/** Why the markers of a photo cannot be checked. */
+public enum CheckRefusal implements RefusalKind {
+    /** The tone curve is open, and the photo does not tell it. */
+    TONE_CURVE_OPEN("whites are clipped, and then nothing in the photo tells its tone curve, without which edges are "
+            + "not where they seem; expose less, or state tone_curve in the cell file"),
+    /** No reference is seen: ids. */
+    NO_REFERENCE_SEEN("none of the references %s is in the photo; check the marker family of the cell file, the light "
+            + "and the focus"),
+    /** No camera pose fits. */
+    NO_CAMERA_POSE("no camera pose explains the corners of the references; check their ids, positions and sizes in the "
+            + "cell file"),
+    /** No pose of an object fits: id. */
+    NO_OBJECT_POSE("the corners of object %s are of no square in front of the camera; check the order of its corners"),
+    /** Chains find no start: why, {@link CheckPhrase#INITIAL_PNP}. */
+    CHAINS_CANNOT_START("the chains cannot start, %s; check the references' positions in the cell file or %s");
+
+    private final String english;
+
+    CheckRefusal(String english) {
+        this.english = english;
+    }
+
+    @Override
+    public String english() {
+        return english;
+    }
+}

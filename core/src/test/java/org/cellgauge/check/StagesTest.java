@@ -1,0 +1,72 @@
+package org.cellgauge.check;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.warning.CheckWarning;
+import org.junit.jupiter.api.Test;
+
+/** Every stage of a check is whole by itself, and what comes after it changes nothing in it. */
+class StagesTest {
+    private static final CheckSettings SETTINGS = CheckSettings.builder().iterations(400).threads(1).build();
+    private final ThesisScene scene = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.3).target(3);
+    private final Cell cell = scene.cell();
+
+    @Test
+    void whatIsSeenNeedsNoPose() {
+        Detections without = withoutFirstReference();
+        Observed observed = Observed.of(cell, without, SETTINGS);
+        assertEquals(1, observed.warnings.stream().filter(w -> w.kind() == CheckWarning.REFERENCES_NOT_SEEN).count());
+        assertFalse(observed.errors.has(cell.references().get(0).id()));
+        assertTrue(observed.errors.has(cell.references().get(1).id()));
+        // no name of the photo, and not its place in a batch, but its corners make its random numbers
+        assertEquals(observed.photoSeed(), Observed.of(cell, without, SETTINGS).photoSeed());
+        assertFalse(observed.photoSeed() == Observed.of(cell, scene.exactDetections(), SETTINGS).photoSeed());
+    }
+
+    /** Corners without noise: the mode is the truth, and the references fit, without any chain. */
+    @Test
+    void modesAndTestsOfReferencesNeedNoChains() {
+        CellModes modes = CellModes.of(Observed.of(cell, scene.exactDetections(), SETTINGS), null);
+        assertArrayEquals(ThesisScene.WORLD_FROM_CAMERA.translationMm(), modes.camera.worldFromCamera().translationMm(),
+                1e-6);
+        assertEquals(cell.objects().size(), modes.objects.size());
+        ReferenceCheck references = modes.references();
+        assertTrue(references.fitTogether());
+        assertTrue(references.misplaced().isEmpty());
+    }
+
+    @Test
+    void quickLookIsTheSameAfterItsChainsHaveRunTwice() {
+        QuickLook quickLook = QuickLook.of(CellModes.of(Observed.of(cell, scene.exactDetections(), SETTINGS), null));
+        double[] before = quickLook.estimate().camera().std();
+        CheckResult first = quickLook.chains(() -> 1).blockingLast().result();
+        CheckResult second = quickLook.chains(() -> 1).blockingLast().result();
+        assertArrayEquals(before, quickLook.estimate().camera().std(), 0);
+        assertArrayEquals(first.estimate().camera().std(), second.estimate().camera().std(), 0);
+        assertEquals(first.warnings(), second.warnings());
+        assertThrows(UnsupportedOperationException.class, () -> quickLook.modes.warnings.clear());
+        assertThrows(UnsupportedOperationException.class, () -> quickLook.modes.objects.clear());
+    }
+
+    private Detections withoutFirstReference() {
+        Detections all = scene.exactDetections();
+        List<MarkerObservation> others = new ArrayList<>();
+        for (MarkerObservation marker : all.markers()) {
+            if (marker.id() != cell.references().get(0).id()) {
+                others.add(marker);
+            }
+        }
+        return new Detections(all.imageName(), all.widthPx(), all.heightPx(), others, List.of());
+    }
+}
