@@ -163,7 +163,8 @@ class ArchitectureTest {
     @Test
     void geometryNeedsNothingButLinearAlgebra() {
         classes().that().resideInAPackage(BASE + "geometry..").should()
-                .onlyDependOnClassesThat().resideInAnyPackage("java..", "org.ejml..", BASE + "geometry..")
+                .onlyDependOnClassesThat()
+                .resideInAnyPackage("java..", "org.ejml..", "org.jspecify..", BASE + "geometry..")
                 .check(core);
     }
 

@@ -33,8 +33,8 @@ final class ApiListing {
     /**
      * Writes the listing.
      *
-     * @param args the file, then the types meant for users by their names after {@code org.cellgauge.}; nested types come
-     *     with the type around them
+     * @param args the file, then the types meant for users by their names after {@code org.cellgauge.}; nested types
+     *     come with the type around them
      */
     public static void main(String... args) throws Exception {
         Files.writeString(Path.of(args[0]), text(Arrays.asList(args).subList(1, args.length)), StandardCharsets.UTF_8);
@@ -92,8 +92,8 @@ final class ApiListing {
         List<String> members = new ArrayList<>();
         for (Field field : type.getDeclaredFields()) {
             if (visible(field.getModifiers()) && !field.isSynthetic()) {
-                members.add("field " + field.toGenericString().replace(type.getName() + "." + field.getName(), field.getName())
-                        + value(field));
+                members.add("field " + field.toGenericString()
+                        .replace(type.getName() + "." + field.getName(), field.getName()) + value(field));
                 collect(field.getGenericType(), mentioned);
             }
         }
@@ -105,7 +105,8 @@ final class ApiListing {
         }
         for (Method method : type.getDeclaredMethods()) {
             if (visible(method.getModifiers()) && !method.isSynthetic()) {
-                members.add(method.toGenericString().replace(type.getName() + "." + method.getName(), method.getName()));
+                members.add(method.toGenericString()
+                        .replace(type.getName() + "." + method.getName(), method.getName()));
                 collect(method.getGenericReturnType(), mentioned);
                 Arrays.stream(method.getGenericParameterTypes()).forEach(each -> collect(each, mentioned));
             }
@@ -140,13 +141,14 @@ final class ApiListing {
             }
         } else if (type instanceof ParameterizedType) {
             collect(((ParameterizedType) type).getRawType(), mentioned);
-            Arrays.stream(((ParameterizedType) type).getActualTypeArguments()).forEach(each -> collect(each, mentioned));
+            Arrays.stream(((ParameterizedType) type).getActualTypeArguments())
+                    .forEach(each -> collect(each, mentioned));
         } else if (type instanceof WildcardType) {
             Arrays.stream(((WildcardType) type).getUpperBounds()).forEach(each -> collect(each, mentioned));
         }
     }
 
     private static String shortened(String text) {
-        return text.replace(BASE, "").replaceAll("\\bjava\\.lang\\.(?=[A-Z])", "").replaceAll("\\bjava\\.util\\.(?=[A-Z])", "");
+        return text.replace(BASE, "").replaceAll("\\bjava\\.(lang|util)\\.(?=[A-Z])", "");
     }
 }

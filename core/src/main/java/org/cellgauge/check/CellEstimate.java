@@ -78,7 +78,7 @@ public final class CellEstimate {
      * Whether no single figure describes an object: two poses of the camera, or of the object, explain the photo.
      *
      * @param objectId marker id
-     * @return true if the second one holds more than {@link CellCheck#AMBIGUOUS_SHARE}; false for an object not seen
+     * @return true if the second one holds more than {@link ModeEstimate#AMBIGUOUS_SHARE}; false for an object not seen
      */
     public boolean isAmbiguous(int objectId) {
         ObjectEstimate object = object(objectId);

@@ -1,5 +1,7 @@
 package org.cellgauge.geometry;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Cholesky factors of small symmetric positive definite matrices in plain arrays, row by row, without allocation.
  *
@@ -105,7 +107,7 @@ public final class Cholesky {
      * @param n rows
      * @return a new array with the inverse, or null if the matrix is not positive definite
      */
-    public static double[] inverse(double[] a, int n) {
+    public static double @Nullable [] inverse(double[] a, int n) {
         double[] l = a.clone();
         if (!factor(l, n)) {
             return null;

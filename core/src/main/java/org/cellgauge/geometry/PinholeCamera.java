@@ -1,6 +1,7 @@
 package org.cellgauge.geometry;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A camera: a lens with the values of its parameters, and the size of its image; immutable.
@@ -276,7 +277,7 @@ public final class PinholeCamera {
      * @param z z in the camera frame, mm
      * @return u, v in px, or null if the lens cannot see the point, {@link Lens#project}
      */
-    public double[] project(double x, double y, double z) {
+    public double @Nullable [] project(double x, double y, double z) {
         double[] uv = new double[2];
         return lens.project(intrinsics, x, y, z, uv, 0) ? uv : null;
     }

@@ -17,7 +17,7 @@ public final class PixelArea {
      * @throws IllegalArgumentException if a value is not finite or a size not positive
      */
     public PixelArea(double leftPx, double topPx, double widthPx, double heightPx) {
-        if (Double.isNaN(leftPx - leftPx) || Double.isNaN(topPx - topPx) || !(widthPx > 0) || !(heightPx > 0)
+        if (!Double.isFinite(leftPx) || !Double.isFinite(topPx) || !(widthPx > 0) || !(heightPx > 0)
                 || Double.isInfinite(widthPx) || Double.isInfinite(heightPx)) {
             throw new IllegalArgumentException("not an area: " + widthPx + " x " + heightPx + " at (" + leftPx + ", "
                     + topPx + ")");

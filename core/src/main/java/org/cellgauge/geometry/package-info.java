@@ -6,4 +6,7 @@
  * millimetres, angles radians, image coordinates pixels with pixel centres at +0.5 (pixel (i, j) covers [i, i+1)).
  * Rotation matrices are {@code double[9]}, row by row.
  */
+@NullMarked
 package org.cellgauge.geometry;
+
+import org.jspecify.annotations.NullMarked;

@@ -59,7 +59,7 @@ public final class LiveCheck {
      *
      * @param frames markers of successive frames, one at a time, on any thread; of the size of the cell's camera
      * @param cell the cell
-     * @param settings how to go about it; of {@link CheckSettings#threads()} and {@link LivePace#chainThreads()} the
+     * @param settings how to go about it; of its threads and {@link LivePace#chainThreads()} the
      *     smaller number counts
      * @param pace how much work it may do; {@link LivePace#FULL} until its first item, its last one when it has ended
      * @return states; each subscription is a live check of its own

@@ -60,6 +60,7 @@ final class Stillness {
         for (int i = 0; i < p.length; i++) {
             sum += (p[i] - q[i]) * (p[i] - q[i]);
         }
-        return Math.sqrt(sum / (p.length / 2));
+        int corners = p.length / 2;
+        return Math.sqrt(sum / corners);
     }
 }

@@ -75,7 +75,7 @@ public final class CameraPosterior implements LogDensity {
             return Double.NEGATIVE_INFINITY;
         }
         double value = prior + likelihood.at(state);
-        return value == value ? value : Double.NEGATIVE_INFINITY;
+        return Double.isNaN(value) ? Double.NEGATIVE_INFINITY : value;
     }
 
     /**

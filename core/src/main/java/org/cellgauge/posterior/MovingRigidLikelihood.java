@@ -102,7 +102,7 @@ public final class MovingRigidLikelihood implements CameraLikelihood {
                 sum -= 0.5 * s * s;
             }
         }
-        return sum == sum ? sum : Double.NEGATIVE_INFINITY;
+        return Double.isNaN(sum) ? Double.NEGATIVE_INFINITY : sum;
     }
 
     /** Covariances of the corners' own errors at a node of the added noise, 64 values per reference. */

@@ -37,7 +37,6 @@ public final class ObjectPosterior implements LogDensity {
     /** What the marker has in common with others. */
     private static final class Shared {
         final CornerErrors errors;
-        final int id;
         final double[] corners;
         final double[] columns;
         final double[] byUnknown;
@@ -48,7 +47,6 @@ public final class ObjectPosterior implements LogDensity {
 
         Shared(CornerErrors errors, int id, double[] byUnknown, CameraState mode, boolean stretching) {
             this.errors = errors;
-            this.id = id;
             this.byUnknown = byUnknown.clone();
             this.mode = mode.copy();
             corners = errors.cornersPx(id);
@@ -194,7 +192,7 @@ public final class ObjectPosterior implements LogDensity {
         }
         double squares = packed == null ? sum * inverseVariance : whitenedSquares();
         double value = Rotations.logHaarDensity(step[3], step[4], step[5]) - 0.5 * squares;
-        return value == value ? value : Double.NEGATIVE_INFINITY;
+        return Double.isNaN(value) ? Double.NEGATIVE_INFINITY : value;
     }
 
     private double whitenedSquares() {

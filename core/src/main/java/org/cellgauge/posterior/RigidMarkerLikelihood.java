@@ -150,7 +150,7 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
             squares += whitenedSquares(packed, w);
         }
         double value = logDiagonal - 0.5 * squares;
-        return value == value ? value : Double.NEGATIVE_INFINITY;
+        return Double.isNaN(value) ? Double.NEGATIVE_INFINITY : value;
     }
 
     /** Moves the residuals of the reference whose corners start at an index by what markers share. */

@@ -5,6 +5,7 @@ import java.util.Collections;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.special.Gamma;
 import org.cellgauge.geometry.Cholesky;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Fits a t mixture to a target by adaptive importance sampling (Cappé, Douc, Guillin, Marin, Robert, "Adaptive
@@ -194,7 +195,7 @@ public final class ImportanceTuning {
     }
 
     /** The mixture and one more component about a point; null if the points about it span no volume. */
-    private static StudentTMixture with(StudentTMixture mixture, double[] at, double[][] points) {
+    private static @Nullable StudentTMixture with(StudentTMixture mixture, double[] at, double[][] points) {
         int n = at.length;
         double[] distances = squaredDistances(mixture.scale(mixture.heaviest()), at, points);
         double[] sorted = distances.clone();
@@ -283,8 +284,8 @@ public final class ImportanceTuning {
         return new ImportanceTuning(best, Math.max(bestEfficiency, 0), 0);
     }
 
-    private static void weigh(LogDensity density, StudentTMixture mixture, double[][] draws, double[][] shares,
-            double[] logWeights, RandomGenerator random) {
+    private static void weigh(LogDensity density, StudentTMixture mixture, double[][] draws,
+            double @Nullable [][] shares, double[] logWeights, RandomGenerator random) {
         for (int i = 0; i < draws.length; i++) {
             mixture.draw(draws[i], random);
             double logTarget = density.at(draws[i]);

@@ -7,4 +7,7 @@
  * round by round, and publishes a <em>snapshot</em> after each round. Proposals, densities and observers do not know
  * each other.
  */
+@NullMarked
 package org.cellgauge.sampling;
+
+import org.jspecify.annotations.NullMarked;

@@ -2,6 +2,7 @@ package org.cellgauge.settings;
 
 import java.util.Objects;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One setting: a row of {@link SettingTable}; immutable. It says how the setting is named, written, read, limited and
@@ -208,7 +209,7 @@ public final class Setting<T> {
      * @param settings all
      * @return a String, a Number or a Boolean; null where it is open or does not apply
      */
-    public Object plain(CheckSettings settings) {
+    public @Nullable Object plain(CheckSettings settings) {
         return appliesTo(settings) ? form.plain(settings.get(this)) : null;
     }
 

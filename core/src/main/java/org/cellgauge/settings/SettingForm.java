@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How values of one type are written and read back; immutable.
@@ -18,10 +19,10 @@ public final class SettingForm<T> {
     private final List<String> words;
     private final Function<String, T> reader;
     private final Function<T, Object> plain;
-    private final T open;
+    private final @Nullable T open;
 
     private SettingForm(String placeholder, List<String> words, Function<String, T> reader, Function<T, Object> plain,
-            T open) {
+            @Nullable T open) {
         this.placeholder = placeholder;
         this.words = words;
         this.reader = reader;
@@ -133,12 +134,12 @@ public final class SettingForm<T> {
     }
 
     /** Value as files hold it: a String, a Number, a Boolean, or null for what {@link #open} stands for. */
-    Object plain(T value) {
+    @Nullable Object plain(T value) {
         return plain.apply(value);
     }
 
     /** What a file's null means; null where it means nothing. */
-    T open() {
+    @Nullable T open() {
         return open;
     }
 

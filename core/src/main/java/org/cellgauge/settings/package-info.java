@@ -3,4 +3,7 @@
  * sampled, and one table of all settings from which options, ranges, files, reports and the command that repeats a
  * result are made.
  */
+@NullMarked
 package org.cellgauge.settings;
+
+import org.jspecify.annotations.NullMarked;

@@ -6,6 +6,7 @@ import org.apache.commons.math3.special.Erf;
 import org.apache.commons.math3.transform.DftNormalization;
 import org.apache.commons.math3.transform.FastFourierTransformer;
 import org.apache.commons.math3.transform.TransformType;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Convergence diagnostics of one scalar parameter over several Markov chains.
@@ -555,7 +556,7 @@ public final class ChainDiagnostics {
 
         private final double[][] centred;
         private final RunningMoments means = new RunningMoments(1);
-        private double[] transformed;
+        private double @Nullable [] transformed;
 
         Autocovariance(double[][] halves) {
             centred = new double[halves.length][];

@@ -5,6 +5,7 @@ import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The ellipsoid that holds a normally distributed vector with a stated probability: all x with
@@ -221,7 +222,7 @@ public final class CoverageRegion {
         return factor * std[i];
     }
 
-    private double[] axes(double[][] directions) {
+    private double[] axes(double @Nullable [][] directions) {
         int d = mean.length;
         double[][] symmetric = new double[d][d];
         for (int i = 0; i < d; i++) {

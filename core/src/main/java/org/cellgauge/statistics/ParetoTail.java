@@ -39,7 +39,7 @@ public final class ParetoTail {
     public static double k(double[] sorted, double effectiveShare) {
         int n = sorted.length;
         double length = n > 225 ? 3 * Math.sqrt(n / effectiveShare) : n / 5.0;
-        int tail = (int) Math.min(Math.ceil(length), n / 2);
+        int tail = (int) Math.min(Math.ceil(length), Math.floor(n / 2.0));
         if (!(tail >= FEWEST_IN_TAIL)) {
             return Double.NaN;
         }

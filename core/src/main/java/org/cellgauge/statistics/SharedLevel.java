@@ -66,7 +66,6 @@ public final class SharedLevel {
     /** Draws that stay the same while the limits move, so that the chance is a smooth function of them. */
     private static final class Simulation {
         private final double[] weights;
-        private final double sumOfWeights;
         private final int[] chosen = new int[DRAWS];
         private final double[] tail = new double[DRAWS];
         private final double[][] statistics = new double[DRAWS][];
@@ -74,7 +73,6 @@ public final class SharedLevel {
 
         Simulation(double[][] rows, double[] weights, double sumOfWeights, RandomGenerator random) {
             this.weights = weights;
-            this.sumOfWeights = sumOfWeights;
             int tests = rows.length;
             int width = rows[0].length;
             correlations = new double[tests][];

@@ -17,4 +17,7 @@
  *       95 % right 95 times in 100?
  * </ul>
  */
+@NullMarked
 package org.cellgauge.statistics;
+
+import org.jspecify.annotations.NullMarked;
