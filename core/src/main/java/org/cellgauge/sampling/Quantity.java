@@ -2,6 +2,7 @@ package org.cellgauge.sampling;
 
 import java.util.Locale;
 import java.util.OptionalInt;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One column of draws: what it is about, which marker's, along which axis and in what unit; immutable. Two quantities
@@ -99,11 +100,11 @@ public final class Quantity {
 
     private final Kind kind;
     private final OptionalInt id;
-    private final Axis axis;
+    private final @Nullable Axis axis;
     private final Unit unit;
     private final String name;
 
-    private Quantity(Kind kind, OptionalInt id, Axis axis, Unit unit, String name) {
+    private Quantity(Kind kind, OptionalInt id, @Nullable Axis axis, Unit unit, String name) {
         this.kind = kind;
         this.id = id;
         this.axis = axis;
@@ -214,7 +215,7 @@ public final class Quantity {
      *
      * @return null for what is no coordinate
      */
-    public Axis axis() {
+    public @Nullable Axis axis() {
         return axis;
     }
 

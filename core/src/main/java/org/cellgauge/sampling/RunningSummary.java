@@ -3,6 +3,7 @@ package org.cellgauge.sampling;
 import org.cellgauge.statistics.Angles;
 import org.cellgauge.statistics.CircularMoments;
 import org.cellgauge.statistics.RunningMoments;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Running means, covariances per group and mean directions of all draws so far, in memory that does not grow with them.
@@ -11,7 +12,7 @@ import org.cellgauge.statistics.RunningMoments;
 public final class RunningSummary {
     private final QuantityLayout layout;
     private final RunningMoments[] moments;
-    private final CircularMoments[] directions;
+    private final @Nullable CircularMoments[] directions;
     private final double[][] scratch;
     private long count;
 
@@ -130,7 +131,8 @@ public final class RunningSummary {
      * @param index position of the angle
      * @return a copy, or null for what is no angle
      */
-    public CircularMoments direction(int index) {
-        return directions[index] == null ? null : directions[index].copy();
+    public @Nullable CircularMoments direction(int index) {
+        CircularMoments own = directions[index];
+        return own == null ? null : own.copy();
     }
 }

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What is said to people, or a part of such a sentence, as data of which any language can make words: a kind and its
@@ -102,7 +103,9 @@ public abstract class Message {
     }
 
     @Override
-    public boolean equals(Object other) {
+    // a warning is no refusal, whatever they say
+    @SuppressWarnings("EqualsGetClass")
+    public boolean equals(@Nullable Object other) {
         return other != null && getClass() == other.getClass() && kind.equals(((Message) other).kind)
                 && arguments.equals(((Message) other).arguments);
     }
