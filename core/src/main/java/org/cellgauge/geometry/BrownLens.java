@@ -9,6 +9,7 @@ import static org.cellgauge.geometry.PinholeCamera.SKEW;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Radial and tangential (Brown-Conrady) distortion of a pinhole camera, for fields of view up to some 120 degrees.
@@ -117,7 +118,7 @@ public final class BrownLens implements Lens {
 
     @Override
     public boolean projectWithDerivatives(double[] intrinsics, double x, double y, double z, double[] uv,
-            double[] byPoint, double[] byParameters) {
+            double[] byPoint, double @Nullable [] byParameters) {
         if (!(z > 0)) {
             return false;
         }

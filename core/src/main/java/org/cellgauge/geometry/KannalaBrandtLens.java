@@ -9,6 +9,7 @@ import static org.cellgauge.geometry.PinholeCamera.SKEW;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A fisheye: the distance from the image's middle is a polynomial of the angle off the axis, so that the lens may see
@@ -155,7 +156,7 @@ public final class KannalaBrandtLens implements Lens {
 
     @Override
     public boolean projectWithDerivatives(double[] parameters, double x, double y, double z, double[] uv,
-            double[] byPoint, double[] byParameters) {
+            double[] byPoint, double @Nullable [] byParameters) {
         double across = Math.sqrt(x * x + y * y);
         double t = Math.atan2(across, z);
         double slope = slope(parameters, t);

@@ -1,6 +1,7 @@
 package org.cellgauge.geometry;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A lens model: how directions become places in an image, as a function of its parameters; without state, so that one
@@ -94,7 +95,7 @@ public interface Lens {
      * @return false, with all outputs untouched, where {@link #project} gives false
      */
     boolean projectWithDerivatives(double[] parameters, double x, double y, double z, double[] uv, double[] byPoint,
-            double[] byParameters);
+            double @Nullable [] byParameters);
 
     /**
      * Inverse of the projection: the direction that a place in the image shows, nearest to the axis if the model has

@@ -1,5 +1,7 @@
 package org.cellgauge.geometry;
 
+import org.jspecify.annotations.Nullable;
+
 /** The square of a marker in its own frame: x right, y up, z out of the face, origin at the centre. */
 public final class MarkerGeometry {
     /** Corners of a marker. */
@@ -49,7 +51,7 @@ public final class MarkerGeometry {
      * @param sizeMm outer edge, mm
      * @return 8 values: u, v of each corner, px; null if one is not in front of the camera
      */
-    public static double[] cornersPx(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
+    public static double @Nullable [] cornersPx(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
         double[] corners = cornersMm(cameraFromMarker, sizeMm);
         double[] px = new double[2 * CORNERS];
         for (int k = 0; k < CORNERS; k++) {
@@ -70,7 +72,7 @@ public final class MarkerGeometry {
      * @param sizeMm outer edge, mm
      * @return 8 values: u, v of each corner, px; null if it shows its back, or some corner is outside the image
      */
-    public static double[] seenPx(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
+    public static double @Nullable [] seenPx(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
         double[] r = cameraFromMarker.rotation();
         double[] t = cameraFromMarker.translationMm();
         // the marker's normal must point towards the camera, which is at the origin

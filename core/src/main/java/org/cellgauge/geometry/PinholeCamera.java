@@ -291,7 +291,7 @@ public final class PinholeCamera {
      * @param z z in the camera frame, mm
      * @return u, v in px, or null if the camera cannot see the point
      */
-    public double[] image(double x, double y, double z) {
+    public double @Nullable [] image(double x, double y, double z) {
         double[] uv = new double[2];
         double[] ray = new double[3];
         if (!lens.project(intrinsics, x, y, z, uv, 0) || !lens.toRay(intrinsics, uv[0], uv[1], ray)) {

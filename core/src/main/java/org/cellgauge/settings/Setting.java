@@ -235,7 +235,7 @@ public final class Setting<T> {
     }
 
     /** Why a value is out of range: a sentence without its subject, or null where it is not. */
-    String refusal(T value) {
+    @Nullable String refusal(T value) {
         return range.test(value) ? null : refusal + ", not " + form.text(value);
     }
 

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Why an input cannot be used and what to do about it, with the place where it is seen, or a part of such a sentence;
@@ -14,9 +15,9 @@ import java.util.function.Function;
  * kept as spaces.
  */
 public final class Refusal extends Message {
-    private final Place place;
+    private final @Nullable Place place;
 
-    private Refusal(Place place, RefusalKind kind, List<?> arguments) {
+    private Refusal(@Nullable Place place, RefusalKind kind, List<?> arguments) {
         super(kind, arguments);
         this.place = place;
     }
@@ -72,7 +73,7 @@ public final class Refusal extends Message {
      *
      * @return null where no place is named
      */
-    public Place place() {
+    public @Nullable Place place() {
         return place;
     }
 
