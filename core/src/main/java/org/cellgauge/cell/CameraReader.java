@@ -197,7 +197,8 @@ public final class CameraReader {
         YamlValue symmetric = file.required(SYMMETRIC, SYMMETRIC_EXAMPLE);
         List<YamlValue> coefficients = symmetric.items();
         if (coefficients.isEmpty() || coefficients.size() > MAX_SYMMETRIC) {
-            throw symmetric.refused(CellRefusal.SYMMETRIC_COEFFICIENTS, MAX_SYMMETRIC, coefficients.size());
+            throw symmetric.refused(CellRefusal.SYMMETRIC_COEFFICIENTS, MAX_SYMMETRIC, coefficients.size(),
+                    MAX_SYMMETRIC);
         }
         double first = coefficients.get(0).positive(CellPhrase.COEFFICIENT_OF_ANGLE);
         for (int i = 1; i < coefficients.size(); i++) {

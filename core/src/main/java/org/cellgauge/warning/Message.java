@@ -41,6 +41,9 @@ public abstract class Message {
     private static int places(String pattern) {
         int places = 0;
         for (int i = pattern.indexOf('%'); i >= 0; i = pattern.indexOf('%', i + 2)) {
+            if (!pattern.startsWith("%s", i) && !pattern.startsWith("%%", i)) {
+                throw new IllegalArgumentException("no pattern of a message: " + pattern);
+            }
             places += pattern.startsWith("%s", i) ? 1 : 0;
         }
         return places;

@@ -12,7 +12,8 @@ class RefusalTest {
         SIZE("must be at least %s, got %s; write %s"),
         REMEDY("a length in mm"),
         OTHER("%s"),
-        ROW("known here: %s");
+        ROW("known here: %s"),
+        NUMBERED("%1$s of %1$s");
 
         private final String english;
 
@@ -78,5 +79,6 @@ class RefusalTest {
         assertThrows(IllegalArgumentException.class, () -> Refusal.of(Kind.OTHER, 1.5));
         // a part with places is no part without its arguments
         assertThrows(IllegalArgumentException.class, () -> Refusal.of(Kind.OTHER, Kind.ROW));
+        assertThrows(IllegalArgumentException.class, () -> Refusal.of(Kind.NUMBERED, 5));
     }
 }

@@ -120,6 +120,12 @@ final class RefusalStrings {
                 return R.string.refusal_cell_distortion_contradicts_model;
             case TOO_MANY_COEFFICIENTS:
                 return R.string.refusal_cell_too_many_coefficients;
+            case ASYMMETRIC_LENS:
+                return R.string.refusal_cell_asymmetric_lens;
+            case SYMMETRIC_COEFFICIENTS:
+                return R.string.refusal_cell_symmetric_coefficients;
+            case FISHEYE_TURNS_BACK:
+                return R.string.refusal_cell_fisheye_turns_back;
             case FOCAL_LENGTH:
                 return R.string.refusal_cell_focal_length;
             case FOCAL_LENGTHS_DIFFER:
@@ -219,6 +225,12 @@ final class RefusalStrings {
                 return R.string.refusal_part_pixel_std;
             case CAMERA_KEYS:
                 return R.string.refusal_part_camera_keys;
+            case COEFFICIENT_OF_ANGLE:
+                return R.string.refusal_part_coefficient_of_angle;
+            case SYMMETRIC:
+                return R.string.refusal_part_symmetric;
+            case COEFFICIENT:
+                return R.string.refusal_part_coefficient;
             case BOOFCV_VERSION:
                 return R.string.refusal_part_boofcv_version;
             case TONE_CURVE:
