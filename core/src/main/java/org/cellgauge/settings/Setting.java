@@ -91,7 +91,7 @@ public final class Setting<T> {
                 determinesFigures, description);
     }
 
-    /** The same of which no figure depends. */
+    /** The same on which no figure depends. */
     Setting<T> withoutEffectOnFigures() {
         return new Setting<>(part, key, name, unit, form, usual, usualWords, range, refusal, where, false,
                 description);

@@ -45,7 +45,7 @@ final class RepeatingCommand {
     }
 
     /**
-     * A command as it was given, but for options of which no figure depends.
+     * A command as it was given, but for options on which no figure depends.
      *
      * @param name name of the command
      * @param parsed what the user gave

@@ -54,7 +54,7 @@ public final class ValidateCommand implements Callable<Integer> {
     /** Share of simulations without a figure beyond which coverage of the others says little. */
     private static final double MOST_WITHOUT_FIGURE = 0.05;
     private static final int REPORTS = 10;
-    /** Options of which no figure depends. */
+    /** Options on which no figure depends. */
     private static final Set<String> WITHOUT_EFFECT = Set.of("--json", "--out", "--threads", "--debug");
 
     @Spec
