@@ -107,10 +107,10 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         double ty = state.offset[1];
         double tz = state.offset[2];
         Lens lens = state.lens;
-        boolean distorted = lens.isDistorting(intrinsics);
+        // a skew is rare; written out as well it would cost every likelihood a tenth
+        boolean written = !lens.isDistorting(intrinsics) && intrinsics[PinholeCamera.SKEW] == 0;
         double fx = intrinsics[PinholeCamera.FX];
         double fy = intrinsics[PinholeCamera.FY];
-        double skew = intrinsics[PinholeCamera.SKEW];
         double cx = intrinsics[PinholeCamera.CX];
         double cy = intrinsics[PinholeCamera.CY];
         double[] packed = stated;
@@ -129,7 +129,7 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
                 double x = r[0] * px + r[1] * py + r[2] * pz + tx;
                 double y = r[3] * px + r[4] * py + r[5] * pz + ty;
                 double z = r[6] * px + r[7] * py + r[8] * pz + tz;
-                if (distorted) {
+                if (!written) {
                     if (!lens.project(intrinsics, x, y, z, uv, 0)) {
                         return Double.NEGATIVE_INFINITY;
                     }
@@ -140,7 +140,7 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
                         return Double.NEGATIVE_INFINITY;
                     }
                     double inverseZ = 1 / z;
-                    residuals[k] = fx * x * inverseZ + skew * y * inverseZ + cx - observed[o + k];
+                    residuals[k] = fx * x * inverseZ + cx - observed[o + k];
                     residuals[k + 1] = fy * y * inverseZ + cy - observed[o + k + 1];
                 }
             }
