@@ -73,6 +73,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final boolean hasChecksum;
     private final double residualLimitPerSide;
     private final BaseDetectFiducialSquare<GrayU8> squares;
+    /** Looks at the bent image of a wide lens as well; null for others. */
+    private final BaseDetectFiducialSquare<GrayU8> bentSquares;
     private final ToneCurve statedCurve;
     private final GreyScale scale = new GreyScale();
     private final LightFit light = new LightFit(scale);
@@ -131,11 +133,15 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.hasChecksum = !family.isSquareBinary();
         this.familyPatterns = new FamilyPatterns(family);
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
-        this.squares = family.isSquareBinary() ? squareBinary() : squareHamming(family);
+        this.squares = squares(family);
+        this.bentSquares = camera.lens().isWide() ? squares(family) : null;
         if (camera.isDistorting()) {
             squares.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), true);
         } else {
             squares.configure(null, camera.widthPx(), camera.heightPx(), false);
+        }
+        if (bentSquares != null) {
+            bentSquares.configure(null, camera.widthPx(), camera.heightPx(), false);
         }
         this.borderCells = (int) Math.round(squares.getBorderWidthFraction() * familyPatterns.cells());
         this.reader = new PatternReader(camera, familyPatterns.cells());
@@ -154,6 +160,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
         cell.references().forEach(r -> ids.add(r.id()));
         cell.objects().forEach(o -> ids.add(o.id()));
         return new BoofMarkerDetector(cell.camera(), cell.family(), ids, RESIDUAL_LIMIT_PER_SIDE, cell.toneCurve());
+    }
+
+    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family) {
+        return family.isSquareBinary() ? squareBinary() : squareHamming(family);
     }
 
     private static BaseDetectFiducialSquare<GrayU8> squareBinary() {
@@ -219,6 +229,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 FoundFiducial found = squares.getFound().get(i);
                 seen.add(seen(image, (int) found.id, found.distortedPixels));
             }
+            if (bentSquares != null) {
+                lookAtBentImage(image, seen);
+            }
         } finally {
             view.data = NO_PIXELS;
         }
@@ -247,6 +260,28 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 fitted.isEmpty() ? null : light.light());
     }
 
+    /**
+     * Adds the squares that only the bent image of a wide lens shows as markers of the cell: far off the axis, where
+     * {@link WideDistortion} is not straight or stretches a marker out of shape. Small markers are found in it as well
+     * as in any image.
+     */
+    private void lookAtBentImage(GreyImage image, List<Seen> seen) {
+        bentSquares.process(view);
+        int straight = seen.size();
+        for (int i = 0; i < bentSquares.getFound().size(); i++) {
+            FoundFiducial found = bentSquares.getFound().get(i);
+            int at = 0;
+            while (at < straight && !seen.get(at).isAt(found.distortedPixels)) {
+                at++;
+            }
+            if (at == straight) {
+                seen.add(seen(image, (int) found.id, found.distortedPixels));
+            } else if (seen.get(at).edges == null || !patterns.containsKey(seen.get(at).idRead)) {
+                seen.set(at, seen(image, (int) found.id, found.distortedPixels));
+            }
+        }
+    }
+
     /** A square that BoofCV has read, with its sides fitted where that was possible. */
     private static final class Seen {
         int idRead;
@@ -257,6 +292,23 @@ public final class BoofMarkerDetector implements MarkerDetector {
             this.idRead = idRead;
             this.cornersPx = cornersPx;
             this.edges = edges;
+        }
+
+        /** Whether its middle lies within another square's, as far as half a side about its middle goes. */
+        boolean isAt(Quadrilateral_F64 q) {
+            double u = (q.a.x + q.b.x + q.c.x + q.d.x) / 4;
+            double v = (q.a.y + q.b.y + q.c.y + q.d.y) / 4;
+            double ownU = 0;
+            double ownV = 0;
+            double shortest = Double.POSITIVE_INFINITY;
+            for (int i = 0; i < 8; i += 2) {
+                ownU += cornersPx[i] / 4;
+                ownV += cornersPx[i + 1] / 4;
+                int next = (i + 2) % 8;
+                shortest = Math.min(shortest,
+                        Math.hypot(cornersPx[next] - cornersPx[i], cornersPx[next + 1] - cornersPx[i + 1]));
+            }
+            return Math.hypot(ownU - u, ownV - v) < shortest / 2;
         }
     }
 

@@ -7,8 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -65,10 +67,44 @@ class CameraReaderTest {
         assertEquals(0.01, camera.get(BrownLens.K3));
     }
 
+    /** As BoofCV writes it: lists of the asymmetric part are there and empty, or hold zeros. */
+    @Test
+    void fisheyeIsReadAndItsFirstCoefficientIsAScale() {
+        String text = FILE.substring(0, FILE.indexOf("model:")) + "model: kannala_brandt\nversion: 0\n"
+                + "symmetric: [2.0, 0.1, -0.02, 0.004]\nradial: [0.0, 0.0]\nradial_trig: [0.0, 0.0, 0.0, 0.0]\n"
+                + "tangent: []\ntangent_trig: []\n";
+        PinholeCamera camera = CameraReader.read(text, "c");
+        assertEquals(KannalaBrandtLens.MODEL, camera.lens());
+        assertArrayEquals(new double[] {1058, 1057, 316.5, 226.75, 0.5, 0.05, -0.01, 0.002, 0}, camera.intrinsics(),
+                1e-12);
+        assertEquals(640, camera.widthPx());
+    }
+
+    @Test
+    void fisheyeComesBackAsItWasWritten() {
+        PinholeCamera camera = PinholeCamera.of(KannalaBrandtLens.MODEL, 848, 800,
+                new double[] {286.1, 287.25, 424, 400.5, 0.125, -0.008, 0.043, -0.0399, 1e-5 / 3});
+        PinholeCamera back = CameraReader.read(CameraWriter.text(camera), "c");
+        assertEquals(KannalaBrandtLens.MODEL, back.lens());
+        assertArrayEquals(camera.intrinsics(), back.intrinsics(), 0);
+        assertEquals(camera.widthPx(), back.widthPx());
+        assertEquals(camera.heightPx(), back.heightPx());
+    }
+
     static Stream<Arguments> faults() {
         return Stream.of(
-            fault("fish-eye model", "pinhole_radial_tangential", "kannala_brandt", "camera.yaml, line 10, model: ",
-                    "kannala_brandt", "pinhole_radial_tangential"),
+            fault("fisheye without its polynomial", "model: [\\s\\S]*", "model: kannala_brandt\n",
+                    "symmetric: is missing", "symmetric: [1, k1"),
+            fault("asymmetric fisheye", "model: [\\s\\S]*", "model: kannala_brandt\nsymmetric: [1.0]\n"
+                    + "radial: [0.1, 0]\nradial_trig: [0, 0.01, 0, 0]\n", "line 12, radial: ", "asymmetric",
+                    "symmetric coefficients alone"),
+            fault("fisheye of six coefficients", "model: [\\s\\S]*",
+                    "model: kannala_brandt\nsymmetric: [1, 0, 0, 0, 0, 0]\n", "line 11, symmetric: ", "1 to 5", "got 6"),
+            // t (1 - 0.9 t²) has its top at 0.61 rad, 215 px from the middle, well within the image
+            fault("fisheye that turns back", "model: [\\s\\S]*", "model: kannala_brandt\nsymmetric: [1, -0.9]\n",
+                    "line 11, symmetric: ", "35 degrees", "calibrate again"),
+            fault("fisheye with the other model's block", "pinhole_radial_tangential", "kannala_brandt",
+                    "line 11, radial_tangential: "),
             fault("omnidirectional model", "pinhole_radial_tangential", "omnidirectional_universal",
                     "line 10, model: "),
             fault("missing model", "model: pinhole_radial_tangential\n", "", "model: is missing"),
@@ -102,7 +138,7 @@ class CameraReaderTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("faults")
     void faultIsRefusedWithItsPlaceAndRemedy(String name, String from, String to, String[] parts) {
-        assertTrue(FILE.contains(from), "the faultless file holds what is replaced");
+        assertTrue(Pattern.compile(from).matcher(FILE).find(), "the faultless file holds what is replaced");
         String message = assertThrows(InputRefusedException.class,
                 () -> CameraReader.read(FILE.replaceFirst(from, to), "camera.yaml")).getMessage();
         CellFaultsTest.assertHolds(message, parts);

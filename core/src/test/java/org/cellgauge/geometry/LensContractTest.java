@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -243,7 +244,9 @@ class LensContractTest {
 
     @Test
     void lensesAreToldApart() {
-        assertFalse(BrownLens.MODEL.modelName().equals(KannalaBrandtLens.MODEL.modelName()));
+        assertSame(BrownLens.MODEL, Lenses.named("pinhole_radial_tangential"));
+        assertSame(KannalaBrandtLens.MODEL, Lenses.named("kannala_brandt"));
+        assertNull(Lenses.named("pinhole"));
         assertFalse(BrownLens.MODEL.isWide());
         assertTrue(KannalaBrandtLens.MODEL.isWide());
     }

@@ -107,6 +107,7 @@ final class CheckRun {
     /** Whether frames of a camera belong to this check. */
     boolean fits(CellDocument other, PinholeCamera camera, boolean focal) {
         return photo == null && other == document && focal == focalEstimated
+                && camera.lens() == cell.camera().lens()
                 && camera.widthPx() == cell.camera().widthPx() && camera.heightPx() == cell.camera().heightPx()
                 && Arrays.equals(camera.intrinsics(), cell.camera().intrinsics());
     }

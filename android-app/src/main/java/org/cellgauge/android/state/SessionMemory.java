@@ -2,6 +2,7 @@ package org.cellgauge.android.state;
 
 import android.os.Bundle;
 import java.util.OptionalDouble;
+import org.cellgauge.geometry.Lenses;
 import org.cellgauge.geometry.PinholeCamera;
 
 /**
@@ -18,6 +19,7 @@ public final class SessionMemory {
     private static final String SOURCE = "source";
     private static final String PHOTO = "photo";
     private static final String CAMERA = "camera";
+    private static final String CAMERA_LENS = "camera-lens";
     private static final String CAMERA_WIDTH = "camera-width";
     private static final String CAMERA_HEIGHT = "camera-height";
     private static final String FOCAL = "focal-estimated";
@@ -89,7 +91,8 @@ public final class SessionMemory {
                 : OptionalDouble.empty();
         double[] intrinsics = bundle.getDoubleArray(CAMERA);
         PinholeCamera camera = intrinsics == null ? null
-                : PinholeCamera.of(bundle.getInt(CAMERA_WIDTH), bundle.getInt(CAMERA_HEIGHT), intrinsics);
+                : PinholeCamera.of(Lenses.named(bundle.getString(CAMERA_LENS)), bundle.getInt(CAMERA_WIDTH),
+                        bundle.getInt(CAMERA_HEIGHT), intrinsics);
         return new SessionMemory(bundle.getLong(SEED), bundle.getBoolean(HAS_CELL), bundle.getString(CELL),
                 bundle.getString(CALIBRATION), bundle.getBoolean(TARGET_CHOSEN), target,
                 ImageSource.valueOf(bundle.getString(SOURCE, ImageSource.LIVE.name())), bundle.getString(PHOTO), camera,
@@ -113,6 +116,7 @@ public final class SessionMemory {
         bundle.putString(SOURCE, source.name());
         bundle.putString(PHOTO, photoUri);
         if (photoCamera != null) {
+            bundle.putString(CAMERA_LENS, photoCamera.lens().modelName());
             bundle.putDoubleArray(CAMERA, photoCamera.intrinsics());
             bundle.putInt(CAMERA_WIDTH, photoCamera.widthPx());
             bundle.putInt(CAMERA_HEIGHT, photoCamera.heightPx());
