@@ -74,11 +74,13 @@ class ArchitectureTest {
 
     /** Every rule below holds of nothing at all, so nothing would be noticed if the class files were not found. */
     @Test
-    void bothModulesAreSeen() {
+    void allModulesAreSeen() {
         assertTrue(core.contain(BASE + "geometry.RigidTransform"), "classes of core were read");
         assertTrue(product.contain(BASE + "cli.Main"), "classes of desktop-cli were read");
+        assertTrue(product.contain(BASE + "desktop.HtmlReport"), "classes of desktop were read");
         assertTrue(product.size() > core.size(), "core does not hold the command line");
-        assertTrue(core.stream().noneMatch(type -> type.getPackageName().startsWith(BASE + "cli")));
+        assertTrue(core.stream().noneMatch(type -> type.getPackageName().startsWith(BASE + "cli")
+                || type.getPackageName().startsWith(BASE + "desktop")));
     }
 
     @Test
@@ -121,6 +123,14 @@ class ArchitectureTest {
         }
         assertTrue(read > 100, read + " files were read");
         assertEquals(List.of(), named);
+    }
+
+    /** A program without a command line can use the module desktop. */
+    @Test
+    void desktopKnowsNoCommandLine() {
+        noClasses().that().resideInAPackage(BASE + "desktop..").should()
+                .dependOnClassesThat().resideInAnyPackage("picocli..", BASE + "cli..")
+                .check(product);
     }
 
     /** A package the order does not name would escape it. */

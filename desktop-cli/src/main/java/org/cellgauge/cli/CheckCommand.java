@@ -27,6 +27,15 @@ import org.cellgauge.cell.InputChecks;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.desktop.CheckInput;
+import org.cellgauge.desktop.CheckText;
+import org.cellgauge.desktop.HtmlReport;
+import org.cellgauge.desktop.ImageFiles;
+import org.cellgauge.desktop.OverlayPainter;
+import org.cellgauge.desktop.Pictures;
+import org.cellgauge.desktop.SummaryCsv;
+import org.cellgauge.desktop.TextTable;
+import org.cellgauge.desktop.WholeFiles;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
@@ -270,7 +279,7 @@ public final class CheckCommand implements Callable<Integer> {
         private final CheckOutput output;
         private final PrintWriter stdout = spec.commandLine().getOut();
         private final PrintWriter err = spec.commandLine().getErr();
-        private final HtmlReport report = new HtmlReport(cellFile.toString(), version);
+        private final HtmlReport report = new HtmlReport(cellFile.toString(), version, CommandWords::of);
         private final SummaryCsv summary = new SummaryCsv();
         private final TextTable table = new TextTable(2);
         private final Map<String, Integer> tally = new LinkedHashMap<>();
@@ -319,7 +328,7 @@ public final class CheckCommand implements Callable<Integer> {
                 String word = CheckText.word(result.verdict());
                 String line = CheckText.wrap(word + "  " + input.file() + ": " + result.reason(), "      ");
                 stdout.print(Main.coloured(word, ExitCodes.of(result.verdict())) + line.substring(word.length()));
-                stdout.print(CheckText.of(result));
+                stdout.print(CheckText.of(result, CommandWords::of));
             }
             stdout.flush();
             progress(input, CheckText.word(result.verdict()) + (worst == null ? "" : ", worst std " + std + " mm"));

@@ -9,6 +9,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.cellgauge.desktop.WholeFiles;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 

@@ -4,11 +4,6 @@ import org.cellgauge.warning.RefusalKind;
 
 /** What the commands themselves refuse. */
 enum CommandRefusal implements RefusalKind {
-    /** A folder of photos does not open. */
-    FOLDER_NOT_READ("the folder cannot be read; check its permissions"),
-    /** A folder without photos. */
-    NO_IMAGE_IN_FOLDER("no image in this folder; photos end in .png, .jpg, .bmp, .tif or .gif (folders within it are "
-            + "not searched)"),
     /** A file that was read cannot be read again: what the system says. */
     NOT_READABLE("it cannot be read (%s); check the disk"),
     /** Too little memory: MB that there are. */

@@ -9,7 +9,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.desktop.render.Sensor;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 

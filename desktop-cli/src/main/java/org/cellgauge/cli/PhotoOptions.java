@@ -3,7 +3,7 @@ package org.cellgauge.cli;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.desktop.render.Sensor;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.MarkerPattern;
 import picocli.CommandLine;

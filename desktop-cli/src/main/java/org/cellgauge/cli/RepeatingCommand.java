@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Setting;
 import org.cellgauge.settings.SettingTable;

@@ -10,7 +10,7 @@ import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.desktop.render.Sensor;
 import org.cellgauge.light.ToneCurve;
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

@@ -12,6 +12,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.desktop.CheckText;
+import org.cellgauge.desktop.TextTable;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.statistics.BinomialBand;
 import org.cellgauge.validation.CoverageFigures;

@@ -11,7 +11,7 @@ import java.util.concurrent.Callable;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
-import org.cellgauge.cli.render.CellSimulation;
+import org.cellgauge.desktop.render.CellSimulation;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.pose.IntrinsicsPrior;
 import org.cellgauge.settings.CheckSettings;

@@ -16,6 +16,8 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
+import org.cellgauge.desktop.CheckText;
+import org.cellgauge.desktop.TextTable;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.settings.CheckSettings;

@@ -3,9 +3,9 @@ package org.cellgauge.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import org.cellgauge.cli.render.Backdrop;
-import org.cellgauge.cli.render.Scene;
-import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.desktop.render.Backdrop;
+import org.cellgauge.desktop.render.Scene;
+import org.cellgauge.desktop.render.Sensor;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
-import org.cellgauge.cli.render.Backdrop;
-import org.cellgauge.cli.render.Scene;
-import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.desktop.render.Backdrop;
+import org.cellgauge.desktop.render.Scene;
+import org.cellgauge.desktop.render.Sensor;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.DetectionWarning;
 import org.cellgauge.vision.GreyImage;

@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.Setting;

@@ -20,6 +20,7 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 import javax.imageio.ImageIO;
+import org.cellgauge.desktop.ImageFiles;
 import org.cellgauge.vision.GreyImage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

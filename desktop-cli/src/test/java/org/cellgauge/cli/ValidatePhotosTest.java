@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.Set;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
-import org.cellgauge.cli.render.Sensor;
+import org.cellgauge.desktop.render.Sensor;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.validation.CellTruth;
 import org.junit.jupiter.api.BeforeEach;

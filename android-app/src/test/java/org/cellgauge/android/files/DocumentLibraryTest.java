@@ -15,7 +15,7 @@ import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
-import org.cellgauge.cli.ImageFiles;
+import org.cellgauge.desktop.ImageFiles;
 import org.cellgauge.geometry.PinholeCamera;
 import org.junit.Before;
 import org.junit.Rule;

@@ -36,7 +36,7 @@ import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Reason;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.cli.ImageFiles;
+import org.cellgauge.desktop.ImageFiles;
 import org.cellgauge.live.LiveCheck;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;

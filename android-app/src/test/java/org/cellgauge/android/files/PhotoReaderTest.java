@@ -19,7 +19,7 @@ import java.util.Arrays;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import org.cellgauge.cell.InputRefusedException;
-import org.cellgauge.cli.ImageFiles;
+import org.cellgauge.desktop.ImageFiles;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
 import org.junit.Rule;

@@ -1,0 +1,481 @@
+package org.cellgauge.desktop;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.chains.NoiseEstimate;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.Verdict;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.VarianceSource;
+import org.cellgauge.light.ToneCurve;
+import org.cellgauge.output.BudgetShare;
+import org.cellgauge.output.ModeView;
+import org.cellgauge.output.ResultRow;
+import org.cellgauge.output.ResultView;
+import org.cellgauge.placement.NoiseFit;
+import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.placement.ReferenceFit;
+import org.cellgauge.placement.WithoutMisplaced;
+import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.vision.PhotoLight;
+import org.cellgauge.warning.Message;
+import org.cellgauge.warning.Warning;
+
+/** A result in words and aligned columns, for people; ASCII, so that every terminal shows it. */
+public final class CheckText {
+    private static final int WIDTH = 100;
+    private static final double NEGLIGIBLE_SHARE = 0.005;
+    private static final int MOST_GAINS = 3;
+
+    private CheckText() {
+    }
+
+    /** The word of a verdict as people read it; what asks for attention stands in capitals. */
+    public static String word(Verdict verdict) {
+        switch (verdict) {
+            case PASS:
+                return "pass";
+            case FAIL:
+                return "FAIL";
+            case NOT_CONVERGED:
+                return "NOT CONVERGED";
+            case AMBIGUOUS:
+                return "AMBIGUOUS";
+            default:
+                return "no target";
+        }
+    }
+
+    /** Words that stand beside every figure that must not be trusted; empty where all may be. */
+    public static String caution(Verdict verdict) {
+        return verdict == Verdict.NOT_CONVERGED ? "not converged" : verdict == Verdict.AMBIGUOUS ? "ambiguous" : "";
+    }
+
+    /** Whether one row's deviations are within the target: a word, or a caution where no figure can be trusted. */
+    public static String mark(ResultRow row) {
+        switch (row.verdict()) {
+            case PASS:
+                return "pass";
+            case FAIL:
+                return "FAIL";
+            default:
+                return caution(row.verdict());
+        }
+    }
+
+    /** What a row of objects and gripping points is called. */
+    public static String name(ResultRow row) {
+        return row.kind() == ResultRow.Kind.GRIP ? "its gripping point" : "object " + row.id().getAsInt();
+    }
+
+    /**
+     * The whole result.
+     *
+     * @param result what a check found
+     * @param words what a warning says, in the words of the program around this
+     * @return lines of text, each ended by a line feed
+     */
+    public static String of(CheckResult result, Function<Message, String> words) {
+        StringBuilder text = new StringBuilder();
+        ResultView view = ResultView.of(result);
+        String caution = caution(result.verdict());
+        String beside = caution.isEmpty() ? "" : " - " + caution.toUpperCase(Locale.ROOT);
+        camera(view, beside, text);
+        if (!view.objects().isEmpty()) {
+            objects(view, beside, text);
+        }
+        if (view.objects().stream().anyMatch(ResultRow::seen)) {
+            budgets(view, text);
+        }
+        modes(view, text);
+        references(result, text);
+        text.append('\n').append(diagnosticsLine(result)).append('\n').append(acceptanceLine(result)).append('\n')
+                .append(laplaceLine(result)).append('\n');
+        if (result.detections().light() != null) {
+            text.append(wrap("Light: " + light(result), "        "));
+        }
+        for (String line : noiseLines(result).split("\n")) {
+            text.append(wrap(line, "        "));
+        }
+        if (!result.warnings().isEmpty()) {
+            text.append("\nWarnings\n");
+            for (Warning warning : result.warnings()) {
+                text.append(wrap("  - " + words.apply(warning), "    "));
+            }
+        }
+        return text.toString();
+    }
+
+    /** What is known of the corners themselves. */
+    public static String noiseLines(CheckResult result) {
+        NoiseEstimate noise = result.noise();
+        NoiseFit fit = result.noiseFit();
+        StringBuilder text = new StringBuilder();
+        text.append(String.format(Locale.ROOT, "Corners: %.3f px", noise.usualStdPx()));
+        if (noise.stated()) {
+            text.append(" as stated");
+            if (fit.tested()) {
+                text.append(String.format(Locale.ROOT, "; markers are square to %.3f px (chi-square %.1f of %d, p "
+                        + "%s)%s", fit.shownStdPx(), fit.chiSquare(), fit.degreesOfFreedom(), p(fit.pValue()),
+                        fit.holds() ? "" : ": NOT AS STATED"));
+            }
+        } else if (noise.addedQuantilesStdPx() != null) {
+            double[] q = noise.addedQuantilesStdPx();
+            text.append(String.format(Locale.ROOT, ", of which not told by the detector %.3f px (95 %%: %.3f to %.3f)",
+                    q[1], q[0], q[2]));
+        } else {
+            text.append(" as this photo tells");
+        }
+        text.append('\n');
+        ReferenceCheck references = result.referenceCheck();
+        if (references.degreesOfFreedom() > 0) {
+            text.append(String.format(Locale.ROOT, "References together: chi-square %.1f of %d, p %s%s\n",
+                    references.chiSquare(), references.degreesOfFreedom(), p(references.pValue()),
+                    references.fitTogether() ? "" : ": NOT AS STATED"));
+        }
+        double[] edges = noise.edgeShiftPx();
+        if (edges != null) {
+            text.append(String.format(Locale.ROOT, "Edges: %s px into the dark, std %.3f px; by inner edges alone %s px, "
+                    + "std %.3f px\n", signed3(edges[3]), edges[4], signed3(edges[1]), edges[2]));
+        }
+        return text.toString();
+    }
+
+    private static String p(double value) {
+        return value < 0.001 ? "below 0.001" : fixed(value, 3);
+    }
+
+    private static String signed3(double value) {
+        return String.format(Locale.ROOT, "%+.3f", value);
+    }
+
+    private static void camera(ResultView view, String beside, StringBuilder text) {
+        text.append("\nCamera in world").append(beside).append('\n');
+        TextTable table = new TextTable(1);
+        table.row("", "x mm", "y mm", "z mm", "psi deg", "theta deg", "phi deg");
+        String[] mean = {"mean", "", "", "", "", "", ""};
+        String[] std = {"std", "", "", "", "", "", ""};
+        double[] m = view.camera().mean();
+        double[] s = view.camera().std();
+        for (int i = 0; i < 6; i++) {
+            mean[i + 1] = i < 3 ? fixed(m[i], 2) : fixed(Math.toDegrees(m[i]), 3);
+            std[i + 1] = i < 3 ? fixed(s[i], 2) : fixed(Math.toDegrees(s[i]), 3);
+        }
+        text.append(table.row(mean).row(std).text("  "));
+        if (!view.intrinsics().isEmpty()) {
+            text.append("\nIntrinsics").append(beside).append('\n');
+            TextTable intrinsics = new TextTable(1).row("", "mean", "std");
+            for (ResultView.Intrinsic intrinsic : view.intrinsics()) {
+                intrinsics.row(intrinsic.name(), significant(intrinsic.mean(), 6), significant(intrinsic.std(), 3));
+            }
+            text.append(intrinsics.text("  "));
+        }
+    }
+
+    private static void objects(ResultView view, String beside, StringBuilder text) {
+        OptionalDouble target = view.targetStdMm();
+        text.append("\nObjects in world, mm").append(target.isPresent()
+                ? ", against a target std of " + plain(target.getAsDouble()) + " mm" : "").append(beside).append('\n');
+        TextTable table = new TextTable(1);
+        table.row("", "x", "y", "z", "std x", "std y", "std z", target.isPresent() ? "target" : "");
+        for (ResultRow row : view.points()) {
+            String name = row.kind() == ResultRow.Kind.GRIP ? "  " + name(row) : name(row);
+            if (!row.seen()) {
+                table.row(name, "-", "-", "-", "-", "-", "-", "not seen");
+                continue;
+            }
+            double[] mean = row.mean();
+            double[] std = row.std();
+            table.row(name, fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2), fixed(std[0], 2),
+                    fixed(std[1], 2), fixed(std[2], 2), mark(row));
+        }
+        text.append(table.text("  "));
+    }
+
+    private static void budgets(ResultView view, StringBuilder text) {
+        text.append("\nWhere the variance comes from\n");
+        for (ResultRow row : view.points()) {
+            if (row.seen()) {
+                budget(row, text);
+            }
+        }
+    }
+
+    private static void budget(ResultRow row, StringBuilder text) {
+        Map<VarianceSource, Double> shares = new LinkedHashMap<>();
+        Map<VarianceSource, Double> gained = new LinkedHashMap<>();
+        for (BudgetShare part : row.budget()) {
+            shares.put(part.source(), part.share());
+            if (!Double.isNaN(part.gain())) {
+                gained.put(part.source(), part.gain());
+            }
+        }
+        text.append(wrap("  " + name(row) + ": " + sources(shares), "    "));
+        List<String> gains = new ArrayList<>();
+        for (Map.Entry<VarianceSource, Double> e : falling(gained)) {
+            if (gains.size() < MOST_GAINS && e.getValue() >= NEGLIGIBLE_SHARE) {
+                gains.add((e.getKey().referenceId().isPresent()
+                        ? "reference " + e.getKey().referenceId().getAsInt() + " placed exactly "
+                        : "no " + e.getKey().key() + " ") + percent(e.getValue()));
+            }
+        }
+        if (!gains.isEmpty()) {
+            text.append(wrap("    what would take most off the deviation: " + String.join(", ", gains), "      "));
+        }
+    }
+
+    /** Sources by falling share, those of one kind together, those below half a percent left out. */
+    public static String sources(Map<VarianceSource, Double> shares) {
+        Map<String, Double> kinds = new LinkedHashMap<>();
+        Map<String, List<String>> parts = new LinkedHashMap<>();
+        for (Map.Entry<VarianceSource, Double> e : falling(shares)) {
+            String kind = e.getKey().key();
+            if (e.getKey().referenceId().isPresent()) {
+                kind = "placement of references";
+                if (e.getValue() >= NEGLIGIBLE_SHARE) {
+                    parts.computeIfAbsent(kind, k -> new ArrayList<>())
+                            .add(e.getKey().referenceId().getAsInt() + ": " + percent(e.getValue()));
+                }
+            }
+            kinds.merge(kind, e.getValue(), Double::sum);
+        }
+        List<String> words = new ArrayList<>();
+        for (Map.Entry<String, Double> e : falling(kinds)) {
+            if (e.getValue() >= NEGLIGIBLE_SHARE) {
+                String detail = parts.containsKey(e.getKey())
+                        ? " (" + String.join(", ", parts.get(e.getKey())) + ")" : "";
+                words.add(e.getKey() + " " + percent(e.getValue()) + detail);
+            }
+        }
+        return String.join(", ", words);
+    }
+
+    private static <K> List<Map.Entry<K, Double>> falling(Map<K, Double> shares) {
+        List<Map.Entry<K, Double>> sorted = new ArrayList<>(shares.entrySet());
+        sorted.sort((a, b) -> Double.compare(b.getValue(), a.getValue()));
+        return sorted;
+    }
+
+    private static String percent(double share) {
+        return Math.round(100 * share) + " %";
+    }
+
+    private static void modes(ResultView view, StringBuilder text) {
+        if (view.verdict() != Verdict.AMBIGUOUS) {
+            return;
+        }
+        text.append("\nPoses that explain the photo\n");
+        TextTable table = new TextTable(1);
+        table.row("", "share", "x mm", "y mm", "z mm", "psi deg", "theta deg", "phi deg");
+        for (ResultRow row : view.rows()) {
+            for (ModeView mode : row.modes()) {
+                double[] m = mode.pose().mean();
+                table.row(row.kind() == ResultRow.Kind.CAMERA ? "camera" : name(row),
+                        fixed(100 * mode.weight(), 1) + " %", fixed(m[0], 2), fixed(m[1], 2), fixed(m[2], 2),
+                        fixed(Math.toDegrees(m[3]), 2), fixed(Math.toDegrees(m[4]), 2),
+                        fixed(Math.toDegrees(m[5]), 2));
+            }
+        }
+        text.append(table.text("  "));
+    }
+
+    private static void references(CheckResult result, StringBuilder text) {
+        ReferenceCheck check = result.referenceCheck();
+        if (check.fits().stream().anyMatch(ReferenceFit::tested)) {
+            text.append("\nReferences against each other: how far off they seem, from where on it would be ")
+                    .append("noticed, mm\n");
+            TextTable table = new TextTable(1);
+            table.row("", "residual", "off x", "off y", "off z", "noticed x", "y", "z", "");
+            for (ReferenceFit fit : check.fits()) {
+                double[] off = fit.offset();
+                double[] from = fit.detectable();
+                table.row("reference " + fit.id(), fixed(fit.normalisedResidual(), 2), fixed(off[0], 1),
+                        fixed(off[1], 1), fixed(off[2], 1), fixed(from[0], 1), fixed(from[1], 1), fixed(from[2], 1),
+                        fit.misplaced() ? "SEEMS OFF" : "");
+            }
+            text.append(table.text("  ")).append(wrap("  " + check.noticeable(), "  "));
+        }
+        WithoutMisplaced without = check.without();
+        if (without == null || without.objects().isEmpty()) {
+            return;
+        }
+        text.append("\nWithout reference ").append(leftOut(without)).append(", by Laplace's approximation, mm\n");
+        TextTable table = new TextTable(1);
+        table.row("", "x", "y", "z", "moves x", "y", "z", "std x", "y", "z");
+        for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+            withoutRow("object " + object.id(), object.pose().mean(), object.moveMm(), object.pose().std(), table);
+            if (object.grip() != null) {
+                withoutRow("  its gripping point", object.grip().meanMm(), object.gripMoveMm(), object.grip().stdMm(),
+                        table);
+            }
+        }
+        text.append(table.text("  "));
+    }
+
+    /** The references left out, in words. */
+    public static String leftOut(WithoutMisplaced without) {
+        StringBuilder ids = new StringBuilder();
+        for (int i = 0; i < without.leftOut().size(); i++) {
+            ids.append(i == 0 ? "" : i == without.leftOut().size() - 1 ? " and " : ", ")
+                    .append(without.leftOut().get(i));
+        }
+        return ids.toString();
+    }
+
+    private static void withoutRow(String name, double[] mean, double[] move, double[] std, TextTable table) {
+        table.row(name, fixed(mean[0], 2), fixed(mean[1], 2), fixed(mean[2], 2), signed(move[0]), signed(move[1]),
+                signed(move[2]), fixed(std[0], 2), fixed(std[1], 2), fixed(std[2], 2));
+    }
+
+    /** A change, with its sign. */
+    public static String signed(double value) {
+        return Double.isFinite(value) ? String.format(Locale.ROOT, "%+.2f", value) : "-";
+    }
+
+    /** How the chains went, in one line. */
+    public static String diagnosticsLine(CheckResult result) {
+        Diagnostics d = result.diagnostics();
+        CheckSettings s = result.settings();
+        String word = d.converged() ? "converged" : "not converged";
+        return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective "
+                + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.sampling().chains(),
+                result.iterationsPerChain(), result.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0),
+                fixed(d.essTailMin(), 0),
+                fixed(100 * d.mcseStdRelMax(), 1)), "        ").stripTrailing();
+    }
+
+    /** What was found out about the photo's light, in words; empty where corners came without any. */
+    public static String light(CheckResult result) {
+        PhotoLight light = result.detections().light();
+        if (light == null) {
+            return "";
+        }
+        String blur = Double.isFinite(light.blurPx()) ? ", blur " + fixed(light.blurPx(), 2) + " px" : "";
+        String noise = Double.isFinite(light.noiseGrey())
+                ? ", noise " + fixed(light.noiseGrey(), 1) + " of 255 grey levels" : "";
+        return "tone curve " + toneCurve(light.toneCurve()) + (light.toneCurveEstimated() ? " (estimated)" : "") + blur
+                + noise + ", edges may be shifted by " + fixed(light.edgeShiftStdPx(), 3) + " px (std)";
+    }
+
+    /** A tone curve without needless digits; "auto" where none is stated. */
+    public static String toneCurve(ToneCurve curve) {
+        if (curve == null) {
+            return "auto";
+        }
+        String[] words = curve.words().split(" ");
+        return words.length == 1 ? words[0]
+                : words[0] + " " + plain(Math.rint(100 * Double.parseDouble(words[1])) / 100);
+    }
+
+    private static String acceptanceLine(CheckResult result) {
+        Map<String, String> rates = new LinkedHashMap<>();
+        for (AcceptanceCount count : result.acceptance()) {
+            rates.put(count.proposal(), fixed(100 * count.rate(), 0) + " %");
+        }
+        List<String> words = new ArrayList<>();
+        rates.forEach((name, rate) -> words.add(name + " " + rate));
+        return wrap("Accepted: " + String.join(", ", words), "        ").stripTrailing();
+    }
+
+    /**
+     * By how much the chains correct Laplace's approximation: positions of objects and gripping points, or the
+     * camera's.
+     */
+    public static String laplaceLine(CheckResult result) {
+        Correction correction = new Correction();
+        for (ObjectEstimate sampled : result.estimate().objects()) {
+            ObjectEstimate quick = result.quickLook().object(sampled.id());
+            correction.add(quick.pose().mean(), quick.pose().std(), sampled.pose().mean(), sampled.pose().std(),
+                    "object " + sampled.id());
+            if (sampled.grip() != null) {
+                correction.add(quick.grip().meanMm(), quick.grip().stdMm(), sampled.grip().meanMm(),
+                        sampled.grip().stdMm(), "the gripping point of object " + sampled.id());
+            }
+        }
+        if (result.estimate().objects().isEmpty()) {
+            correction.add(result.quickLook().camera().mean(), result.quickLook().camera().std(),
+                    result.estimate().camera().mean(), result.estimate().camera().std(), "the camera");
+        }
+        return wrap(correction.words(), "        ").stripTrailing();
+    }
+
+    /** The extremes of what chains make of Laplace's approximation. */
+    private static final class Correction {
+        private double least = Double.POSITIVE_INFINITY;
+        private double most = Double.NEGATIVE_INFINITY;
+        private double farthest = Double.NEGATIVE_INFINITY;
+        private String whereLeast = "";
+        private String whereMost = "";
+        private String whereFarthest = "";
+
+        void add(double[] mean, double[] std, double[] sampledMean, double[] sampledStd, String name) {
+            for (int i = 0; i < 3; i++) {
+                String where = "xyz".charAt(i) + " of " + name;
+                double ratio = sampledStd[i] / std[i];
+                double shift = Math.abs(sampledMean[i] - mean[i]) / std[i];
+                if (ratio < least) {
+                    least = ratio;
+                    whereLeast = where;
+                }
+                if (ratio > most) {
+                    most = ratio;
+                    whereMost = where;
+                }
+                if (shift > farthest) {
+                    farthest = shift;
+                    whereFarthest = where;
+                }
+            }
+        }
+
+        String words() {
+            return String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (%s) to %.2f (%s) "
+                    + "times as large, means up to %.2f std apart (%s)", least, whereLeast, most, whereMost, farthest,
+                    whereFarthest);
+        }
+    }
+
+    /** A number with fixed decimals; a dash where there is none. */
+    public static String fixed(double value, int decimals) {
+        return Double.isFinite(value) ? String.format(Locale.ROOT, "%." + decimals + "f", value) : "-";
+    }
+
+    private static String significant(double value, int digits) {
+        if (!Double.isFinite(value) || value == 0) {
+            return fixed(value, 0);
+        }
+        int decimals = digits - 1 - (int) Math.floor(Math.log10(Math.abs(value)));
+        return fixed(value, Math.max(0, Math.min(decimals, 9)));
+    }
+
+    /** A number without needless decimals. */
+    public static String plain(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e9 ? String.format(Locale.ROOT, "%.0f", value)
+                : Double.toString(value);
+    }
+
+    /** Breaks at spaces; every line ends with a line feed. */
+    public static String wrap(String text, String indent) {
+        StringBuilder out = new StringBuilder();
+        String rest = text;
+        while (rest.length() > WIDTH) {
+            int at = rest.lastIndexOf(' ', WIDTH);
+            if (rest.startsWith(" %", at)) {
+                at = rest.lastIndexOf(' ', at - 1);     // a number and its sign stay together
+            }
+            if (at <= indent.length() + 1) {
+                break;
+            }
+            out.append(rest, 0, at).append('\n');
+            rest = indent + rest.substring(at + 1);
+        }
+        return out.append(rest).append('\n').toString();
+    }
+}

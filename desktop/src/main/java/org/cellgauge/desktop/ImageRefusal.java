@@ -1,0 +1,45 @@
+package org.cellgauge.desktop;
+
+import org.cellgauge.warning.RefusalKind;
+
+/** Why an image file cannot be used. */
+public enum ImageRefusal implements RefusalKind {
+    /** A folder. */
+    IS_FOLDER("is a folder, not an image; name a file in it"),
+    /** It does not exist. */
+    NO_SUCH_FILE("there is no such file; check the name"),
+    /** Nothing is in it. */
+    EMPTY("the file is empty; copy it again from the camera"),
+    /** It may not be read. */
+    NOT_PERMITTED("reading it is not permitted; change its permissions"),
+    /** It does not open. */
+    NOT_OPENED("it cannot be opened; check its permissions"),
+    /** Reading failed: what the system says. */
+    NOT_READABLE("it cannot be read (%s); check the disk or copy it again"),
+    /** No format that is known: formats to save it in. */
+    UNKNOWN_FORMAT("this is no image of a known format; save it as %s"),
+    /** Too many pixels: width, height, px, how many millions are decoded. */
+    TOO_LARGE("it announces %s x %s px, more than the %s million pixels that are decoded; scale it down before "
+            + "calibration and measurement alike"),
+    /** The end is missing. */
+    CUT_SHORT("it is cut short; copy it again or save it as 8-bit PNG"),
+    /** It cannot be decoded: what the decoder says. */
+    DAMAGED("it is damaged or of an unusual kind (%s); copy it again or save it as 8-bit PNG"),
+    /** Parts of it cannot be decoded: what the decoder says. */
+    PARTLY_DAMAGED("it is damaged or cut short (%s); copy it again from the camera"),
+    /** Colours for print. */
+    CMYK("its colours are CMYK, made for print; save it as an RGB or grey image"),
+    /** Other colours. */
+    OTHER_COLOURS("its colours are neither grey nor RGB; save it as an 8-bit RGB or grey image");
+
+    private final String english;
+
+    ImageRefusal(String english) {
+        this.english = english;
+    }
+
+    @Override
+    public String english() {
+        return english;
+    }
+}

@@ -1,0 +1,94 @@
+package org.cellgauge.desktop;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.Verdict;
+import org.cellgauge.output.ChainsView;
+import org.cellgauge.output.ResultRow;
+import org.cellgauge.output.ResultView;
+
+/** The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is unknown is left empty. */
+public final class SummaryCsv {
+    private static final String[] COLUMNS = {"input", "name", "verdict", "object", "seen", "x_mm", "y_mm", "z_mm",
+        "std_x_mm", "std_y_mm", "std_z_mm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_std_x_mm", "grip_std_y_mm",
+        "grip_std_z_mm", "worst_std_mm", "target_std_mm", "within_target", "converged", "r_hat_max", "ess_bulk_min",
+        "ess_tail_min", "mcse_std_rel_max", "reason"};
+
+    private final StringBuilder text = new StringBuilder();
+
+    /** A table of a header alone. */
+    public SummaryCsv() {
+        line(List.of(COLUMNS));
+    }
+
+    /** Adds the rows of a result: each object of the cell, or one row where it has none. */
+    public void add(CheckInput input, CheckResult result) {
+        ResultView view = ResultView.of(result);
+        if (view.objects().isEmpty()) {
+            row(input, view, null);
+        }
+        for (ResultRow object : view.objects()) {
+            row(input, view, object);
+        }
+    }
+
+    /** Adds the row of an input that gave no result. */
+    public void add(CheckInput input, String verdict, String reason) {
+        List<String> cells = new ArrayList<>(List.of(input.file().toString(), input.name(), verdict));
+        while (cells.size() < COLUMNS.length - 1) {
+            cells.add("");
+        }
+        cells.add(reason);
+        line(cells);
+    }
+
+    private void row(CheckInput input, ResultView view, ResultRow object) {
+        List<String> cells = new ArrayList<>(List.of(input.file().toString(), input.name(), view.verdict().key()));
+        boolean seen = object != null && object.seen();
+        cells.add(object == null ? "" : String.valueOf(object.id().getAsInt()));
+        cells.add(object == null ? "" : String.valueOf(seen));
+        numbers(cells, seen ? object.mean() : null);
+        numbers(cells, seen ? object.std() : null);
+        ResultRow grip = seen ? view.grip(object.id().getAsInt()) : null;
+        numbers(cells, grip != null ? grip.mean() : null);
+        numbers(cells, grip != null ? grip.std() : null);
+        cells.add(seen ? number(view.worstStdMm(object)) : "");
+        cells.add(number(view.targetStdMm().orElse(Double.NaN)));
+        boolean judged = seen && view.targetStdMm().isPresent() && view.trusted();
+        cells.add(judged ? String.valueOf(object.verdict() == Verdict.PASS
+                && (grip == null || grip.verdict() == Verdict.PASS)) : "");
+        ChainsView chains = view.chains();
+        cells.add(String.valueOf(chains.converged()));
+        cells.add(number(chains.rHatMax()));
+        cells.add(number(chains.essBulkMin()));
+        cells.add(number(chains.essTailMin()));
+        cells.add(number(chains.mcseStdRelMax()));
+        cells.add(view.reason());
+        line(cells);
+    }
+
+    private static void numbers(List<String> cells, double[] values) {
+        for (int i = 0; i < 3; i++) {
+            cells.add(values == null ? "" : number(values[i]));
+        }
+    }
+
+    private static String number(double value) {
+        return Double.isFinite(value) ? Double.toString(value) : "";
+    }
+
+    private void line(List<String> cells) {
+        for (int i = 0; i < cells.size(); i++) {
+            String cell = cells.get(i);
+            boolean quote = cell.contains(",") || cell.contains("\"") || cell.contains("\n") || cell.contains("\r");
+            text.append(i == 0 ? "" : ",").append(quote ? '"' + cell.replace("\"", "\"\"") + '"' : cell);
+        }
+        text.append("\r\n");
+    }
+
+    /** The table so far. */
+    public String text() {
+        return text.toString();
+    }
+}

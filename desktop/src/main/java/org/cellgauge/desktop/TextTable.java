@@ -1,0 +1,59 @@
+package org.cellgauge.desktop;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A table of aligned columns for people: first columns flush left, numbers flush right, two spaces between. */
+public final class TextTable {
+    private final int leftColumns;
+    private final List<String[]> rows = new ArrayList<>();
+
+    /**
+     * An empty table.
+     *
+     * @param leftColumns how many columns, from the first, are flush left
+     */
+    public TextTable(int leftColumns) {
+        this.leftColumns = leftColumns;
+    }
+
+    /**
+     * Adds a row.
+     *
+     * @param cells one text per column
+     * @return this
+     */
+    public TextTable row(String... cells) {
+        rows.add(cells);
+        return this;
+    }
+
+    /**
+     * The lines.
+     *
+     * @param indent what every line begins with
+     * @return each row on its line, ended by a line feed
+     */
+    public String text(String indent) {
+        int columns = 0;
+        for (String[] row : rows) {
+            columns = Math.max(columns, row.length);
+        }
+        int[] width = new int[columns];
+        for (String[] row : rows) {
+            for (int c = 0; c < row.length; c++) {
+                width[c] = Math.max(width[c], row[c].length());
+            }
+        }
+        StringBuilder text = new StringBuilder();
+        for (String[] row : rows) {
+            StringBuilder line = new StringBuilder(indent);
+            for (int c = 0; c < row.length; c++) {
+                String padding = " ".repeat(width[c] - row[c].length());
+                line.append(c == 0 ? "" : "  ").append(c < leftColumns ? row[c] + padding : padding + row[c]);
+            }
+            text.append(line.toString().stripTrailing()).append('\n');
+        }
+        return text.toString();
+    }
+}
