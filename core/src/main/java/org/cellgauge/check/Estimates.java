@@ -53,7 +53,8 @@ final class Estimates {
             double[] reference = quantities.objectReferences[o];
             PoseEstimate pose = pose(summary, groups, "object in world", reference);
             PointEstimate grip = target.marker.hasGrip()
-                    ? new PointEstimate(summary.mean(quantities.grips[o]), summary.covariance(quantities.grips[o])) : null;
+                    ? new PointEstimate(summary.mean(quantities.grips[o]),
+                            summary.covariance(quantities.grips[o])) : null;
             ObjectEstimate quick = quickLook.objects().get(o);
             objects.add(new ObjectEstimate(target.marker, pose, grip, quick.budget(), quick.gripBudget(),
                     ImageEllipses.of(lens, camera, pose.meanTransform().translationMm(),
@@ -64,7 +65,8 @@ final class Estimates {
                             target.modes.size(), pose)));
         }
         return new CellEstimate(camera, modes(draws, Quantity.CAMERA_MODE, quantities.cameraPose,
-                "camera in world", quantities.cameraReference, quantities.camera.modes.size(), camera), intrinsics, objects);
+                "camera in world", quantities.cameraReference, quantities.camera.modes.size(), camera), intrinsics,
+                objects);
     }
 
     private static PoseEstimate pose(RunningSummary summary, PoseGroups groups, String frame, double[] reference) {

@@ -434,7 +434,8 @@ public final class LinearModel {
     }
 
     /** Known unknowns: their part of an information stays out, and so does their covariance. */
-    private void putKnown(Map<VarianceSource, double[]> out, VarianceSource source, double[] information, boolean[] known) {
+    private void putKnown(Map<VarianceSource, double[]> out, VarianceSource source, double[] information,
+            boolean[] known) {
         int[] left = java.util.stream.IntStream.range(0, columns).filter(f -> !known[f]).toArray();
         int n = left.length;
         if (n == columns) {

@@ -6,8 +6,8 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.statistics.Angles;
 
 /**
- * A pose as a result file has it: angles in (-pi, pi], NaN for what is not finite; immutable. Two are equal where a file
- * would hold the same of them.
+ * A pose as a result file has it: angles in (-pi, pi], NaN for what is not finite; immutable. Two are equal where a
+ * file would hold the same of them.
  */
 public final class PoseView {
     private final String frame;

@@ -305,17 +305,6 @@ public final class ReferenceCheck {
     }
 
     /**
-     * Whether an object and its gripping point meet a target, misplaced references kept or left out.
-     *
-     * @param object as the chains have it
-     * @param targetStdMm largest deviation allowed on any axis, mm
-     * @return true if both do
-     */
-    public boolean meets(ObjectEstimate object, double targetStdMm) {
-        return judgedMm(object) <= targetStdMm && gripJudgedMm(object) <= targetStdMm;
-    }
-
-    /**
      * How far off a reference would have to be to be noticed, for people.
      *
      * @return a sentence or two with full stops; empty where references are not tested

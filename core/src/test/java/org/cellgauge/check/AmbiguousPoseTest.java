@@ -113,7 +113,8 @@ class AmbiguousPoseTest {
     }
 
     /** Over the draws that it is of, the squared distance by a covariance of six coordinates is 6 on average. */
-    private static double meanSquaredDistance(CheckResult result, Quantity xMm, Quantity label, PoseEstimate pose, int mode) {
+    private static double meanSquaredDistance(CheckResult result, Quantity xMm, Quantity label, PoseEstimate pose,
+            int mode) {
         CoverageRegion region = CoverageRegion.of(new double[6], pose.tangentCovariance(), 0.95);
         int first = result.layout().indexOf(xMm);
         int modes = label == null ? -1 : result.layout().indexOf(label);
@@ -150,7 +151,8 @@ class AmbiguousPoseTest {
         double apart = object.modes().get(0).pose().meanTransform()
                 .angleRadTo(object.modes().get(1).pose().meanTransform());
         assertTrue(apart > 0.3, "apart by " + apart);
-        assertEquals(6, meanSquaredDistance(result, Quantity.camera(Axis.X), null, result.estimate().camera(), -1), 0.05);
+        assertEquals(6, meanSquaredDistance(result, Quantity.camera(Axis.X), null, result.estimate().camera(), -1),
+                0.05);
         for (ModeEstimate mode : object.modes()) {
             // the heavier mode has the label 0
             int label = mode == object.modes().get(0) ? 0 : 1;

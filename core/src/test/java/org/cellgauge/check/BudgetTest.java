@@ -52,7 +52,8 @@ class BudgetTest {
             }
         }
         for (int axis = 0; axis < 3; axis++) {
-            double expected = variance(predicted.budget(), VarianceSource.ofKey(source), predicted.pose().std()[axis], axis);
+            double expected = variance(predicted.budget(), VarianceSource.ofKey(source),
+                    predicted.pose().std()[axis], axis);
             // a variance of 1500 is good to 3.7 %; what is not linear adds little at such sizes
             assertEquals(1, squares[axis] / expected, 4 * 0.037 + 0.02, source + " axis " + axis);
         }
@@ -104,7 +105,8 @@ class BudgetTest {
             left += Math.pow(ownNoise[0][axis], 2) + own;
             assertTrue(exactCorners[0][axis] >= ownNoise[0][axis]);
         }
-        assertEquals(1 - Math.sqrt(left / all), object.budget().gains().get(VarianceSource.CORNER_NOISE_OF_REFERENCES), 1e-3);
+        assertEquals(1 - Math.sqrt(left / all), object.budget().gains().get(VarianceSource.CORNER_NOISE_OF_REFERENCES),
+                1e-3);
     }
 
     @Test

@@ -140,7 +140,7 @@ class NoiseFitTest {
         assertEquals(Verdict.FAIL, result.verdict());
         assertTrue(result.decided());
         assertEquals(Verdict.FAIL, result.verdict(20));
-        assertFalse(result.referenceCheck().meets(result.estimate().object(20), 100));
+        assertEquals(Double.POSITIVE_INFINITY, result.referenceCheck().judgedMm(result.estimate().object(20)));
         assertEquals(Misfit.Kind.NOISE, result.finding().misfit().kind());
         NoiseFit fit = result.noiseFit();
         assertTrue(result.reason().matches("Largest deviation: .* against a target of 100 mm; .* But corners are "

@@ -162,7 +162,8 @@ class SharedErrorsTest {
                 .placementOf(22, 1e-5, 1e-8)), noisePx, doubtPx, prints);
         for (int axis = 0; axis < 3; axis++) {
             assertEquals(1 - knownEdges[axis] / with[axis], budget.gains(axis).get(VarianceSource.EDGES), 1e-4);
-            assertEquals(1 - knownSizes[axis] / with[axis], budget.gains(axis).get(VarianceSource.SIZE_OF_PRINTS), 1e-4);
+            assertEquals(1 - knownSizes[axis] / with[axis], budget.gains(axis).get(VarianceSource.SIZE_OF_PRINTS),
+                    1e-4);
             assertEquals(1 - flat[axis] / with[axis], budget.gains(axis).get(VarianceSource.FLATNESS_OF_PRINTS), 1e-4);
             assertEquals(1 - placed[axis] / with[axis], budget.gains(axis).get(VarianceSource.placementOf(22)), 1e-4);
         }

@@ -32,8 +32,10 @@ class StatedNoiseTest {
         double[] object = result.estimate().object(20).pose().std();
         VarianceBudget budget = result.quickLook().object(20).budget();
         return new double[] {quick[0], quick[2], camera[0], camera[4], object[1], object[2],
-            budget.shares().get(VarianceSource.CORNER_NOISE_OF_OBJECT), budget.gains().get(VarianceSource.CORNER_NOISE_OF_OBJECT),
-            budget.gains().get(VarianceSource.CORNER_NOISE_OF_REFERENCES), budget.gains().get(VarianceSource.placementOf(22)),
+            budget.shares().get(VarianceSource.CORNER_NOISE_OF_OBJECT),
+            budget.gains().get(VarianceSource.CORNER_NOISE_OF_OBJECT),
+            budget.gains().get(VarianceSource.CORNER_NOISE_OF_REFERENCES),
+            budget.gains().get(VarianceSource.placementOf(22)),
             result.referenceCheck().fits().get(1).chiSquare(), result.pixelStdPx()};
     }
 

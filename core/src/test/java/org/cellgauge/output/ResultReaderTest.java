@@ -21,6 +21,7 @@ import org.cellgauge.check.ThesisScene;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
@@ -72,6 +73,14 @@ class ResultReaderTest {
         assertEquals(whole.estimate().object(30).ellipse95Px().semiMajor(), view.object(30).ellipse95Px().semiMajor());
         assertEquals(whole.estimate().camera().covariance()[0][5], view.camera().covariance()[0][5]);
         assertEquals(whole.diagnostics().rHatMax(), view.chains().rHatMax());
+        double most = whole.estimate().object(5).budget().shares().values().stream().mapToDouble(v -> v).max()
+                .getAsDouble();
+        assertEquals(most, view.object(5).largestShare().share());
+        QuantityView x = view.chains().quantities().stream().filter(q -> q.name().equals("object_5_x_mm")).findFirst()
+                .orElseThrow();
+        assertEquals(whole.diagnostics().of(Quantity.object(5, Quantity.Axis.X)).mcseQuantile(0.95),
+                x.number("mcse_q95"));
+        assertThrows(IllegalArgumentException.class, () -> x.number("median"));
         assertFalse(view.object(20).seen());
         assertNull(view.grip(30));
         assertEquals(List.of(5, 20, 30), view.objects().stream().map(row -> row.id().getAsInt()).toList());

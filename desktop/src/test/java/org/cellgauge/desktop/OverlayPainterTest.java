@@ -123,7 +123,7 @@ class OverlayPainterTest {
                 PaintOnce.class.getName()).redirectErrorStream(true).start();
         String log = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), log.substring(Math.max(0, log.length() - 2000)));
-        assertTrue(log.contains("org.cellgauge.cli.OverlayPainter "), "the log names loaded classes");
+        assertTrue(log.contains("org.cellgauge.desktop.OverlayPainter "), "the log names loaded classes");
         assertFalse(log.contains(" sun.font.FontManager"), "a font manager was loaded");
         assertFalse(log.contains(" sun.awt.FontConfiguration"), "fonts were looked for");
     }

@@ -1099,7 +1099,7 @@ public class MainActivityTest {
         Overlay overlay = CellOverlay.of(result);
         Bitmap painted = OverlayPainter.paint(FIXTURE.image(), overlay);
         Screen.write("overlay-picture", painted);
-        BufferedImage desktop = org.cellgauge.cli.OverlayPainter.paint(FIXTURE.image(), overlay);
+        BufferedImage desktop = org.cellgauge.desktop.OverlayPainter.paint(FIXTURE.image(), overlay);
         long difference = 0;
         int far = 0;
         for (int y = 0; y < painted.getHeight(); y++) {
