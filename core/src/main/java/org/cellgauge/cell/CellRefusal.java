@@ -117,9 +117,9 @@ public enum CellRefusal implements RefusalKind {
     SYMMETRIC_COEFFICIENTS("expected 1 to %1$s coefficients, got %2$s; calibrate with at most %1$s symmetric "
             + "coefficients"),
     /** A polynomial that turns back within the image: degrees off the axis, the pixel there. */
-    FISHEYE_TURNS_BACK("with these coefficients the lens shows nothing more than %s degrees off its axis, at pixel (%s, "
-            + "%s), so they cannot be right; calibrate again with the target also near the image's borders, or with "
-            + "fewer coefficients"),
+    FISHEYE_TURNS_BACK("with these coefficients the lens shows nothing more than %s degrees off its axis, at pixel "
+            + "(%s, %s), so they cannot be right; calibrate again with the target also near the image's borders, or "
+            + "with fewer coefficients"),
     /** A focal length that no lens has: px, width and height of the image, px. */
     FOCAL_LENGTH("a focal length of %s px does not go with an image of %s x %s px; write it in px (not in mm), or "
             + "calibrate again"),

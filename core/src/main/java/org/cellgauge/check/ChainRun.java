@@ -81,9 +81,11 @@ final class ChainRun {
         boolean[] judged = quantities.judged();
         int cap = settings.sampling().iterations().orElse(settings.sampling().maxIterations());
         int warmup = settings.sampling().warmup(samplerUsed);
-        RunLength length = new RunLength(warmup, settings.sampling().iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
+        RunLength length = new RunLength(warmup,
+                settings.sampling().iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> preciseEnough(diagnosed(draws, judged, threads.getAsInt()), settings) && !undecided(), threads);
+                draws -> preciseEnough(diagnosed(draws, judged, threads.getAsInt()), settings) && !undecided(),
+                threads);
         return ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null)
                     : quickLook.estimate();

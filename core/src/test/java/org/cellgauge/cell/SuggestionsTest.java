@@ -17,16 +17,19 @@ class SuggestionsTest {
 
     @Test
     void nearestWordIsSuggestedWhateverItsCaseAndDashes() {
-        assertEquals("did you mean \"std_deg\"?", Suggestions.remedy("STD-DEG", Arrays.asList("std_mm", "std_deg")).toString());
+        assertEquals("did you mean \"std_deg\"?",
+                Suggestions.remedy("STD-DEG", Arrays.asList("std_mm", "std_deg")).toString());
     }
 
     @Test
     void forgottenUnitIsSuggested() {
-        assertEquals("did you mean \"grip_mm\"?", Suggestions.remedy("grip", Arrays.asList("size_mm", "grip_mm")).toString());
+        assertEquals("did you mean \"grip_mm\"?",
+                Suggestions.remedy("grip", Arrays.asList("size_mm", "grip_mm")).toString());
     }
 
     @Test
     void allWordsAreListedWhereNoneIsNear() {
-        assertEquals("known here: std_mm, std_deg", Suggestions.remedy("colour", Arrays.asList("std_mm", "std_deg")).toString());
+        assertEquals("known here: std_mm, std_deg",
+                Suggestions.remedy("colour", Arrays.asList("std_mm", "std_deg")).toString());
     }
 }

@@ -810,8 +810,8 @@ public class MainActivityTest {
             });
             screen.session().chooseCell("content://cells/kitchen");
             screen.settle();
-            assertEquals("kitchen.yaml, line 7, references.944.position_mm: expected 3 numbers, got 2; write [x, y, z] in "
-                    + "mm", screen.text(R.id.message_text));
+            assertEquals("kitchen.yaml, line 7, references.944.position_mm: expected 3 numbers, got 2; write [x, y, z] "
+                    + "in mm", screen.text(R.id.message_text));
             assertTrue(((TextView) screen.find(R.id.message_text)).isTextSelectable());
             assertEquals("Keep lifted-4.yaml", screen.text(R.id.message_second));
             screen.tap(R.id.message_second);
