@@ -38,8 +38,8 @@ class ArchitectureTest {
 
     /** The path of a photo through the library: each package may use those before it. */
     private static final List<String> ORDER =
-            List.of("warning", "geometry", "light", "cell", "settings", "vision", "pose", "estimate", "laplace", "sampling",
-                    "placement", "posterior", "chains", "check", "output", "validation", "live", "overlay");
+            List.of("warning", "geometry", "light", "cell", "settings", "vision", "pose", "estimate", "laplace",
+                    "sampling", "placement", "posterior", "chains", "check", "output", "validation", "live", "overlay");
 
     /** Mathematics alone: uses no other package, and is used only by these. */
     private static final String STATISTICS = BASE + "statistics..";

@@ -116,9 +116,9 @@ public enum CellRefusal implements RefusalKind {
     /** The coefficients of a fisheye's polynomial: how many at most, how many there are, how many at most. */
     SYMMETRIC_COEFFICIENTS("expected 1 to %s coefficients, got %s; calibrate with at most %s symmetric coefficients"),
     /** A polynomial that turns back within the image: degrees off the axis, the pixel there. */
-    FISHEYE_TURNS_BACK("with these coefficients the lens shows nothing more than %s degrees off its axis, at pixel (%s, "
-            + "%s), so they cannot be right; calibrate again with the target also near the image's borders, or with "
-            + "fewer coefficients"),
+    FISHEYE_TURNS_BACK("with these coefficients the lens shows nothing more than %s degrees off its axis, at pixel "
+            + "(%s, %s), so they cannot be right; calibrate again with the target also near the image's borders, or "
+            + "with fewer coefficients"),
     /** A focal length that no lens has: px, width and height of the image, px. */
     FOCAL_LENGTH("a focal length of %s px does not go with an image of %s x %s px; write it in px (not in mm), or "
             + "calibrate again"),

@@ -141,7 +141,8 @@ final class CellModes {
     }
 
     private static Warning weakPrior() {
-        return Warning.of(CheckPhrase.WEAK_PRIOR, Decimal.of(PosePrior.WEAK_STD_MM, 0), Decimal.of(PosePrior.WEAK_STD_RAD, 1));
+        return Warning.of(CheckPhrase.WEAK_PRIOR, Decimal.of(PosePrior.WEAK_STD_MM, 0),
+                Decimal.of(PosePrior.WEAK_STD_RAD, 1));
     }
 
     /** The ids of some references. */

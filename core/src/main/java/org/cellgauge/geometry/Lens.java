@@ -77,7 +77,8 @@ public interface Lens {
      * @param offset index of u in {@code uv}
      * @return false, with {@code uv} untouched, if the point is none that the lens could see (at z not positive for a
      *     lens that is not wide; where the image would not move outwards with the angle for one that is) or its z is
-     *     NaN; x or y that is NaN gives false or an image that is. True does not say that it is nearer to the axis than {@link #reachRad}: that is not looked at for every point
+     *     NaN; x or y that is NaN gives false or an image that is. True does not say that it is nearer to the axis than
+     * {@link #reachRad}: that is not looked at for every point
      */
     boolean project(double[] parameters, double x, double y, double z, double[] uv, int offset);
 

@@ -3,8 +3,8 @@ package org.cellgauge.geometry;
 /**
  * A part of a wide image without its distortion: directions are carried from the camera on to the plane that touches
  * the sphere of directions at an axis chosen near them (the gnomonic projection), where straight lines are straight.
- * One plane before the optical axis, as it serves other lenses, would draw what a fisheye sees at its border out without
- * end.
+ * One plane before the optical axis, as it serves other lenses, would draw what a fisheye sees at its border out
+ * without end.
  *
  * <p>Its coordinates are x/z and y/z in the frame of the axis, {@link #toNormalised}; or px, {@link #toPlane}, turned
  * and stretched so that near the axis they are the image's own. Mutable work space, not thread-safe; allocates nothing

@@ -1,2 +1,4 @@
-/** Tests of what is stated: whether references stand where they should, and corners are as precise as they should be. */
+/**
+ * Tests of what is stated: whether references stand where they should, and corners are as precise as they should be.
+ */
 package org.cellgauge.placement;

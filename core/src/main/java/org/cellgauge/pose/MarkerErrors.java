@@ -25,7 +25,9 @@ final class MarkerErrors {
     final double[] columns;
     /** What the corners say of their noise; null where it is stated. */
     final Squareness squareness;
-    /** Whether its corners fit no square: then the covariance is all there is, and says nothing of the others' noise. */
+    /**
+     * Whether its corners fit no square: then the covariance is all there is, and says nothing of the others' noise.
+     */
     final boolean setAside;
 
     MarkerErrors(double[] cornersPx, double[] covariancePx2, double[] flatnessPx2, double[] columns,

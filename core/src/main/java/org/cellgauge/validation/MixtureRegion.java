@@ -80,7 +80,9 @@ final class MixtureRegion {
         }
     }
 
-    /** Means and covariances (in place of their factors) of the draws of each mode, in units of the deviations of all. */
+    /**
+     * Means and covariances (in place of their factors) of the draws of each mode, in units of the deviations of all.
+     */
     private int[] moments(double[][] columns, int first, int[] labels) {
         int n = columns[first].length;
         int[] counts = new int[means.length];

@@ -67,13 +67,15 @@ public final class SimulatedCell {
         RigidTransform cameraFromWorld = truth.worldFromCamera().inverse();
         for (Reference r : cell.references()) {
             if (r.id() == id) {
-                return MarkerGeometry.cornersPx(truth.camera(cell), cameraFromWorld.compose(worldFromReferences.get(id)),
+                return MarkerGeometry.cornersPx(truth.camera(cell),
+                        cameraFromWorld.compose(worldFromReferences.get(id)),
                         r.sizeMm());
             }
         }
         for (ObjectMarker o : cell.objects()) {
             if (o.id() == id) {
-                return MarkerGeometry.cornersPx(truth.camera(cell), cameraFromWorld.compose(truth.worldFromObjects().get(id)),
+                return MarkerGeometry.cornersPx(truth.camera(cell),
+                        cameraFromWorld.compose(truth.worldFromObjects().get(id)),
                         o.sizeMm());
             }
         }

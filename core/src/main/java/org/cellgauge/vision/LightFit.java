@@ -517,7 +517,9 @@ final class LightFit {
         marker.conclude(scale, false);
     }
 
-    /** Fits markers anew that lie far from the others in residuals or shift: most have stuck on the way to the curve. */
+    /**
+     * Fits markers anew that lie far from the others in residuals or shift: most have stuck on the way to the curve.
+     */
     private void fitOutliersAnew(GreyImage image, List<MarkerEdges> markers) {
         usualShiftPx = Double.NaN;
         if (markers.size() < 2) {

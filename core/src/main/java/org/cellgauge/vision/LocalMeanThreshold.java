@@ -67,7 +67,8 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     }
 
     /** Pixels whose window is cut off on the left or right. */
-    private int border(int first, int last, int sumBefore, int rows, byte[] in, int from, byte[] out, int to, int width) {
+    private int border(int first, int last, int sumBefore, int rows, byte[] in, int from, byte[] out, int to,
+            int width) {
         int sum = sumBefore;
         for (int x = first; x < last; x++) {
             int right = x + radius;

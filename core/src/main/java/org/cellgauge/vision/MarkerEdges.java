@@ -607,7 +607,9 @@ final class MarkerEdges {
         }
     }
 
-    /** How white each row is at a place along the side, and how that changes where white spreads or all is stretched. */
+    /**
+     * How white each row is at a place along the side, and how that changes where white spreads or all is stretched.
+     */
     private void setRowWhites(double t, double depthPx, double blur, double reach, double perLength) {
         for (int r = 0; r < rows; r++) {
             double sum = 0;
@@ -1100,7 +1102,9 @@ final class MarkerEdges {
         return shiftMeasured ? shiftPx : 0;
     }
 
-    /** Inverse variance of the shift but for errors of the outline, at a variance of the noise, 1/px²; 0: not measured. */
+    /**
+     * Inverse variance of the shift but for errors of the outline, at a variance of the noise, 1/px²; 0: not measured.
+     */
     double shiftWeight(double greyVariance) {
         return shiftMeasured ? shiftInformation / greyVariance : 0;
     }
@@ -1151,12 +1155,12 @@ final class MarkerEdges {
     }
 
     /**
-     * Covariance of offset and slope of the four lines and of the shift, 9x9 row by row: noise of the sides' own pixels,
-     * of the white that tells the lamp, and of the inner edges.
+     * Covariance of offset and slope of the four lines and of the shift, 9x9 row by row: noise of the sides' own
+     * pixels, of the white that tells the lamp, and of the inner edges.
      *
-     * <p>All of it from what every side's fit knows of offset, slope, blur and white, through their derivatives, so that
-     * no part of it is left out that another has: what errors of white and blur share was, and where lamp and blur are
-     * uncertain (dark photos) corners less what they share with the shift then had no covariance any more.
+     * <p>All of it from what every side's fit knows of offset, slope, blur and white, through their derivatives, so
+     * that no part of it is left out that another has: what errors of white and blur share was, and where lamp and blur
+     * are uncertain (dark photos) corners less what they share with the shift then had no covariance any more.
      */
     private double[] linesAndShift(double[] noiseGrey) {
         double[] joint = new double[9 * 9];

@@ -61,7 +61,9 @@ final class SideFit {
     double lengthPx;
     double halfLengthPx;
 
-    /** Change of the lamp's light along and across the side as a share of that in its middle, 1/px; given, not fitted. */
+    /**
+     * Change of the lamp's light along and across the side as a share of that in its middle, 1/px; given, not fitted.
+     */
     double lampAlong;
     double lampAcross;
 
@@ -520,8 +522,8 @@ final class SideFit {
 
     /**
      * Evaluates, at the solution, score and information of the curve's power, of the amount of an unsharp mask that was
-     * undone and of the logarithm of its radius ({@link #shapeScore}, {@link #shapeInformation}, {@link #offsetByShape}),
-     * and what residuals of pixels beside each other have in common.
+     * undone and of the logarithm of its radius ({@link #shapeScore}, {@link #shapeInformation}, {@link
+     * #offsetByShape}), and what residuals of pixels beside each other have in common.
      *
      * @param scale tone curve and noise
      * @param profile turned to the side's normal

@@ -18,8 +18,8 @@ public enum CheckWarning implements WarningKind {
     MARKER_SET_ASIDE("the corners of marker %s fit no square: %s times worse than those of the others; it counts for "
             + "little until they do (is it covered, smudged, bent, or has it a glint?)"),
     /** Corners are not as precise as stated: how many times noisier, stated deviation, px, deviation shown, px. */
-    NOISIER_THAN_STATED("corners are %s times noisier than the stated %s px, by how square markers are: figures promise "
-            + "too much; state pixel_std_px: %s, or leave pixel_std_px out"),
+    NOISIER_THAN_STATED("corners are %s times noisier than the stated %s px, by how square markers are: figures "
+            + "promise too much; state pixel_std_px: %s, or leave pixel_std_px out"),
     /** The corners of one marker are not as precise as stated: its id, how many times noisier, stated deviation, px. */
     MARKER_NOISIER_THAN_STATED("the corners of marker %s fit no square: they are %s times noisier than the stated %s "
             + "px, and those of the others are not (is it covered, smudged, bent, or has it a glint?)"),

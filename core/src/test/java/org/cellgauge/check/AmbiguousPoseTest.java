@@ -131,7 +131,8 @@ class AmbiguousPoseTest {
                 for (int k = 0; k < 3; k++) {
                     d[k] = chain.get(first + k, i) - pose.mean()[k];
                 }
-                Rotations.fromEuler(chain.get(first + 3, i), chain.get(first + 4, i), chain.get(first + 5, i), rotation);
+                Rotations.fromEuler(chain.get(first + 3, i), chain.get(first + 4, i),
+                        chain.get(first + 5, i), rotation);
                 Rotations.multiplyTransposed(rotation, pose.meanTransform().rotation(), turned);
                 Rotations.log(turned, d, 3);
                 sum += region.mahalanobisSquared(d);

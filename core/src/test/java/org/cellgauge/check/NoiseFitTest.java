@@ -144,8 +144,8 @@ class NoiseFitTest {
         assertEquals(Misfit.Kind.NOISE, result.finding().misfit().kind());
         NoiseFit fit = result.noiseFit();
         assertTrue(result.reason().matches("Largest deviation: .* against a target of 100 mm; .* But corners are "
-                + "[0-9.]+ times noisier than the stated 0\\.100 px: figures promise too much; state pixel_std_px: [0-9.]+, "
-                + "or leave pixel_std_px out\\."), result.reason());
+                + "[0-9.]+ times noisier than the stated 0\\.100 px: figures promise too much; state pixel_std_px: "
+                + "[0-9.]+, or leave pixel_std_px out\\."), result.reason());
         assertTrue(result.reason().contains(String.format(Locale.ROOT, "%.1f times", fit.times())), result.reason());
         assertTrue(result.reason().contains(String.format(Locale.ROOT, "_px: %.3f,", fit.shownStdPx())),
                 result.reason());

@@ -163,7 +163,7 @@ class RotationsTest {
     void logarithmOfHalfTurnsIsTheAxisTimesPiUpToSign() {
         RandomGenerator random = new Well19937c(5);
         for (int i = 0; i < 50; i++) {
-            double[] n = i < 3 ? new double[] {i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0} 
+            double[] n = i < 3 ? new double[] {i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0}
                     : randomVector(random, 1);
             double[] r = new double[9];
             for (int k = 0; k < 9; k++) {

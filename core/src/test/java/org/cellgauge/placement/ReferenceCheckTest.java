@@ -411,7 +411,7 @@ class ReferenceCheckTest {
         assertTrue(most > 400, most + " mm along the line of sight");
         String told = check.noticeable();
         assertTrue(told.matches("To be noticed in 19 of 20 photos a reference would have to be off by up to [0-9.]+ mm "
-                + "in x or [0-9.]+ mm in y\\. A reference that is off in z would not be noticed\\. More references would "
-                + "show less than 5 times what is stated\\."), told);
+                + "in x or [0-9.]+ mm in y\\. A reference that is off in z would not be noticed\\. More references "
+                + "would show less than 5 times what is stated\\."), told);
     }
 }

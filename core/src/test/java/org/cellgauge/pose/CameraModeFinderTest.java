@@ -76,7 +76,8 @@ class CameraModeFinderTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"2, false, 1, 0.01", "3, false, 5, 0.01", "4, true, 5, 0.05", "3, true, 20, 0.01", "6, false, 20, 0.05"})
+    @CsvSource({"2, false, 1, 0.01", "3, false, 5, 0.01", "4, true, 5, 0.05",
+        "3, true, 20, 0.01", "6, false, 20, 0.05"})
     void modeIsTheOptimumThatAnotherOptimiserFinds(int references, boolean raised, double stdMm, double stdRad) {
         PinholeCamera camera = InitialPoseTest.STRONG;
         ThesisScene scene = InitialPoseTest.scene(references, raised, camera).placement(stdMm, stdRad);

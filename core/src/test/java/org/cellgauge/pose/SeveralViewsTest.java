@@ -258,7 +258,9 @@ class SeveralViewsTest {
         return fit.evaluate(moved(from, h, i, a, k, b), false);
     }
 
-    /** Two photos from one pose with hardly any noise tell of the pose what one does: placement does not average out. */
+    /**
+     * Two photos from one pose with hardly any noise tell of the pose what one does: placement does not average out.
+     */
     @Test
     void aSecondPhotoFromTheSamePoseDoesNotAverageOutPlacement() {
         ThesisScene scene = ThesisScene.inPlane(4).placement(5, 0.01);

@@ -46,7 +46,9 @@ class ParetoTailTest {
         assertEquals(k, mean, 4 * (1 + Math.abs(k)) / Math.sqrt(n * (double) repeats) + 0.02);
     }
 
-    /** The heavier tail of t-distributed draws has k = 1/nu, approached from below; the larger of two tails from above. */
+    /**
+     * The heavier tail of t-distributed draws has k = 1/nu, approached from below; the larger of two tails from above.
+     */
     @ParameterizedTest
     @CsvSource({"1, 1.0", "2, 0.5", "3, 0.333", "4, 0.25"})
     void tailsOfStudentsDrawsAreThoseOfTheirDegreesOfFreedom(int degrees, double k) {

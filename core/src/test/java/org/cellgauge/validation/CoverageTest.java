@@ -80,7 +80,8 @@ class CoverageTest {
     @Test
     void turnedReferencesMoveNoMeanAndAreNotAccused() {
         int simulations = 80;
-        ThesisScene scene = withOneObject(ThesisScene.inPlane(4).placement(1, Math.toRadians(3)).pixelStd(PIXEL_STD_PX));
+        ThesisScene scene = withOneObject(ThesisScene.inPlane(4).placement(1, Math.toRadians(3))
+                .pixelStd(PIXEL_STD_PX));
         ValidationResult result = validate(scene, 50, 10, PIXEL_STD_PX, simulations, 2,
                 settings(LikelihoodModel.RIGID_MARKER, 0.5));
         assertTrue(result.withoutFigure() <= 0.02, "not converged: " + result.notConverged());

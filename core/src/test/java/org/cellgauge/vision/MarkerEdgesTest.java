@@ -166,9 +166,9 @@ class MarkerEdgesTest {
     }
 
     /**
-     * Corners and shift share noise of the white and of the blur. In the dark these are poorly known, and a part that is
-     * counted for one and not for the other states variances that nothing can have: corners less what they share with
-     * the shift, as a check takes them, then have none.
+     * Corners and shift share noise of the white and of the blur. In the dark these are poorly known, and a part that
+     * is counted for one and not for the other states variances that nothing can have: corners less what they share
+     * with the shift, as a check takes them, then have none.
      */
     @Test
     void covarianceOfCornersAndShiftTogetherIsOneInTheDark() {

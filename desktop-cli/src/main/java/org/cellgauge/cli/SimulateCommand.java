@@ -114,8 +114,8 @@ public final class SimulateCommand implements Callable<Integer> {
     private Double gamma;
 
     @Option(names = "--exposure", paramLabel = "X", defaultValue = "1",
-            description = "What light is multiplied by before the tone curve; above 1.2 white paper is clipped, 0.1 is a "
-                    + "dark photo (${DEFAULT-VALUE}).")
+            description = "What light is multiplied by before the tone curve; above 1.2 white paper is clipped, 0.1 is "
+                    + "a dark photo (${DEFAULT-VALUE}).")
     private double exposure;
 
     @Option(names = "--unsharp", paramLabel = "AMOUNT,RADIUS_PX",

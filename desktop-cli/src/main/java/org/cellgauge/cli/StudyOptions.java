@@ -46,14 +46,14 @@ final class StudyOptions {
     private boolean photos;
 
     @Option(names = "--random-layouts",
-            description = "A new layout for every simulation in place of one cell: 2 to 12 references anywhere in view, "
-                    + "tilted and raised, sizes 30 to 120 mm, focal lengths 400 to 2000 px, with and without distortion, "
-                    + "placement drawn, too.")
+            description = "A new layout for every simulation in place of one cell: 2 to 12 references anywhere in "
+                    + "view, tilted and raised, sizes 30 to 120 mm, focal lengths 400 to 2000 px, with and without "
+                    + "distortion, placement drawn, too.")
     private boolean randomLayouts;
 
     @Option(names = "--grid",
-            description = "With --photos: a row for each combination of tone curve, blur, size of markers and exposure, "
-                    + "and some for JPEG, uneven light, prints and AprilTags, as a table in Markdown.")
+            description = "With --photos: a row for each combination of tone curve, blur, size of markers and "
+                    + "exposure, and some for JPEG, uneven light, prints and AprilTags, as a table in Markdown.")
     private boolean grid;
 
     @Option(names = "--corners-only",
@@ -78,8 +78,8 @@ final class StudyOptions {
     private Double blurPx;
 
     @Option(names = "--marker-px", paramLabel = "N",
-            description = "With --photos: moves the camera along its line of sight until the sides of the cell's markers "
-                    + "are N px long on average.")
+            description = "With --photos: moves the camera along its line of sight until the sides of the cell's "
+                    + "markers are N px long on average.")
     private Double markerPx;
 
     @Option(names = "--exposure", paramLabel = "normal|clipped|dark",
@@ -111,8 +111,8 @@ final class StudyOptions {
     private Double fullWellElectrons;
 
     @Option(names = "--state-pixel-std", paramLabel = "auto|PX",
-            description = "With --photos: what the check is told of the corner noise, where it is to differ from the cell "
-                    + "file (for --random-layouts: auto).")
+            description = "With --photos: what the check is told of the corner noise, where it is to differ from the "
+                    + "cell file (for --random-layouts: auto).")
     private String statedPixelStd;
 
     /** Whether anything but the validation of one cell from drawn corners is asked for. */

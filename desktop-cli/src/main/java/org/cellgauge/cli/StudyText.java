@@ -100,7 +100,8 @@ final class StudyText {
         if (corners.markers() == 0) {
             return;
         }
-        text.append(String.format(Locale.ROOT, "%nCorners of %d markers: rms %.4f px, sides outward by %+.4f +- %.4f px",
+        text.append(String.format(Locale.ROOT,
+                "%nCorners of %d markers: rms %.4f px, sides outward by %+.4f +- %.4f px",
                 corners.markers(), corners.rmsPx(), corners.outwardPx().value(), corners.outwardPx().standardError()));
         if (corners.squaredStated().count() == 0) {
             text.append(".\nNo observation states a covariance.\n");

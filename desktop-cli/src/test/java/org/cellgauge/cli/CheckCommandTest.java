@@ -177,8 +177,8 @@ class CheckCommandTest {
         Path file = Files.writeString(folder.resolve("lit.json"), lit);
         Files.writeString(cell, SmallCell.YAML + "tone_curve: srgb\n");
         CommandCall call = check("--detections", file, "--target", 5, "--out", out);
-        assertTrue(call.out().replaceAll("\\s+", " ").contains("Light: tone curve gamma 2.16 (estimated), blur 0.71 px, "
-                + "noise 2.0 of 255 grey levels, edges may be shifted by 0.035 px (std)"), call.out());
+        assertTrue(call.out().replaceAll("\\s+", " ").contains("Light: tone curve gamma 2.16 (estimated), blur 0.71 "
+                + "px, noise 2.0 of 255 grey levels, edges may be shifted by 0.035 px (std)"), call.out());
         result = json(out.resolve("lit.result.json"));
         JsonObject light = result.getAsJsonObject("light");
         assertEquals("gamma 2.15625", light.get("tone_curve").getAsString());
@@ -209,8 +209,8 @@ class CheckCommandTest {
         assertEquals("corners.json", result.getAsJsonObject("input").get("name").getAsString());
         byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(corners));
         assertEquals(HexFormat.of().formatHex(digest), result.getAsJsonObject("input").get("sha256").getAsString());
-        for (String key : List.of("decided", "reason", "settings", "camera", "objects", "diagnostics", "acceptance", "warnings",
-                "version")) {
+        for (String key : List.of("decided", "reason", "settings", "camera", "objects", "diagnostics", "acceptance",
+                "warnings", "version")) {
             assertTrue(result.has(key), key);
         }
         assertFalse(result.has("intrinsics"));

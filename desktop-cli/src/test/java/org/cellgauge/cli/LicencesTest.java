@@ -85,9 +85,11 @@ class LicencesTest {
     @Test
     void ownTermsStandAtTheTop() throws IOException {
         Path root = Path.of(System.getProperty("cellgauge.root"));
-        assertTrue(text.indexOf(squeezed(Files.readString(root.resolve("NOTICE")))) < text.indexOf("Each library stands"));
+        assertTrue(text.indexOf(squeezed(Files.readString(root.resolve("NOTICE"))))
+                < text.indexOf("Each library stands"));
         assertEquals(squeezed(Files.readString(root.resolve("LICENSE"))),
-                text.substring(text.indexOf("Apache License Version 2.0, January 2004"), text.indexOf(" [ MIT No Attr")));
+                text.substring(text.indexOf("Apache License Version 2.0, January 2004"),
+                        text.indexOf(" [ MIT No Attr")));
     }
 
     @Test

@@ -161,8 +161,8 @@ class ValidateCommandTest {
         assertTrue(out.startsWith("4 simulated cells, rigid-marker, seed 1; true poses spread by 50 mm and 10 "
                 + "degrees."), out);
         assertTrue(out.replaceAll("\\s+", " ").matches(".* \\d ambiguous; in \\d a reference was called misplaced "
-                + "although none was, in \\d corners do not fit the stated noise, in \\d the references together do not "
-                + "fit\\. .*"), out);
+                + "although none was, in \\d corners do not fit the stated noise, in \\d the references together do "
+                + "not fit\\. .*"), out);
         for (String region : List.of("camera pose", "object 5 position", "object 5 pose", "object 20 position",
                 "object 20 pose", "object 20 grip")) {
             assertTrue(out.lines().anyMatch(l -> l.matches("  " + region + " +[36] .* - .*")), region + "\n" + out);
@@ -183,8 +183,8 @@ class ValidateCommandTest {
         CommandCall call = quick("--estimate", "focal", "--focal-prior-std", "20");
         assertTrue(call.out().contains("true focal\nlengths by what is known of them"), call.out());
         assertTrue(call.out().lines().anyMatch(l -> l.matches("  camera focal lengths +2 .* - .*")), call.out());
-        assertTrue(call.out().lines().anyMatch(l -> l.matches("  focal lengths: fx_px \\S+, mean \\S+; fy_px \\S+, mean "
-                + "\\S+")), call.out());
+        assertTrue(call.out().lines().anyMatch(l -> l.matches("  focal lengths: fx_px \\S+, mean \\S+; fy_px \\S+, "
+                + "mean \\S+")), call.out());
         JsonObject settings = json(quick("--json", "--estimate", "focal", "--focal-prior-std", "20",
                 "--aspect-prior-std", "independent")).getAsJsonObject("settings");
         assertEquals("focal", settings.get("estimate").getAsString());

@@ -142,8 +142,8 @@ public final class CheckText {
         }
         double[] edges = noise.edgeShiftPx();
         if (edges != null) {
-            text.append(String.format(Locale.ROOT, "Edges: %s px into the dark, std %.3f px; by inner edges alone %s px, "
-                    + "std %.3f px\n", signed3(edges[3]), edges[4], signed3(edges[1]), edges[2]));
+            text.append(String.format(Locale.ROOT, "Edges: %s px into the dark, std %.3f px; by inner edges alone %s "
+                    + "px, std %.3f px\n", signed3(edges[3]), edges[4], signed3(edges[1]), edges[2]));
         }
         return text.toString();
     }

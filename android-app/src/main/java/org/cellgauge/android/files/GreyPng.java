@@ -1,10 +1,10 @@
 package org.cellgauge.android.files;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
-import java.io.IOException;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
 

@@ -1,8 +1,8 @@
 package org.cellgauge.android.state;
 
 import org.cellgauge.android.files.Photo;
-import org.cellgauge.vision.Detections;
 import org.cellgauge.light.ToneCurve;
+import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
 
 /**

@@ -261,7 +261,8 @@ public class FolderArchiveTest {
         assertEquals("cellgauge " + command, ours.get("command").getAsString());
         theirs.remove("command");
         ours.remove("command");
-        // all of it but the version and where files lie: verdict, photo with its hash, settings, figures to the last digit, diagnostics
+        // all of it but the version and where files lie: verdict, photo with its hash, settings, figures to the last
+        // digit, diagnostics
         theirs.remove("version");
         ours.remove("version");
         assertEquals(ours, theirs);

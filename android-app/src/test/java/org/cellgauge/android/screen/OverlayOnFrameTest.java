@@ -107,8 +107,8 @@ public class OverlayOnFrameTest {
     }
 
     /**
-     * Each at one display rotation; on the newest Android only, since which way is up is the app's own reckoning and the
-     * test above runs on both.
+     * Each at one display rotation; on the newest Android only, since which way is up is the app's own reckoning and
+     * the test above runs on both.
      */
     @Test
     @Config(minSdk = 27)

@@ -171,8 +171,9 @@ public class WarningWordsTest {
 
     @Test
     public void refusedFrameIsSaid() {
-        assertEquals("foto.png: keine der Referenzen 8, 9 und 22 ist im Foto; die Markerfamilie der Zelldatei, Licht und "
-                + "Schärfe prüfen", in("de").refusal(Refusal.at(Place.of("foto.png"), CheckRefusal.NO_REFERENCE_SEEN,
+        assertEquals("foto.png: keine der Referenzen 8, 9 und 22 ist im Foto; die Markerfamilie der Zelldatei, Licht "
+                + "und Schärfe prüfen",
+                in("de").refusal(Refusal.at(Place.of("foto.png"), CheckRefusal.NO_REFERENCE_SEEN,
                         Listing.and(Arrays.asList(8, 9, 22)))));
         assertEquals("foto.png: das Bild hat 640 x 480 px, die Kamera ist aber für 1280 x 720 px kalibriert; der Zelle "
                 + "die Kamera dieser Bildgröße geben", plain(in("de").refusal(Refusal.at(Place.of("foto.png"),

@@ -92,7 +92,8 @@ public final class SceneRenderer {
         UnsharpMask mask = sensor.unsharpAmount() == 0 ? null : UnsharpMask.of(sensor);
         wall(scene, sensor, random, mask, grey);
         PlanarMarker[] markers = markers(scene);
-        int reach = (int) Math.ceil(BLUR_REACH * sensor.blurPx()) + SURROUNDINGS_PX + (mask == null ? 0 : mask.reachPx());
+        int reach = (int) Math.ceil(BLUR_REACH * sensor.blurPx()) + SURROUNDINGS_PX
+                + (mask == null ? 0 : mask.reachPx());
         for (int[] area : areas(markers, reach, width, height)) {
             Tile tile = new Tile(scene, sensor, markers, area, true);
             float[] light = new float[tile.columns * tile.rows];
@@ -440,7 +441,8 @@ public final class SceneRenderer {
         }
 
         /**
-         * The one colour that paper has near the ray at hand: NOTHING if there is no paper, NaN if there may be several colours.
+         * The one colour that paper has near the ray at hand: NOTHING if there is no paper, NaN if there may be several
+         * colours.
          */
         private double colour(double[] reach, double times) {
             hereCount = 0;
