@@ -46,7 +46,7 @@ class FisheyeTest {
             + "  1234: {position_mm: [0, 700, 0]}\n"
             + "  911: {position_mm: [1000, 0, 0]}\n"
             + "  22: {position_mm: [0, 0, 0]}\n"
-            + "  77: {position_mm: [1250, 350, 470], rotation_deg: [0, -90, 0]}\n"
+            + "  77: {position_mm: [1150, 350, 450], rotation_deg: [0, -90, 0], size_mm: 150}\n"
             + "objects:\n"
             + "  5: {size_mm: 250}\n"
             + "  30: {}\n";
@@ -66,7 +66,7 @@ class FisheyeTest {
         CellSimulation.Photo photo = new CellSimulation(cell, WORLD_FROM_CAMERA, OBJECTS,
                 new CellSimulation.Settings(21, true, 0, 0, 0, 0.2)).photo(index, Sensor.USUAL);
         RigidTransform cameraFromWorld = WORLD_FROM_CAMERA.inverse();
-        double[] far = cameraFromWorld.apply(1250, 350, 470);
+        double[] far = cameraFromWorld.apply(1150, 350, 450);
         assertTrue(far[2] < 0, "a reference is behind the plane of the camera");
 
         Detections found = BoofMarkerDetector.forCell(cell).detect(photo.image(), "fisheye.png");
