@@ -66,8 +66,8 @@ class ValidatePhotosTest {
         assertTrue(settings.keySet().containsAll(Set.of("simulations", "spread_mm", "spread_rad", "camera_pose",
                 "object_poses", "seed", "kappa", "target_mcse_std_rel", "rotation_prior")), settings.toString());
         assertTrue(settings.get("target_mcse_std_rel").isJsonNull(), "chains of a fixed length aim at no precision");
-        assertTrue(result.get("command").getAsString().endsWith(" --photos --tone-curve linear --simulations 4 --noise 1"),
-                result.get("command").getAsString());
+        String command = result.get("command").getAsString();
+        assertTrue(command.endsWith(" --photos --tone-curve linear --simulations 4 --noise 1"), command);
         Set<String> regions = new HashSet<>();
         result.getAsJsonArray("regions").forEach(r -> regions.add(r.getAsJsonObject().get("part").getAsString() + " "
                 + r.getAsJsonObject().get("name").getAsString()));
