@@ -1,10 +1,10 @@
 package org.cellgauge.geometry;
 
 /**
- * Nonlinear least squares by damped Gauss-Newton (Levenberg-Marquardt): steps solve {@code (J^T J + damping) s = -J^T r},
- * and the damping follows from whether they lessen the sum of squares (Madsen, Nielsen, Tingleff, "Methods for
- * non-linear least squares problems", 2nd ed. 2004, section 3.2). Damping is in proportion to the diagonal of J^T J, so
- * that units of the unknowns do not matter.
+ * Nonlinear least squares by damped Gauss-Newton (Levenberg-Marquardt): steps solve
+ * {@code (J^T J + damping) s = -J^T r}, and the damping follows from whether they lessen the sum of squares (Madsen,
+ * Nielsen, Tingleff, "Methods for non-linear least squares problems", 2nd ed. 2004, section 3.2). Damping is in
+ * proportion to the diagonal of J^T J, so that units of the unknowns do not matter.
  *
  * <p>Allocates nothing in a fit; not thread-safe.
  */

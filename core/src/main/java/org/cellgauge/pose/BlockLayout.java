@@ -6,9 +6,9 @@ import java.util.Arrays;
  * How the image coordinates of bodies lie in plain arrays; immutable.
  *
  * <p>A block is what all views show of one body: its errors of placement are the same in all of them, so that its
- * coordinates have one joint covariance, and blocks are independent of each other. Coordinates of a block are ordered by
- * view, then point, then u and v; those of all blocks stand one after another, and so do their square matrices, row by
- * row. A marker in one view is a block of four points, eight coordinates and 64 entries.
+ * coordinates have one joint covariance, and blocks are independent of each other. Coordinates of a block are ordered
+ * by view, then point, then u and v; those of all blocks stand one after another, and so do their square matrices, row
+ * by row. A marker in one view is a block of four points, eight coordinates and 64 entries.
  */
 public final class BlockLayout {
     private final int views;

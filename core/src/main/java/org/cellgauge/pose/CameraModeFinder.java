@@ -12,8 +12,8 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
 /**
  * Modes of the camera's pose, or of its poses in several views, given all references: damped Gauss-Newton with the
- * placement errors of the references linearised, and the residual covariances frozen, at the mode itself; repeated until
- * all agree. Placement errors and unknown intrinsics are the same in all views.
+ * placement errors of the references linearised, and the residual covariances frozen, at the mode itself; repeated
+ * until all agree. Placement errors and unknown intrinsics are the same in all views.
  */
 public final class CameraModeFinder {
     private static final int MAX_FREEZES = 100;

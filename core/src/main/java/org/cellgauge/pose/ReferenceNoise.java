@@ -68,8 +68,8 @@ public interface ReferenceNoise {
      *
      * @param state pose and intrinsics
      * @param marker index of the reference
-     * @param out 8x6 in one view, row by row: (u, v) of each corner by (shift along world x, y, z in mm; rotation vector
-     *     in world axes, rad), px per mm and per rad
+     * @param out 8x6 in one view, row by row: (u, v) of each corner by (shift along world x, y, z in mm; rotation
+     *     vector in world axes, rad), px per mm and per rad
      * @return false, with the output undefined, if a corner is not in front of the camera
      * @throws UnsupportedOperationException where there are no rigid placement errors
      */

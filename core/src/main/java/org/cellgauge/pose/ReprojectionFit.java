@@ -327,7 +327,7 @@ public final class ReprojectionFit {
         return Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost;
     }
 
-    /** Residuals in px of one body in one of the views that show it, and their derivative by the chart, not whitened. */
+    /** Residuals in px of one body in one of the views that show it, and their derivative by the chart, unwhitened. */
     private boolean plainRows(CameraState state, int block, int time, boolean withDerivatives) {
         int view = blocks.view(block, time);
         int pose = layout.pose(view);
@@ -452,8 +452,8 @@ public final class ReprojectionFit {
     }
 
     /**
-     * Number of whitened residuals: two per point and view, one per unknown intrinsic and shared unknown, 6 per view for
-     * a pose prior.
+     * Number of whitened residuals: two per point and view, one per unknown intrinsic and shared unknown, 6 per view
+     * for a pose prior.
      *
      * @return rows of the derivative
      */

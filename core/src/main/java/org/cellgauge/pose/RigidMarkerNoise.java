@@ -6,9 +6,10 @@ import java.util.Arrays;
  * Residual covariance of rigidly misplaced references: {@code J S J^T + C}, C the covariance of the corners' own errors
  * ({@code sigma² I} where their noise is one stated deviation) and S the covariance of the
  * placement error (translation along the world axes, rotation about the marker's own centre) and J the derivative of
- * the projected corners by it, 8x6 in one view and of the corners in all of them in several. It is what remains when six Gaussian nuisance parameters per reference are integrated
- * out of a linearised model (Gelman et al., "Bayesian Data Analysis", 3rd ed. 2013, section 14.2). It is linearised
- * where the references are taken to stand ({@link PlacedReferences}): at their nominal places unless stated otherwise.
+ * the projected corners by it, 8x6 in one view and of the corners in all of them in several. It is what remains when
+ * six Gaussian nuisance parameters per reference are integrated out of a linearised model (Gelman et al., "Bayesian
+ * Data Analysis", 3rd ed. 2013, section 14.2). It is linearised where the references are taken to
+ * stand ({@link PlacedReferences}): at their nominal places unless stated otherwise.
  *
  * <p>Not thread-safe: it holds scratch arrays.
  */
@@ -108,7 +109,7 @@ public final class RigidMarkerNoise implements ReferenceNoise {
         return true;
     }
 
-    /** The part by placement whose coordinates are independent; written out, as it is done for every state of a chain. */
+    /** The part by placement whose coordinates are independent; written out, for chains need it at every state. */
     private void independent(Body body, int rows, double[] placementPx2) {
         double[] j = jacobian;
         double s0 = body.placementRoot(0, 0);
