@@ -127,7 +127,7 @@ public final class IntrinsicsPrior {
         int n = indices.length;
         double[] root = covariance.clone();
         if (root.length != n * n || !Cholesky.factor(root, n)) {
-            throw new IllegalArgumentException("the prior of " + n + " intrinsics needs a positive definite covariance");
+            throw new IllegalArgumentException("a prior of " + n + " intrinsics needs a positive definite covariance");
         }
         double[] whitening = new double[n * n];
         Cholesky.invertLower(root, n, whitening);

@@ -38,12 +38,14 @@ class LayoutPredictionTest {
             new double[] {560, 565, 640, 360, 0, 0.02, -0.01, 0.003, -0.001});
 
     private enum Layout {
-        FOUR, FOUR_BY_FISHEYE, RAISED_FOCAL, TWO_ON_A_WEAK_PRIOR, BENT_PRINTS_OF_UNSURE_SIZE, CORNER_CUBE_WITHOUT_OBJECT_NOISE;
+        FOUR, FOUR_BY_FISHEYE, RAISED_FOCAL, TWO_ON_A_WEAK_PRIOR, BENT_PRINTS_OF_UNSURE_SIZE,
+        CORNER_CUBE_WITHOUT_OBJECT_NOISE;
 
         ThesisScene scene() {
             ThesisScene scene = this == TWO_ON_A_WEAK_PRIOR ? ThesisScene.inPlane(2)
                     : this == RAISED_FOCAL ? ThesisScene.oneRaised(4) : ThesisScene.inPlane(4);
-            return scene.camera(this == FOUR_BY_FISHEYE ? FISHEYE : DISTORTED).placement(5, 0.01).pixelStd(0.3).planeObjects().grip(20, 10, -20, 100);
+            return scene.camera(this == FOUR_BY_FISHEYE ? FISHEYE : DISTORTED).placement(5, 0.01).pixelStd(0.3)
+                    .planeObjects().grip(20, 10, -20, 100);
         }
 
         Cell cell() {
