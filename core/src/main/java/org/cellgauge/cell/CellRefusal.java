@@ -113,9 +113,8 @@ public enum CellRefusal implements RefusalKind {
     /** The asymmetric part of a fisheye. */
     ASYMMETRIC_LENS("the asymmetric part of this lens model cannot be used; calibrate with the symmetric coefficients "
             + "alone"),
-    /** The coefficients of a fisheye's polynomial: how many at most, how many there are. */
-    SYMMETRIC_COEFFICIENTS("expected 1 to %s coefficients, got %s; calibrate with no more symmetric coefficients than "
-            + "that"),
+    /** The coefficients of a fisheye's polynomial: how many at most, how many there are, how many at most. */
+    SYMMETRIC_COEFFICIENTS("expected 1 to %s coefficients, got %s; calibrate with at most %s symmetric coefficients"),
     /** A polynomial that turns back within the image: degrees off the axis, the pixel there. */
     FISHEYE_TURNS_BACK("with these coefficients the lens shows nothing more than %s degrees off its axis, at pixel "
             + "(%s, %s), so they cannot be right; calibrate again with the target also near the image's borders, or "
