@@ -1,5 +1,7 @@
 package org.cellgauge.geometry;
 
+import org.jspecify.annotations.Nullable;
+
 /** The lens models there are, by their names. */
 public final class Lenses {
     private Lenses() {
@@ -11,7 +13,7 @@ public final class Lenses {
      * @param modelName {@link Lens#modelName()}
      * @return the model; null where there is none of that name
      */
-    public static Lens named(String modelName) {
+    public static @Nullable Lens named(String modelName) {
         for (Lens lens : new Lens[] {BrownLens.MODEL, KannalaBrandtLens.MODEL}) {
             if (lens.modelName().equals(modelName)) {
                 return lens;

@@ -31,8 +31,8 @@ import org.cellgauge.warning.Refusal;
  * Reads result files back: {@code NAME.result.json}, as {@link ResultJson} writes it.
  *
  * <p>What a file does not hold is absent in the view: modes of a pose that is not ambiguous, and the verdicts of rows
- * in files of versions that did not write them. Keys that are not known are passed over, so that files of later versions
- * of the same {@code schema} can be read. Every refusal names file, place and remedy.
+ * in files of versions that did not write them. Keys that are not known are passed over, so that files of later
+ * versions of the same {@code schema} can be read. Every refusal names file, place and remedy.
  */
 public final class ResultReader {
     /** Largest result file that is read, bytes. */

@@ -95,7 +95,7 @@ public final class Refusal extends Message {
 
     @Override
     public boolean equals(@Nullable Object other) {
-        return super.equals(other) && Objects.equals(place, ((Refusal) other).place);
+        return other instanceof Refusal && super.equals(other) && Objects.equals(place, ((Refusal) other).place);
     }
 
     @Override

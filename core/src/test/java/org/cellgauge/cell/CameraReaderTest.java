@@ -99,7 +99,8 @@ class CameraReaderTest {
                     + "radial: [0.1, 0]\nradial_trig: [0, 0.01, 0, 0]\n", "line 12, radial: ", "asymmetric",
                     "symmetric coefficients alone"),
             fault("fisheye of six coefficients", "model: [\\s\\S]*",
-                    "model: kannala_brandt\nsymmetric: [1, 0, 0, 0, 0, 0]\n", "line 11, symmetric: ", "1 to 5", "got 6"),
+                    "model: kannala_brandt\nsymmetric: [1, 0, 0, 0, 0, 0]\n", "line 11, symmetric: ", "1 to 5",
+                    "got 6"),
             // t (1 - 0.9 t²) has its top at 0.61 rad, 215 px from the middle, well within the image
             fault("fisheye that turns back", "model: [\\s\\S]*", "model: kannala_brandt\nsymmetric: [1, -0.9]\n",
                     "line 11, symmetric: ", "35 degrees", "calibrate again"),

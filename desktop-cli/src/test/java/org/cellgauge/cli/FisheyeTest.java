@@ -52,7 +52,8 @@ class FisheyeTest {
             + "  30: {}\n";
     private static final RigidTransform WORLD_FROM_CAMERA = RigidTransform.ofEuler(520, 330, 450, 3.08, 0.10, 0.02);
     private static final Map<Integer, RigidTransform> OBJECTS = Map.of(
-            5, RigidTransform.ofEuler(480, 400, 0, 0, 0, 0.4), 30, RigidTransform.ofEuler(1150, 620, 300, 0, -1.2, 0.7));
+            5, RigidTransform.ofEuler(480, 400, 0, 0, 0, 0.4),
+            30, RigidTransform.ofEuler(1150, 620, 300, 0, -1.2, 0.7));
     /** 99.9 % of chi-square with 6 degrees of freedom. */
     private static final double CHI_SQUARE_6 = 22.46;
 
