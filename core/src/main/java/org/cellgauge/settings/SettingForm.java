@@ -31,8 +31,8 @@ public final class SettingForm<T> {
     }
 
     /** One of the constants of an enum, by its word. */
-    static <E extends Enum<E> & Word> SettingForm<E> choice(Class<E> type) {
-        List<E> all = Arrays.asList(type.getEnumConstants());
+    static <E extends Enum<E> & Word> SettingForm<E> choice(E[] values) {
+        List<E> all = Arrays.asList(values.clone());
         List<String> words = all.stream().map(Word::word).collect(Collectors.toList());
         return new SettingForm<>(String.join("|", words), words, text -> {
             int at = words.indexOf(text);

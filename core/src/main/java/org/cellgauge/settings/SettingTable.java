@@ -13,7 +13,7 @@ import org.cellgauge.settings.Setting.Part;
 public final class SettingTable {
     /** Likelihood of the references' corners. */
     public static final Setting<LikelihoodModel> MODEL = Setting.of(Part.MODEL, "model",
-            SettingForm.choice(LikelihoodModel.class), LikelihoodModel.RIGID_MARKER,
+            SettingForm.choice(LikelihoodModel.values()), LikelihoodModel.RIGID_MARKER,
             "How placement errors move corners: each reference as a rigid whole, or every corner on its own as in the "
                     + "thesis");
 
@@ -24,7 +24,7 @@ public final class SettingTable {
 
     /** How the camera pose is sampled. */
     public static final Setting<SamplerKind> SAMPLER = Setting.of(Part.SAMPLING, "sampler",
-            SettingForm.choice(SamplerKind.class), SamplerKind.INDEPENDENCE, "How the camera pose is sampled");
+            SettingForm.choice(SamplerKind.values()), SamplerKind.INDEPENDENCE, "How the camera pose is sampled");
 
     /** Number of chains. */
     public static final Setting<Integer> CHAINS = Setting.of(Part.SAMPLING, "chains", SettingForm.whole("N"), 4,
@@ -66,7 +66,8 @@ public final class SettingTable {
 
     /** Which intrinsics are sampled. */
     public static final Setting<Estimate> ESTIMATE = Setting.of(Part.MODEL, "estimate",
-            SettingForm.choice(Estimate.class), Estimate.NONE, "What of the camera is estimated along with its pose");
+            SettingForm.choice(Estimate.values()), Estimate.NONE,
+            "What of the camera is estimated along with its pose");
 
     /** Standard deviation of the prior of the focal length about the camera file's. */
     public static final Setting<Double> FOCAL_PRIOR_STD_PX = Setting.of(Part.MODEL, "focal_prior_std_px",
@@ -86,22 +87,22 @@ public final class SettingTable {
 
     /** First estimate of the camera pose. */
     public static final Setting<InitialEstimate> INITIAL = Setting.of(Part.SAMPLING, "initial",
-            SettingForm.choice(InitialEstimate.class), InitialEstimate.PNP, "First estimate of the camera pose");
+            SettingForm.choice(InitialEstimate.values()), InitialEstimate.PNP, "First estimate of the camera pose");
 
     /** Where random walks start. */
     public static final Setting<ChainStart> START = Setting.of(Part.SAMPLING, "start",
-            SettingForm.choice(ChainStart.class), ChainStart.DISPERSED,
+            SettingForm.choice(ChainStart.values()), ChainStart.DISPERSED,
             "Where the chains of thesis-mixture start: at draws around the mode, or at the first estimate of the pose "
                     + "as in the thesis");
 
     /** What is taken of the noise in an object's own corners. */
     public static final Setting<ObjectNoise> OBJECT_NOISE = Setting.of(Part.MODEL, "object_noise",
-            SettingForm.choice(ObjectNoise.class), ObjectNoise.DETECTION,
+            SettingForm.choice(ObjectNoise.values()), ObjectNoise.DETECTION,
             "Whether the noise in an object's own corners counts, or the camera's part alone is wanted");
 
     /** Prior over the camera's rotation. */
     public static final Setting<RotationPrior> ROTATION_PRIOR = Setting.of(Part.MODEL, "rotation_prior",
-            SettingForm.choice(RotationPrior.class), RotationPrior.UNIFORM,
+            SettingForm.choice(RotationPrior.values()), RotationPrior.UNIFORM,
             "What is taken of the camera's rotation beforehand: every one alike, or flat in the angles as in the "
                     + "thesis");
 

@@ -440,7 +440,7 @@ public class MainActivityTest {
             screen.holdStillUntilResult(FIXTURE);
             screen.tap(R.id.save);
             assertTrue(rows(screen), rows(screen).contains("Not saved: no room on the device"));
-            assertTrue(rows(screen), rows(screen).contains("the result takes 6.0\u00a0MB and 2.0\u00a0MB are free"));
+            assertTrue(rows(screen), rows(screen).contains("the result takes 6.0 MB and 2.0 MB are free"));
             assertFalse(screen.find(R.id.share).isEnabled());
             Screen.app().archive.fault = null;
             tapRow(screen, "Save again");
@@ -825,8 +825,8 @@ public class MainActivityTest {
         try (Screen screen = live()) {
             screen.openPhoto(new Photo("small.png", GreyImage.packed(new byte[640 * 480], 640, 480)));
             assertEquals("The photo has another size", screen.text(R.id.message_title));
-            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("640 x 480\u00a0px"));
-            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("1280 x 720\u00a0px"));
+            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("640 x 480 px"));
+            assertTrue(screen.text(R.id.message_text), screen.text(R.id.message_text).contains("1280 x 720 px"));
             screen.tap(R.id.message_second);
             assertEquals(ImageSource.LIVE, screen.state().source());
             assertTrue(feed().isOpen());
