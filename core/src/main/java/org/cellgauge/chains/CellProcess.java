@@ -50,6 +50,15 @@ public final class CellProcess implements ChainProcess {
     private final double[] worldFromObject = new double[9];
     private final double[] turned = new double[9];
 
+    /**
+     * One chain of camera and objects, at its start.
+     *
+     * @param quantities what to record of each state
+     * @param tuned makes the camera's chain
+     * @param seed of the photo's random streams
+     * @param chain number of the chain, from 0
+     * @throws IllegalStateException if no start has a density
+     */
     public CellProcess(CellQuantities quantities, CameraSampler.Tuned tuned, long seed, int chain) {
         this.quantities = quantities;
         CameraFit fit = quantities.camera;

@@ -22,7 +22,9 @@ import org.cellgauge.sampling.QuantityLayout;
 public final class CellQuantities {
     /** Where a pose's moments stand in a summary: angles about their mean directions, and rotation vectors. */
     public static final class PoseGroups {
+        /** Index of the group x, y, z, mm, psi, theta, phi, rad. */
         public final int euler;
+        /** Index of the group x, y, z, mm, rotation vector in world axes, rad. */
         public final int tangent;
 
         PoseGroups(int euler, int tangent) {
@@ -31,12 +33,19 @@ public final class CellQuantities {
         }
     }
 
+    /** Columns and groups of a draw. */
     public final QuantityLayout layout;
+    /** The camera at its modes. */
     public final CameraFit camera;
+    /** The objects seen, in the order of the cell. */
     public final List<ObjectTarget> objects;
+    /** worldFromCamera rotation that the camera's rotation vectors start from, 3x3 row by row. */
     public final double[] cameraReference;
+    /** worldFromObject rotation that each object's rotation vectors start from, 3x3 row by row. */
     public final double[][] objectReferences;
+    /** Groups of the camera's pose. */
     public final PoseGroups cameraPose;
+    /** Groups of each object's pose. */
     public final PoseGroups[] objectPoses;
     /** Where the moments of each object's gripping point stand in a summary; -1 where it has none. */
     public final int[] grips;
@@ -44,6 +53,12 @@ public final class CellQuantities {
     public final int intrinsics;
     private final CornerErrors errors;
 
+    /**
+     * The quantities of a photo.
+     *
+     * @param camera the camera at its modes
+     * @param objects the objects seen; kept
+     */
     public CellQuantities(CameraFit camera, List<ObjectTarget> objects) {
         this.camera = camera;
         this.objects = objects;

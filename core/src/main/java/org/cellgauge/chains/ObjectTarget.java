@@ -8,6 +8,7 @@ import org.cellgauge.sampling.StudentTMixture;
 
 /** The posterior of one object's pose before the camera, and the proposal fitted to it; immutable. */
 public final class ObjectTarget {
+    /** The object at its modes. */
     public final ObjectFit fit;
     final StudentTMixture proposal;
 
@@ -27,6 +28,12 @@ public final class ObjectTarget {
         return new ObjectTarget(fit, TunedMixture.ofModes(fit.modes));
     }
 
+    /**
+     * The same object with another proposal.
+     *
+     * @param fitted a mixture in the chart of the object's posterior; kept
+     * @return a new target
+     */
     public ObjectTarget withProposal(StudentTMixture fitted) {
         return new ObjectTarget(fit, fitted);
     }

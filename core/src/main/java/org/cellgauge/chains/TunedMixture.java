@@ -19,10 +19,25 @@ public final class TunedMixture {
     private TunedMixture() {
     }
 
+    /**
+     * Fits a mixture to a density by importance sampling.
+     *
+     * @param density up to a constant, in the chart of the mixture
+     * @param start Laplace's approximation
+     * @param random source of randomness
+     * @return the fitted mixture and how well it fits
+     */
     public static ImportanceTuning tune(LogDensity density, StudentTMixture start, RandomGenerator random) {
         return ImportanceTuning.tune(density, start, DRAWS_PER_ROUND, random);
     }
 
+    /**
+     * Laplace's approximation at each mode.
+     *
+     * @param modes heaviest first, not empty
+     * @return a mixture in the centred chart about the first: position in mm, rotation vector in rad, unknown
+     *     intrinsics, shared unknowns
+     */
     public static StudentTMixture ofModes(List<PoseMode> modes) {
         return ofModes(modes, null);
     }

@@ -9,11 +9,9 @@ import org.cellgauge.chains.CameraTarget;
 import org.cellgauge.chains.Diagnostics;
 import org.cellgauge.chains.NoiseEstimate;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.laplace.CameraFit;
 import org.cellgauge.placement.NoiseFit;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.pose.CameraState;
-import org.cellgauge.pose.CornerErrors;
 import org.cellgauge.posterior.CameraPosterior;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.Draws;
@@ -31,57 +29,29 @@ import org.cellgauge.warning.Warning;
 /** What a check found; immutable. */
 public final class CheckResult {
     private final SampledCell sampled;
+    private final CellModes modes;
     private final Cell cell;
-    private final Detections detections;
     private final CheckSettings settings;
     private final Judgement judgement;
     private final Verdict verdict;
     private final Reason finding;
-    private final CellEstimate estimate;
-    private final CellEstimate quickLook;
-    private final List<Integer> referencesUsed;
-    private final CornerErrors errors;
-    private final double noiseLevel;
     private final NoiseEstimate noise;
-    private final Diagnostics diagnostics;
-    private final List<AcceptanceCount> acceptance;
     private final List<Warning> warnings;
-    private final List<Draws> draws;
-    private final QuantityLayout layout;
-    private final int iterationsPerChain;
-    private final String posePrior;
-    private final SamplerKind samplerUsed;
-    private final long tuningEvaluations;
-    private final CameraFit camera;
     private final ReferenceCheck referenceCheck;
 
     private CheckResult(Cell cell, CheckSettings settings, SampledCell sampled, ReferenceCheck referenceCheck,
             List<Warning> warnings) {
-        CellModes modes = sampled.quickLook.modes;
-        this.sampled = sampled;
         this.cell = cell;
-        this.detections = modes.observed.detections;
         this.settings = settings;
-        this.estimate = sampled.estimate;
-        this.diagnostics = sampled.diagnostics;
-        this.judgement = new Judgement(cell, estimate, diagnostics, referenceCheck);
+        this.sampled = sampled;
+        this.modes = sampled.quickLook.modes;
+        this.referenceCheck = referenceCheck;
+        this.warnings = Collections.unmodifiableList(warnings);
+        this.judgement = new Judgement(cell, sampled.estimate, sampled.diagnostics, referenceCheck);
         this.verdict = judgement.verdict();
         this.finding = judgement.finding();
-        this.quickLook = sampled.quickLook.estimate();
-        this.camera = modes.camera;
-        this.referencesUsed = Collections.unmodifiableList(CellModes.ids(camera.view));
-        this.errors = modes.observed.errors;
-        this.noiseLevel = camera.noiseLevel;
-        this.draws = sampled.draws;
-        this.layout = sampled.quantities.layout;
-        this.noise = NoiseEstimate.of(errors, noiseLevel, draws, layout);
-        this.acceptance = Collections.unmodifiableList(sampled.last.acceptance());
-        this.warnings = Collections.unmodifiableList(warnings);
-        this.iterationsPerChain = sampled.last.iterationsPerChain();
-        this.posePrior = modes.posePriorText();
-        this.samplerUsed = sampled.samplerUsed;
-        this.tuningEvaluations = sampled.tuningEvaluations;
-        this.referenceCheck = referenceCheck;
+        this.noise = NoiseEstimate.of(modes.observed.errors, modes.camera.noiseLevel, sampled.draws,
+                sampled.quantities.layout);
     }
 
     /**
@@ -129,7 +99,7 @@ public final class CheckResult {
      * @return as detected or given
      */
     public Detections detections() {
-        return detections;
+        return modes.observed.detections;
     }
 
     /**
@@ -230,7 +200,7 @@ public final class CheckResult {
      * @return means and covariances; figures only where {@link Diagnostics#converged()}
      */
     public CellEstimate estimate() {
-        return estimate;
+        return sampled.estimate;
     }
 
     /**
@@ -239,7 +209,7 @@ public final class CheckResult {
      * @return the quick look that the chains confirm or correct
      */
     public CellEstimate quickLook() {
-        return quickLook;
+        return sampled.quickLook.estimate();
     }
 
     /**
@@ -248,7 +218,7 @@ public final class CheckResult {
      * @return marker ids, in the order of the cell
      */
     public List<Integer> referencesUsed() {
-        return referencesUsed;
+        return Collections.unmodifiableList(CellModes.ids(modes.camera.view));
     }
 
     /**
@@ -294,7 +264,7 @@ public final class CheckResult {
      * @return per quantity and overall
      */
     public Diagnostics diagnostics() {
-        return diagnostics;
+        return sampled.diagnostics;
     }
 
     /**
@@ -303,7 +273,7 @@ public final class CheckResult {
      * @return unmodifiable
      */
     public List<AcceptanceCount> acceptance() {
-        return acceptance;
+        return Collections.unmodifiableList(sampled.last.acceptance());
     }
 
     /**
@@ -321,7 +291,7 @@ public final class CheckResult {
      * @return one per chain, not to be changed
      */
     public List<Draws> draws() {
-        return draws;
+        return sampled.draws;
     }
 
     /**
@@ -330,7 +300,7 @@ public final class CheckResult {
      * @return names and angles
      */
     public QuantityLayout layout() {
-        return layout;
+        return sampled.quantities.layout;
     }
 
     /**
@@ -339,7 +309,7 @@ public final class CheckResult {
      * @return number of iterations
      */
     public int iterationsPerChain() {
-        return iterationsPerChain;
+        return sampled.last.iterationsPerChain();
     }
 
     /**
@@ -348,7 +318,7 @@ public final class CheckResult {
      * @return in words, or null where it was flat in position and uniform over rotations
      */
     public String posePrior() {
-        return posePrior;
+        return modes.posePriorText();
     }
 
     /**
@@ -357,7 +327,7 @@ public final class CheckResult {
      * @return the one asked for, unless the posterior was too far from Gaussian for it
      */
     public SamplerKind samplerUsed() {
-        return samplerUsed;
+        return sampled.samplerUsed;
     }
 
     /**
@@ -366,7 +336,7 @@ public final class CheckResult {
      * @return the count; that of the chains is one for each of their steps
      */
     public long tuningEvaluations() {
-        return tuningEvaluations;
+        return sampled.tuningEvaluations;
     }
 
     /**
@@ -375,7 +345,7 @@ public final class CheckResult {
      * @return the settings' number for the sampler that was used
      */
     public int warmup() {
-        return settings.sampling().warmup(samplerUsed);
+        return settings.sampling().warmup(sampled.samplerUsed);
     }
 
     /**
@@ -386,7 +356,7 @@ public final class CheckResult {
      * @return the logarithm; negative infinity where the posterior has no density
      */
     public double cameraLogDensity(RigidTransform worldFromCamera) {
-        return cameraLogDensity(worldFromCamera, camera.modes.get(0).state().intrinsics);
+        return cameraLogDensity(worldFromCamera, modes.camera.mode().state().intrinsics);
     }
 
     /**
@@ -397,11 +367,11 @@ public final class CheckResult {
      * @return the logarithm; negative infinity where the posterior has no density
      */
     public double cameraLogDensity(RigidTransform worldFromCamera, double[] intrinsics) {
-        CameraTarget target = new CameraTarget(camera);
-        CameraPosterior posterior = samplerUsed == SamplerKind.THESIS_MIXTURE ? target.euler() : target.centred();
-        CameraState state = camera.mode().state();
+        CameraTarget target = new CameraTarget(modes.camera);
+        CameraPosterior posterior = sampled.samplerUsed == SamplerKind.THESIS_MIXTURE ? target.euler() : target.centred();
+        CameraState state = modes.camera.mode().state();
         System.arraycopy(intrinsics, 0, state.intrinsics, 0, state.intrinsics.length);
-        RigidTransform cameraFromSet = camera.view.cameraFromSet(worldFromCamera);
+        RigidTransform cameraFromSet = modes.camera.view.cameraFromSet(worldFromCamera);
         System.arraycopy(cameraFromSet.rotation(), 0, state.rotation, 0, 9);
         System.arraycopy(cameraFromSet.translationMm(), 0, state.offset, 0, 3);
         return posterior.at(posterior.chart().encode(state));

@@ -16,6 +16,18 @@ public final class ObjectEstimate {
     private final Ellipse gripEllipse95Px;
     private final List<ModeEstimate> modes;
 
+    /**
+     * An estimate.
+     *
+     * @param marker the object as the cell file has it
+     * @param pose in the world
+     * @param grip its gripping point in the world; null where it has none
+     * @param budget shares of the position's variance
+     * @param gripBudget shares of the gripping point's; null where it has none
+     * @param ellipse95Px 95 % of positions in the image, px; null where it cannot be drawn
+     * @param gripEllipse95Px the same of the gripping point; null where it has none
+     * @param modes heaviest first, not empty; kept
+     */
     public ObjectEstimate(ObjectMarker marker, PoseEstimate pose, PointEstimate grip, VarianceBudget budget,
             VarianceBudget gripBudget, Ellipse ellipse95Px, Ellipse gripEllipse95Px, List<ModeEstimate> modes) {
         this.marker = marker;

@@ -19,16 +19,23 @@ import org.cellgauge.settings.CheckSettings;
  * immutable.
  */
 public final class CameraFit {
+    /** The camera as calibrated. */
     public final PinholeCamera lens;
+    /** How the cell is modelled. */
     public final CheckSettings settings;
+    /** The references seen. */
     public final ReferenceView view;
+    /** Prior of the unknown intrinsics. */
     public final IntrinsicsPrior intrinsicsPrior;
+    /** Prior of the camera pose; null where it is flat. */
     public final PosePrior posePrior;
+    /** Errors of the corners, px. */
     public final CornerErrors errors;
     /** The added noise that the modes are found at: the u of {@link org.cellgauge.pose.AddedNoise}. */
     public final double noiseLevel;
     /** Heaviest first; empty before they are found. */
     public final List<PoseMode> modes;
+    /** The initial estimate, x_world = worldFromCamera · x_camera, mm; null before the modes are found. */
     public final RigidTransform initialWorldFromCamera;
     /** What is known of the added noise; null where it is stated. */
     public final NoiseBelief belief;

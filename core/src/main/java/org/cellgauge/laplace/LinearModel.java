@@ -46,6 +46,11 @@ public final class LinearModel {
     /** Covariance that a fit has which knows a source to be zero, by source; filled when a budget is asked for. */
     private Map<VarianceSource, double[]> refitted;
 
+    /**
+     * The model about the heaviest mode.
+     *
+     * @param camera the camera at its modes
+     */
     public LinearModel(CameraFit camera) {
         this.camera = camera;
         mode = camera.modes.get(0);

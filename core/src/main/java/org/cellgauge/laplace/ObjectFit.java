@@ -18,9 +18,13 @@ import org.cellgauge.pose.ReprojectionFit;
  * before the camera. Immutable.
  */
 public final class ObjectFit {
+    /** The object as the cell file has it. */
     public final ObjectMarker marker;
+    /** Errors of the photo's corners, px. */
     public final CornerErrors errors;
+    /** Its corners less what they share with others at the camera's mode, 8 values, px. */
     public final double[] cornersPx;
+    /** Modes of its pose in the camera frame, heaviest first. */
     public final List<PoseMode> modes;
     /** Mode of the camera: intrinsics, shared unknowns and noise that the modes were found at. */
     public final CameraState camera;

@@ -11,6 +11,7 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.ThesisScene;
+import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
@@ -106,6 +107,20 @@ class CameraLikelihoodTest {
         return sum;
     }
 
+    private static PinholeCamera camera(String lens) {
+        switch (lens) {
+            case "pinhole":
+                return ThesisScene.CAMERA;
+            case "skewed":
+                return PinholeCamera.of(1280, 720, new double[] {581, 590, 640.5, 359.5, 9, 0, 0, 0, 0, 0});
+            case "distorted":
+                return STRONG;
+            default:
+                return PinholeCamera.of(KannalaBrandtLens.MODEL, 1280, 720,
+                        new double[] {581, 590, 640.5, 359.5, 0.5, 0.03, -0.01, 0.002, 0});
+        }
+    }
+
     private static RigidMarkerLikelihood rigid(ReferenceView view, CameraState frozen) {
         double[] whitening = new double[64 * view.size()];
         assertTrue(ReprojectionFit.whitening(new RigidMarkerNoise(view, SIGMA_PX), frozen, view.blocks(), whitening));
@@ -113,9 +128,9 @@ class CameraLikelihoodTest {
     }
 
     @ParameterizedTest
-    @ValueSource(booleans = {false, true})
-    void rigidMarkerIsTheNormalDensityOfTheResiduals(boolean distorted) {
-        PinholeCamera camera = distorted ? STRONG : ThesisScene.CAMERA;
+    @ValueSource(strings = {"pinhole", "skewed", "distorted", "fisheye"})
+    void rigidMarkerIsTheNormalDensityOfTheResiduals(String lens) {
+        PinholeCamera camera = camera(lens);
         ReferenceView view = view(camera);
         CameraState frozen = state(view, camera);
         RigidMarkerLikelihood likelihood = rigid(view, frozen);

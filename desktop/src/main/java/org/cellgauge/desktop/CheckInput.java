@@ -88,6 +88,12 @@ public record CheckInput(Path file, boolean isDetections, String name, RefusalKi
                 && IMAGE_ENDINGS.contains(name.substring(name.lastIndexOf('.') + 1));
     }
 
+    /**
+     * What result files of a photo or detections file are named after.
+     *
+     * @param file the input
+     * @return its name without folder and last ending; {@code input} where nothing is left of it
+     */
     public static String baseName(Path file) {
         Path last = file.getFileName();
         String name = last == null ? "" : last.toString();
