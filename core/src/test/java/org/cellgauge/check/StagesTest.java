@@ -3,6 +3,7 @@ package org.cellgauge.check;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -10,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
@@ -31,7 +33,10 @@ class StagesTest {
         assertTrue(observed.errors.has(cell.references().get(1).id()));
         // no name of the photo, and not its place in a batch, but its corners make its random numbers
         assertEquals(observed.photoSeed(), Observed.of(cell, without, SETTINGS).photoSeed());
-        assertFalse(observed.photoSeed() == Observed.of(cell, scene.exactDetections(), SETTINGS).photoSeed());
+        assertNotEquals(observed.photoSeed(), Observed.of(cell, scene.exactDetections(), SETTINGS).photoSeed());
+        Detections noisy = scene.detections(0.3, RandomStreams.of(1), 0, 0);
+        assertNotEquals(Observed.of(cell, noisy, SETTINGS).photoSeed(),
+                Observed.of(cell, scene.exactDetections(), SETTINGS).photoSeed());
     }
 
     /** Corners without noise: the mode is the truth, and the references fit, without any chain. */

@@ -14,6 +14,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
@@ -90,6 +91,26 @@ class ResultReaderTest {
             assertEquals(whole.estimate().camera().meanTransform().rotation()[k],
                     view.camera().pose().transform().rotation()[k], 1e-14);
         }
+    }
+
+    private static double largest(double[] std) {
+        return Math.max(std[0], Math.max(std[1], std[2]));
+    }
+
+    /** A target between the deviations of position and gripping point, which swings with the rotation: one misses it. */
+    @Test
+    void verdictsOfPositionAndGrippingPointAreReadBackEach() {
+        ThesisScene scene = ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(0.05).grip(5, 10, 20, 300);
+        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
+                CheckSettings.builder().iterations(1200).build());
+        double positionMm = largest(result.estimate().object(5).pose().std());
+        double gripMm = largest(result.estimate().object(5).grip().stdMm());
+        assertTrue(gripMm > 1.2 * positionMm, positionMm + ", " + gripMm);
+        CheckResult between = result.withTarget(OptionalDouble.of((positionMm + gripMm) / 2));
+        assertReadBack(between);
+        ResultView view = ResultReader.of(ResultJson.of(between, "scene.json", null, "1"), "r.json");
+        assertEquals(Verdict.PASS, view.object(5).verdict());
+        assertEquals(Verdict.FAIL, view.grip(5).verdict());
     }
 
     @Test
