@@ -368,7 +368,8 @@ public final class CheckResult {
      */
     public double cameraLogDensity(RigidTransform worldFromCamera, double[] intrinsics) {
         CameraTarget target = new CameraTarget(modes.camera);
-        CameraPosterior posterior = sampled.samplerUsed == SamplerKind.THESIS_MIXTURE ? target.euler() : target.centred();
+        CameraPosterior posterior =
+                sampled.samplerUsed == SamplerKind.THESIS_MIXTURE ? target.euler() : target.centred();
         CameraState state = modes.camera.mode().state();
         System.arraycopy(intrinsics, 0, state.intrinsics, 0, state.intrinsics.length);
         RigidTransform cameraFromSet = modes.camera.view.cameraFromSet(worldFromCamera);

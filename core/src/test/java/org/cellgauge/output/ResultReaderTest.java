@@ -97,7 +97,7 @@ class ResultReaderTest {
         return Math.max(std[0], Math.max(std[1], std[2]));
     }
 
-    /** A target between the deviations of position and gripping point, which swings with the rotation: one misses it. */
+    /** A target between the deviations of position and gripping point, which swings with the rotation: one misses. */
     @Test
     void verdictsOfPositionAndGrippingPointAreReadBackEach() {
         ThesisScene scene = ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(0.05).grip(5, 10, 20, 300);
