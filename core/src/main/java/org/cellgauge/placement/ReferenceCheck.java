@@ -5,7 +5,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
-import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.geometry.RigidTransform;
@@ -13,6 +12,7 @@ import org.cellgauge.internal.laplace.CameraFit;
 import org.cellgauge.internal.laplace.ObjectFit;
 import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.ReferenceView;
+import org.cellgauge.internal.statistics.ChiSquare;
 import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
@@ -212,8 +212,7 @@ public final class ReferenceCheck {
      * @return between 0 and 1; NaN where there is none
      */
     public double pValue() {
-        return degreesOfFreedom == 0 || !Double.isFinite(chiSquare) ? Double.NaN
-                : 1 - new ChiSquaredDistribution(null, degreesOfFreedom).cumulativeProbability(chiSquare);
+        return ChiSquare.pValue(chiSquare, degreesOfFreedom);
     }
 
     /**

@@ -1,8 +1,8 @@
 package org.cellgauge.placement;
 
 import java.util.Arrays;
-import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.internal.statistics.ChiSquare;
 
 /**
  * How one reference fits the others under the model, and how far off it would be noticed; immutable.
@@ -90,8 +90,7 @@ public final class ReferenceFit {
      * @return uniform in (0, 1) if the cell is as stated; NaN where no residual is left
      */
     public double pValue() {
-        return degreesOfFreedom == 0 || !Double.isFinite(chiSquare) ? Double.NaN
-                : 1 - new ChiSquaredDistribution(null, degreesOfFreedom).cumulativeProbability(chiSquare);
+        return ChiSquare.pValue(chiSquare, degreesOfFreedom);
     }
 
     /**

@@ -108,8 +108,6 @@ public abstract class Message {
     }
 
     @Override
-    // a warning is no refusal, whatever they say
-    @SuppressWarnings("EqualsGetClass")
     public boolean equals(@Nullable Object other) {
         return other != null && getClass() == other.getClass() && kind.equals(((Message) other).kind)
                 && arguments.equals(((Message) other).arguments);
