@@ -13,6 +13,7 @@ import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Refusal;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads and judges BoofCV's calibration files (YAML) of the models {@code pinhole}, {@code pinhole_radial_tangential}
@@ -73,7 +74,7 @@ public final class CameraReader {
      * @throws InputRefusedException if it is of another model or contradicts itself
      */
     public static PinholeCamera read(String text, String displayName) {
-        return of(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+        return of(parse(text, displayName));
     }
 
     /**
@@ -84,17 +85,22 @@ public final class CameraReader {
      * @return the stated curve, or null where there is none or {@code auto}
      * @throws InputRefusedException if it is none, or not readable
      */
-    public static ToneCurve toneCurve(String text, String displayName) {
-        return toneCurveOf(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+    public static @Nullable ToneCurve toneCurve(String text, String displayName) {
+        return toneCurveOf(parse(text, displayName));
+    }
+
+    /** The value at the top of a camera file. */
+    static YamlValue parse(String text, String displayName) {
+        return YamlValue.parse(text, displayName, WHAT, MAX_BYTES);
     }
 
     /** What a mapping with a calibration file's keys says of the tone curve; null where nothing or {@code auto}. */
-    static ToneCurve toneCurveOf(YamlValue camera) {
+    static @Nullable ToneCurve toneCurveOf(YamlValue camera) {
         return toneCurve(camera.mapping(EXAMPLE).optional(TONE_CURVE));
     }
 
     /** The tone curve of its words; null for {@code auto} and where nothing stands. */
-    static ToneCurve toneCurve(YamlValue value) {
+    static @Nullable ToneCurve toneCurve(@Nullable YamlValue value) {
         if (value == null) {
             return null;
         }
@@ -115,13 +121,13 @@ public final class CameraReader {
     static PinholeCamera of(YamlValue value) {
         YamlMapping file = value.mapping(EXAMPLE);
         if (file.optional("cellgauge") != null) {
-            throw file.optional("cellgauge").refused(CellRefusal.IS_CELL_FILE);
+            throw file.at("cellgauge").refused(CellRefusal.IS_CELL_FILE);
         }
         String model = file.required("model", "model: " + WITH_DISTORTION).text("model: " + WITH_DISTORTION);
         boolean distorted = model.equals(WITH_DISTORTION);
         boolean fisheye = model.equals(FISHEYE);
         if (!distorted && !fisheye && !model.equals(WITHOUT_DISTORTION)) {
-            throw file.optional("model").refused(CellRefusal.CAMERA_MODEL, model,
+            throw file.at("model").refused(CellRefusal.CAMERA_MODEL, model,
                     Listing.or(Arrays.asList(WITH_DISTORTION, WITHOUT_DISTORTION)), FISHEYE);
         }
         file.refuseUnknown(fisheye
@@ -154,7 +160,7 @@ public final class CameraReader {
         judgePinhole(pinhole, k, width, height);
         if (fisheye) {
             PinholeCamera camera = PinholeCamera.of(lens, width, height, k);
-            judgeFisheye(file.optional(SYMMETRIC), camera);
+            judgeFisheye(file.at(SYMMETRIC), camera);
             return camera;
         }
 
@@ -167,7 +173,7 @@ public final class CameraReader {
         }
         PinholeCamera camera = PinholeCamera.of(width, height, k);
         if (camera.isDistorting()) {
-            judgeDistortion(block, camera);
+            judgeDistortion(file.at("radial_tangential"), camera);
         }
         return camera;
     }
@@ -194,7 +200,7 @@ public final class CameraReader {
     private static void readFisheye(YamlMapping file, double[] k) {
         for (String part : new String[] {"radial", "tangent"}) {
             if (holdsMoreThanZeros(file.optional(part)) && holdsMoreThanZeros(file.optional(part + "_trig"))) {
-                throw file.optional(part).refused(CellRefusal.ASYMMETRIC_LENS);
+                throw file.at(part).refused(CellRefusal.ASYMMETRIC_LENS);
             }
         }
         YamlValue symmetric = file.required(SYMMETRIC, SYMMETRIC_EXAMPLE);
@@ -212,7 +218,7 @@ public final class CameraReader {
         k[PinholeCamera.SKEW] *= first;
     }
 
-    private static boolean holdsMoreThanZeros(YamlValue list) {
+    private static boolean holdsMoreThanZeros(@Nullable YamlValue list) {
         if (list == null || list.isEmpty()) {
             return false;
         }
@@ -250,28 +256,28 @@ public final class CameraReader {
         for (String key : new String[] {"fx", "fy"}) {
             double f = k[key.equals("fx") ? PinholeCamera.FX : PinholeCamera.FY];
             if (!(f >= MIN_FOCAL_PER_SIDE * side && f <= MAX_FOCAL_PER_SIDE * side)) {
-                throw pinhole.optional(key).refused(CellRefusal.FOCAL_LENGTH, plain(f), width, height);
+                throw pinhole.at(key).refused(CellRefusal.FOCAL_LENGTH, plain(f), width, height);
             }
         }
         double ratio = k[PinholeCamera.FX] / k[PinholeCamera.FY];
         if (!(ratio <= MAX_FOCAL_RATIO && ratio >= 1 / MAX_FOCAL_RATIO)) {
-            throw pinhole.optional("fy").refused(CellRefusal.FOCAL_LENGTHS_DIFFER, plain(k[PinholeCamera.FX]),
+            throw pinhole.at("fy").refused(CellRefusal.FOCAL_LENGTHS_DIFFER, plain(k[PinholeCamera.FX]),
                     plain(k[PinholeCamera.FY]));
         }
         judgePrincipalPoint(pinhole, "cx", k[PinholeCamera.CX], width, CellPhrase.WIDTH);
         judgePrincipalPoint(pinhole, "cy", k[PinholeCamera.CY], height, CellPhrase.HEIGHT);
         if (k[PinholeCamera.CX] == 0 && k[PinholeCamera.CY] == 0) {
-            throw pinhole.optional("cx").refused(CellRefusal.PRINCIPAL_POINT_ZERO);
+            throw pinhole.at("cx").refused(CellRefusal.PRINCIPAL_POINT_ZERO);
         }
         if (Math.abs(k[PinholeCamera.SKEW]) > 0.5 * k[PinholeCamera.FX]) {
-            throw pinhole.optional("skew").refused(CellRefusal.SKEW, plain(k[PinholeCamera.SKEW]));
+            throw pinhole.at("skew").refused(CellRefusal.SKEW, plain(k[PinholeCamera.SKEW]));
         }
     }
 
     private static void judgePrincipalPoint(YamlMapping pinhole, String key, double c, int side, CellPhrase name) {
         // a part cut out of a larger image may have its principal point outside, but not by more than its own size
         if (!(c >= -side && c <= 2.0 * side)) {
-            throw pinhole.optional(key).refused(CellRefusal.PRINCIPAL_POINT_OUTSIDE, plain(c), name, side);
+            throw pinhole.at(key).refused(CellRefusal.PRINCIPAL_POINT_OUTSIDE, plain(c), name, side);
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.light.ToneCurve;
+import org.jspecify.annotations.Nullable;
 
 /** A robot cell as its cell file describes it; immutable. References and objects keep the order of the file. */
 public final class Cell {
@@ -15,7 +16,7 @@ public final class Cell {
     private final List<ObjectMarker> objects;
     private final OptionalDouble pixelStdPx;
     private final OptionalDouble targetStdMm;
-    private final ToneCurve toneCurve;
+    private final @Nullable ToneCurve toneCurve;
     private final PrintPrecision prints;
 
     /**
@@ -54,7 +55,8 @@ public final class Cell {
     }
 
     private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
-            OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints, ToneCurve toneCurve) {
+            OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints,
+            @Nullable ToneCurve toneCurve) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
@@ -110,7 +112,7 @@ public final class Cell {
      * @param stated how the camera makes grey values of light, or null: to be estimated from each photo ("auto")
      * @return a new cell
      */
-    public Cell withToneCurve(ToneCurve stated) {
+    public Cell withToneCurve(@Nullable ToneCurve stated) {
         return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, stated);
     }
 
@@ -182,7 +184,7 @@ public final class Cell {
      *
      * @return the stated curve, or null where it is to be estimated from each photo ("auto")
      */
-    public ToneCurve toneCurve() {
+    public @Nullable ToneCurve toneCurve() {
         return toneCurve;
     }
 }

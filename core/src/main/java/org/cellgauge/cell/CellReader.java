@@ -11,7 +11,9 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalDouble;
+import java.util.function.Function;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.cell.CellPhrase;
@@ -19,6 +21,7 @@ import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Refusal;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads and judges cell files (YAML, version 1).
@@ -45,17 +48,16 @@ public final class CellReader {
     private static final double MAX_ANGLE_DEG = 360;
     private static final double SAME_PLANE_COSINE = Math.cos(Math.toRadians(30));
 
-    private final CameraSource cameras;
-    private final Path folder;
-    private final PinholeCamera given;
-    private MarkerFamily family;
-    private YamlValue generalSize;
-    private ToneCurve cameraToneCurve;
+    /** Reads the camera file that a value of the cell file names. */
+    @FunctionalInterface
+    private interface CameraFile {
+        YamlValue read(YamlValue value, String name);
+    }
 
-    private CellReader(CameraSource cameras, Path folder, PinholeCamera given) {
-        this.cameras = cameras;
-        this.folder = folder;
-        this.given = given;
+    private @Nullable YamlValue generalSize;
+    private @Nullable ToneCurve cameraToneCurve;
+
+    private CellReader() {
     }
 
     /**
@@ -67,7 +69,7 @@ public final class CellReader {
      */
     public static Cell read(Path file) {
         String text = InputFiles.text(file, WHAT, MAX_BYTES);
-        return new CellReader(null, file, null).cell(YamlValue.parse(text, file.toString(), WHAT, MAX_BYTES));
+        return cell(text, file.toString(), (value, name) -> beside(file, value, name));
     }
 
     /**
@@ -80,7 +82,7 @@ public final class CellReader {
      * @throws InputRefusedException if the cell or the camera is missing or faulty
      */
     public static Cell read(String text, String displayName, CameraSource cameras) {
-        return new CellReader(cameras, null, null).cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+        return cell(text, displayName, (value, name) -> from(cameras, value, name));
     }
 
     /**
@@ -107,10 +109,17 @@ public final class CellReader {
      * @return the cell
      * @throws InputRefusedException if the cell is faulty
      */
-    public static Cell read(String text, String displayName, PinholeCamera camera, ToneCurve toneCurve) {
-        CellReader reader = new CellReader(null, null, camera);
+    public static Cell read(String text, String displayName, PinholeCamera camera,
+            @Nullable ToneCurve toneCurve) {
+        CellReader reader = new CellReader();
         reader.cameraToneCurve = toneCurve;
-        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES));
+        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> camera);
+    }
+
+    private static Cell cell(String text, String displayName, CameraFile cameraFile) {
+        CellReader reader = new CellReader();
+        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES),
+                file -> reader.camera(file.required("camera", CellPhrase.CAMERA), cameraFile));
     }
 
     /**
@@ -147,14 +156,14 @@ public final class CellReader {
         return file;
     }
 
-    private Cell cell(YamlValue top) {
+    private Cell cell(YamlValue top, Function<YamlMapping, PinholeCamera> cameraOf) {
         YamlMapping file = cellFile(top);
         file.refuseUnknown(Arrays.asList("cellgauge", "camera", "markers", "placement", "pixel_std_px",
                 CameraReader.TONE_CURVE, "references", "objects", "target"));
-        PinholeCamera camera = given != null ? given : camera(file.required("camera", CellPhrase.CAMERA));
+        PinholeCamera camera = cameraOf.apply(file);
         YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm",
                 "size_std_mm", "flatness_mm", "print_gain_std_mm");
-        family = family(markers.required("family", "family: square-binary"));
+        MarkerFamily family = family(markers.required("family", "family: square-binary"));
         generalSize = markers.optional("size_mm");
         if (generalSize != null) {
             size(generalSize);
@@ -163,8 +172,8 @@ public final class CellReader {
         OptionalDouble pixelStdPx = pixelStd(file.optional("pixel_std_px"));
 
         Map<Integer, YamlValue> lines = new HashMap<>();
-        List<Reference> references = references(file, markers, placement, lines);
-        List<ObjectMarker> objects = objects(file.optional("objects"), markers, lines);
+        List<Reference> references = references(file, markers, family, placement, lines);
+        List<ObjectMarker> objects = objects(file.optional("objects"), markers, family, lines);
         OptionalDouble target = OptionalDouble.empty();
         if (file.optional("target") != null) {
             target = OptionalDouble.of(file.optional("target")
@@ -198,23 +207,26 @@ public final class CellReader {
         return bounded(value, std, remedy);
     }
 
-    private PinholeCamera camera(YamlValue value) {
-        if (value.isMapping()) {
-            return camera(value, null, null);
+    /** The camera of an inline mapping or of the file it names, what is said of its tone curve kept aside. */
+    private PinholeCamera camera(YamlValue value, CameraFile cameraFile) {
+        YamlValue top = value.isMapping() ? value : cameraFile.read(value, value.text(CellPhrase.CAMERA));
+        PinholeCamera camera = CameraReader.of(top);
+        cameraToneCurve = CameraReader.toneCurveOf(top);
+        return camera;
+    }
+
+    private static YamlValue from(CameraSource cameras, YamlValue value, String name) {
+        try {
+            return CameraReader.parse(cameras.read(name), name);
+        } catch (IOException e) {
+            throw noCamera(value, name, e);
         }
-        String name = value.text(CellPhrase.CAMERA);
-        if (folder == null) {
-            String text;
-            try {
-                text = cameras.read(name);
-            } catch (IOException e) {
-                throw noCamera(value, name, e);
-            }
-            return camera(null, text, name);
-        }
+    }
+
+    private static YamlValue beside(Path cellFile, YamlValue value, String name) {
         Path path;
         try {
-            path = folder.resolveSibling(name);
+            path = cellFile.resolveSibling(name);
         } catch (InvalidPathException e) {
             throw value.refused(CellRefusal.NO_FILE_NAME, name, CellPhrase.CAMERA);
         }
@@ -227,14 +239,7 @@ public final class CellReader {
         } catch (InputRefusedException e) {
             throw new InputRefusedException(value.refusal(CellRefusal.CAMERA_FILE, e.refusal()), e);
         }
-        return camera(null, text, path.toString());
-    }
-
-    /** The camera of an inline mapping or of a file's text, what is said of its tone curve kept aside. */
-    private PinholeCamera camera(YamlValue inline, String text, String name) {
-        PinholeCamera camera = inline != null ? CameraReader.of(inline) : CameraReader.read(text, name);
-        cameraToneCurve = inline != null ? CameraReader.toneCurveOf(inline) : CameraReader.toneCurve(text, name);
-        return camera;
+        return CameraReader.parse(text, path.toString());
     }
 
     private static InputRefusedException noCamera(YamlValue value, String name, IOException e) {
@@ -305,15 +310,15 @@ public final class CellReader {
         return std;
     }
 
-    private static OptionalDouble pixelStd(YamlValue value) {
+    private static OptionalDouble pixelStd(@Nullable YamlValue value) {
         if (value == null || value.is("auto")) {
             return OptionalDouble.empty();
         }
         return OptionalDouble.of(value.positive(CellPhrase.PIXEL_STD));
     }
 
-    private List<Reference> references(YamlMapping file, YamlMapping markers, YamlMapping general,
-            Map<Integer, YamlValue> lines) {
+    private List<Reference> references(YamlMapping file, YamlMapping markers, MarkerFamily family,
+            @Nullable YamlMapping general, Map<Integer, YamlValue> lines) {
         YamlValue value = file.required("references", CellPhrase.REFERENCES);
         if (value.isEmpty() || value.isList() && value.items().isEmpty()) {
             throw value.refused(CellRefusal.NO_REFERENCE, CellPhrase.REFERENCES);
@@ -324,7 +329,7 @@ public final class CellReader {
         }
         List<Reference> references = new ArrayList<>();
         for (Map.Entry<String, YamlValue> e : mapping.values().entrySet()) {
-            int id = id(e.getKey(), e.getValue(), lines);
+            int id = id(e.getKey(), e.getValue(), family, lines);
             YamlMapping entry = e.getValue().mapping("{position_mm: [x, y, z], rotation_deg: [psi, theta, phi]}",
                     "position_mm", "rotation_deg", "placement", "size_mm");
             YamlValue positionValue = entry.required("position_mm", "position_mm: " + POSITION);
@@ -335,14 +340,15 @@ public final class CellReader {
             Reference reference = new Reference(id, size(entry, markers), worldFromMarker,
                     placement(file, entry, general));
             for (Reference other : references) {
-                refuseSamePlace(reference, positionValue, other, lines.get(other.id()));
+                refuseSamePlace(reference, positionValue, other,
+                        Objects.requireNonNull(lines.get(other.id()), "every reference read so far has its line"));
             }
             references.add(reference);
         }
         return references;
     }
 
-    private static double[] rotation(YamlValue value) {
+    private static double[] rotation(@Nullable YamlValue value) {
         if (value == null) {
             return new double[3];
         }
@@ -355,47 +361,51 @@ public final class CellReader {
         return rotation;
     }
 
-    private static Placement placement(YamlMapping file, YamlMapping entry, YamlMapping general) {
+    private static Placement placement(YamlMapping file, YamlMapping entry, @Nullable YamlMapping general) {
         YamlMapping own = entry.optional("placement") == null ? null : placement(entry.optional("placement"));
-        if (general == null && own == null) {
+        YamlMapping last = general == null ? own : general;
+        if (last == null) {
             throw file.missing("placement", CellRefusal.MISSING_AND_NO_OWN, entry.self().path(), entry.self().line(),
                     PLACEMENT_EXAMPLE);
         }
-        double[] stdMm = placementStdMm(stated("std_mm", own, general));
+        YamlMapping first = own == null ? last : own;
+        double[] stdMm = placementStdMm(stated("std_mm", first, last));
         return new Placement(stdMm[0], stdMm[1], stdMm[2],
-                Math.toRadians(placementStdDeg(stated("std_deg", own, general))));
+                Math.toRadians(placementStdDeg(stated("std_deg", first, last))));
     }
 
-    private static YamlValue stated(String key, YamlMapping own, YamlMapping general) {
-        if (own != null && own.optional(key) != null) {
-            return own.optional(key);
+    /** What the first of two mappings states that does; one must. */
+    private static YamlValue stated(String key, YamlMapping first, YamlMapping last) {
+        for (YamlMapping mapping : Arrays.asList(first, last)) {
+            YamlValue value = mapping.optional(key);
+            if (value != null) {
+                return value;
+            }
         }
-        if (general != null && general.optional(key) != null) {
-            return general.optional(key);
-        }
-        YamlMapping where = general == null ? own : general;
-        throw where.missing(key, CellRefusal.MISSING,
+        throw last.missing(key, CellRefusal.MISSING,
                 key.equals("std_mm") ? "std_mm: [5, 5, 5]" : "std_deg: 0.5");
     }
 
     private double size(YamlMapping entry, YamlMapping markers) {
         YamlValue own = entry.optional("size_mm");
-        if (own == null && generalSize == null) {
+        YamlValue stated = own == null ? generalSize : own;
+        if (stated == null) {
             throw markers.missing("size_mm", CellRefusal.MISSING_AND_NO_OWN, entry.self().path(),
                     entry.self().line(), CellPhrase.MARKER_SIZE_KEY);
         }
-        return size(own == null ? generalSize : own);
+        return size(stated);
     }
 
-    private List<ObjectMarker> objects(YamlValue value, YamlMapping markers, Map<Integer, YamlValue> lines) {
+    private List<ObjectMarker> objects(@Nullable YamlValue value, YamlMapping markers, MarkerFamily family,
+            Map<Integer, YamlValue> lines) {
         List<ObjectMarker> objects = new ArrayList<>();
         if (value == null || value.isEmpty()) {
             return objects;
         }
         for (Map.Entry<String, YamlValue> e : value.mapping(CellPhrase.OBJECTS).values()
                 .entrySet()) {
-            int id = id(e.getKey(), e.getValue(), lines);
-            double[] grip = null;
+            int id = id(e.getKey(), e.getValue(), family, lines);
+            double @Nullable [] grip = null;
             double size;
             if (e.getValue().isEmpty()) {
                 // "5:" says the same as "5: {}"
@@ -414,7 +424,7 @@ public final class CellReader {
         return objects;
     }
 
-    private int id(String key, YamlValue value, Map<Integer, YamlValue> lines) {
+    private static int id(String key, YamlValue value, MarkerFamily family, Map<Integer, YamlValue> lines) {
         if (!key.matches("0|[1-9]\\d{0,8}")) {
             throw value.refused(CellRefusal.NO_ID, key, family.size() - 1);
         }

@@ -3,6 +3,7 @@ package org.cellgauge.cell;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.RefusalKind;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An input cannot be used: the refusal names the file, the place in it and the remedy.
@@ -30,7 +31,7 @@ public final class InputRefusedException extends RuntimeException {
      * @param refusal file, place, what is wrong, remedy
      * @param cause the error behind it, or null
      */
-    public InputRefusedException(Refusal refusal, Throwable cause) {
+    public InputRefusedException(Refusal refusal, @Nullable Throwable cause) {
         super(refusal.toString(), cause);
         this.refusal = refusal;
     }

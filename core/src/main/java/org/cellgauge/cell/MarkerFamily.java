@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.cellgauge.warning.Refusal;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A family of square fiducial markers: BoofCV's square-binary, or one of its predefined Hamming-coded dictionaries.
@@ -72,7 +73,7 @@ public final class MarkerFamily {
     }
 
     /** The family of a name, or null. */
-    static MarkerFamily find(String name) {
+    static @Nullable MarkerFamily find(String name) {
         for (MarkerFamily family : ALL) {
             if (family.name.equals(name)) {
                 return family;

@@ -1,10 +1,12 @@
 package org.cellgauge.cell;
 
+import org.jspecify.annotations.Nullable;
+
 /** A marker on an object that the robot will grip, with its gripping point where one is given; immutable. */
 public final class ObjectMarker {
     private final int id;
     private final double sizeMm;
-    private final double[] gripMm;
+    private final double @Nullable [] gripMm;
 
     /**
      * An object marker.
@@ -13,7 +15,7 @@ public final class ObjectMarker {
      * @param sizeMm outer edge of the black border, mm, positive
      * @param gripMm gripping point in the marker's frame, 3 values, mm, or null where none is given; copied
      */
-    public ObjectMarker(int id, double sizeMm, double[] gripMm) {
+    public ObjectMarker(int id, double sizeMm, double @Nullable [] gripMm) {
         if (!(sizeMm > 0)) {
             throw new IllegalArgumentException("marker " + id + ": size must be positive, not " + sizeMm);
         }
@@ -54,7 +56,7 @@ public final class ObjectMarker {
      *
      * @return a copy of its 3 coordinates, mm, or null where none is given
      */
-    public double[] gripMm() {
+    public double @Nullable [] gripMm() {
         return gripMm == null ? null : gripMm.clone();
     }
 }

@@ -1,5 +1,7 @@
 package org.cellgauge.cell;
 
+import org.jspecify.annotations.Nullable;
+
 /** What a cell file says of the camera; immutable. */
 public final class StatedCamera {
     /** How a cell file states the camera. */
@@ -13,9 +15,9 @@ public final class StatedCamera {
     }
 
     private final Kind kind;
-    private final String fileName;
+    private final @Nullable String fileName;
 
-    StatedCamera(Kind kind, String fileName) {
+    StatedCamera(Kind kind, @Nullable String fileName) {
         this.kind = kind;
         this.fileName = fileName;
     }
@@ -34,7 +36,7 @@ public final class StatedCamera {
      *
      * @return relative to the cell file; null unless a file is named
      */
-    public String fileName() {
+    public @Nullable String fileName() {
         return fileName;
     }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.warning.RefusalKind;
+import org.jspecify.annotations.Nullable;
 import org.yaml.snakeyaml.nodes.MappingNode;
 import org.yaml.snakeyaml.nodes.Node;
 import org.yaml.snakeyaml.nodes.NodeTuple;
@@ -63,8 +64,14 @@ final class YamlMapping {
     }
 
     /** The value of a key, or null where the key does not stand there. */
-    YamlValue optional(String key) {
+    @Nullable YamlValue optional(String key) {
         return values.get(key);
+    }
+
+    /** The value of a key, or the mapping itself where the key does not stand there: the place to name in a refusal. */
+    YamlValue at(String key) {
+        YamlValue value = values.get(key);
+        return value == null ? self : value;
     }
 
     /**

@@ -9,6 +9,7 @@ import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.RefusalKind;
+import org.jspecify.annotations.Nullable;
 import org.yaml.snakeyaml.DumperOptions;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.Yaml;
@@ -94,7 +95,7 @@ final class YamlValue {
         return Refusal.at(place, CellRefusal.YAML_SYNTAX, firstLine(problem));
     }
 
-    private static String firstLine(String message) {
+    private static String firstLine(@Nullable String message) {
         String m = String.valueOf(message).trim();
         int end = m.indexOf('\n');
         return end < 0 ? m : m.substring(0, end);

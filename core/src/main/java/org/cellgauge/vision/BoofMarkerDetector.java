@@ -34,6 +34,7 @@ import org.cellgauge.internal.vision.BoofThreads;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Finds markers with BoofCV's square detectors, sharpens their corners and judges what was found.
@@ -75,8 +76,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final double residualLimitPerSide;
     private final BaseDetectFiducialSquare<GrayU8> squares;
     /** Looks at the bent image of a wide lens as well; null for others. */
-    private final BaseDetectFiducialSquare<GrayU8> bentSquares;
-    private final ToneCurve statedCurve;
+    private final @Nullable BaseDetectFiducialSquare<GrayU8> bentSquares;
+    private final @Nullable ToneCurve statedCurve;
     private final GreyScale scale = new GreyScale();
     private final LightFit light = new LightFit(scale);
     private final PatternReader reader;
@@ -127,7 +128,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
      *     image says of itself
      */
     public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,
-            double residualLimitPerSide, ToneCurve toneCurve) {
+            double residualLimitPerSide, @Nullable ToneCurve toneCurve) {
         this.statedCurve = toneCurve;
         this.residualLimitPerSide = residualLimitPerSide;
         this.camera = camera;
@@ -231,7 +232,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 seen.add(seen(image, (int) found.id, found.distortedPixels));
             }
             if (bentSquares != null) {
-                lookAtBentImage(image, seen);
+                lookAtBentImage(image, bentSquares, seen);
             }
         } finally {
             view.data = NO_PIXELS;
@@ -240,7 +241,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         List<boolean[]> read = new ArrayList<>();
         for (Seen square : seen) {
             if (square.edges != null && !patterns.containsKey(square.idRead)) {
-                readAgain(image, square);
+                readAgain(image, square, square.edges);
             }
             if (square.edges != null && patterns.containsKey(square.idRead)) {
                 fitted.add(square.edges);
@@ -266,11 +267,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * {@link WideDistortion} is not straight or stretches a marker out of shape. Small markers are found in it as well
      * as in any image.
      */
-    private void lookAtBentImage(GreyImage image, List<Seen> seen) {
-        bentSquares.process(view);
+    private void lookAtBentImage(GreyImage image, BaseDetectFiducialSquare<GrayU8> bent, List<Seen> seen) {
+        bent.process(view);
         int straight = seen.size();
-        for (int i = 0; i < bentSquares.getFound().size(); i++) {
-            FoundFiducial found = bentSquares.getFound().get(i);
+        for (int i = 0; i < bent.getFound().size(); i++) {
+            FoundFiducial found = bent.getFound().get(i);
             int at = 0;
             while (at < straight && !seen.get(at).isAt(found.distortedPixels)) {
                 at++;
@@ -287,9 +288,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private static final class Seen {
         int idRead;
         final double[] cornersPx;
-        final MarkerEdges edges;
+        final @Nullable MarkerEdges edges;
 
-        Seen(int idRead, double[] cornersPx, MarkerEdges edges) {
+        Seen(int idRead, double[] cornersPx, @Nullable MarkerEdges edges) {
             this.idRead = idRead;
             this.cornersPx = cornersPx;
             this.edges = edges;
@@ -336,16 +337,16 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * for later, such a marker would say nothing of the photo's light, and would stay as it was fitted with the cells
      * of another: off by 0.35 px at a blur of 2 px in the dark.
      */
-    private void readAgain(GreyImage image, Seen square) {
-        square.edges.corners(square.cornersPx);
+    private void readAgain(GreyImage image, Seen square, MarkerEdges own) {
+        own.corners(square.cornersPx);
         boolean[] white = familyPatterns.white(square.idRead).clone();
-        int turns = read(image, square.edges, square.cornersPx, white);
+        int turns = read(image, own, square.cornersPx, white);
         if (turns == NONE) {
             return;
         }
         square.idRead = listedId(white);
-        square.edges.turn((4 - turns) % 4);
-        square.edges.refit(image, scale, patterns.get(square.idRead));
+        own.turn((4 - turns) % 4);
+        own.refit(image, scale, familyPatterns.white(square.idRead));
     }
 
     /**
@@ -369,13 +370,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /** One square that BoofCV has read, judged in the photo's light; null where it is no marker of the cell. */
-    private Candidate candidate(GreyImage image, Seen square, List<Warning> warnings) {
+    private @Nullable Candidate candidate(GreyImage image, Seen square, List<Warning> warnings) {
         int id = square.idRead;
         MarkerEdges marker = square.edges;
         double[] corners = square.cornersPx;
-        boolean refined = marker != null;
         boolean turned = false;
-        if (refined) {
+        if (marker != null) {
             boolean[] listed = patterns.get(id);
             if (listed == null) {
                 listed = familyPatterns.white(id);
@@ -392,15 +392,15 @@ public final class BoofMarkerDetector implements MarkerDetector {
             }
         }
         // without its edges a reading rests on BoofCV's alone, and only a code with a checksum can stand on that
-        if (!patterns.containsKey(id) || !refined && !hasChecksum) {
+        if (!patterns.containsKey(id) || marker == null && !hasChecksum) {
             if (patterns.containsKey(square.idRead)) {
-                warnings.add(Warning.of(refined ? DetectionWarning.CELLS_DO_NOT_MATCH
+                warnings.add(Warning.of(marker != null ? DetectionWarning.CELLS_DO_NOT_MATCH
                         : DetectionWarning.EDGES_NOT_MEASURED, square.idRead, pixel(mean(corners, 0)),
                         pixel(mean(corners, 1))));
             }
             return null;
         }
-        if (!refined) {
+        if (marker == null) {
             return new Candidate(new MarkerObservation(id, corners), residual.impliedStdPx(corners), false);
         }
         if (id != square.idRead || turned) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /** All markers seen in one image, with the image's name and size and what the detector has to say; immutable. */
 public final class Detections {
@@ -12,7 +13,7 @@ public final class Detections {
     private final int heightPx;
     private final List<MarkerObservation> markers;
     private final List<Warning> warnings;
-    private final PhotoLight light;
+    private final @Nullable PhotoLight light;
 
     /**
      * Detections of one image without warnings.
@@ -51,7 +52,7 @@ public final class Detections {
      * @param light tone curve, blur and noise; null where corners came without an image
      */
     public Detections(String imageName, int widthPx, int heightPx, List<MarkerObservation> markers,
-            List<Warning> warnings, PhotoLight light) {
+            List<Warning> warnings, @Nullable PhotoLight light) {
         this.imageName = imageName;
         this.widthPx = widthPx;
         this.heightPx = heightPx;
@@ -110,7 +111,7 @@ public final class Detections {
      *
      * @return tone curve, blur and noise; null where corners came without an image
      */
-    public PhotoLight light() {
+    public @Nullable PhotoLight light() {
         return light;
     }
 
@@ -120,7 +121,7 @@ public final class Detections {
      * @param id marker id
      * @return its observation, or null where it was not seen
      */
-    public MarkerObservation find(int id) {
+    public @Nullable MarkerObservation find(int id) {
         for (MarkerObservation m : markers) {
             if (m.id() == id) {
                 return m;

@@ -30,6 +30,7 @@ import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.RefusalKind;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads, judges and writes detections files: corners from any detector, in place of an image.
@@ -72,7 +73,7 @@ public final class DetectionsFile {
     private String imageName;
     private int widthPx;
     private int heightPx;
-    private PhotoLight light;
+    private @Nullable PhotoLight light;
 
     private DetectionsFile(JsonReader json, String file) {
         this.json = json;
@@ -261,7 +262,7 @@ public final class DetectionsFile {
         expect(JsonToken.BEGIN_OBJECT, DetectionsPhrase.OBJECT, DetectionsPhrase.LIGHT);
         json.beginObject();
         Set<String> keys = new HashSet<>();
-        ToneCurve toneCurve = null;
+        ToneCurve toneCurve = ToneCurve.LINEAR;
         boolean estimated = false;
         double edgeShiftStdPx = 0;
         double blurPx = Double.NaN;
@@ -334,11 +335,11 @@ public final class DetectionsFile {
             json.beginObject();
             Set<String> keys = new HashSet<>();
             int id = 0;
-            double[] corners = null;
-            double[] covariance = null;
-            EdgeShift shift = null;
-            Place covariancePlace = null;
-            Place shiftPlace = null;
+            double[] corners = new double[8];
+            double @Nullable [] covariance = null;
+            @Nullable EdgeShift shift = null;
+            Place covariancePlace = place;
+            Place shiftPlace = place;
             while (json.hasNext()) {
                 switch (key(keys, "id", "corners_px", "covariance_px2", "edge_shift")) {
                     case "id":
@@ -448,7 +449,7 @@ public final class DetectionsFile {
         Set<String> keys = new HashSet<>();
         double px = 0;
         double variance = 0;
-        double[] withCorners = null;
+        double[] withCorners = new double[8];
         while (json.hasNext()) {
             switch (key(keys, "px", "variance_px2", "covariance_with_corners_px2")) {
                 case "px":
@@ -475,7 +476,8 @@ public final class DetectionsFile {
     }
 
     /** Refuses what cannot be the covariance of corners, or of corners and shift. */
-    private static void judgePrecision(int id, double[] covariance, Place place, EdgeShift shift, Place shiftPlace) {
+    private static void judgePrecision(int id, double @Nullable [] covariance, Place place, @Nullable EdgeShift shift,
+            Place shiftPlace) {
         if (covariance == null) {
             if (shift != null) {
                 throw refused(shiftPlace, DetectionsRefusal.SHIFT_WITHOUT_COVARIANCE, id);
@@ -492,30 +494,34 @@ public final class DetectionsFile {
                 }
             }
         }
-        if (!isCovariance(covariance, 8, null)) {
+        if (!isCovariance(covariance, 8)) {
             throw refused(place, DetectionsRefusal.NOT_POSITIVE_DEFINITE, id, DetectionsPhrase.COVARIANCE);
         }
-        if (shift != null && !isCovariance(covariance, 9, shift)) {
+        if (shift != null && !isCovariance(joint(covariance, shift), 9)) {
             throw refused(shiftPlace, DetectionsRefusal.COVARIANCES_CONTRADICT, id, DetectionsPhrase.SHIFT);
         }
     }
 
-    /** Whether the covariance of corners, and of the shift as a ninth coordinate, is one. */
-    private static boolean isCovariance(double[] covariance, int n, EdgeShift shift) {
-        double[] joint = new double[n * n];
-        double[] withCorners = shift == null ? null : shift.covarianceWithCornersPx2();
-        for (int i = 0; i < n; i++) {
-            for (int j = 0; j <= i; j++) {
-                joint[n * i + j] = i < 8 ? covariance[8 * i + j] : j < 8 ? withCorners[j] : shift.variancePx2();
-            }
+    /** Lower triangle of the covariance of corners and, as a ninth coordinate, of the shift. */
+    private static double[] joint(double[] covariance, EdgeShift shift) {
+        double[] joint = new double[81];
+        for (int i = 0; i < 8; i++) {
+            System.arraycopy(covariance, 8 * i, joint, 9 * i, 8);
         }
-        double[] factor = joint.clone();
+        System.arraycopy(shift.covarianceWithCornersPx2(), 0, joint, 72, 8);
+        joint[80] = shift.variancePx2();
+        return joint;
+    }
+
+    /** Whether a symmetric matrix of n rows, of which the lower triangle counts, is a covariance. */
+    private static boolean isCovariance(double[] covariance, int n) {
+        double[] factor = covariance.clone();
         if (!Cholesky.factor(factor, n)) {
             return false;
         }
         for (int i = 0; i < n; i++) {
             // what is left of a variance once the values before it are known; rounding alone leaves 1e-16 of it
-            if (!(factor[n * i + i] * factor[n * i + i] > LEAST_CONDITIONAL_SHARE * joint[n * i + i])) {
+            if (!(factor[n * i + i] * factor[n * i + i] > LEAST_CONDITIONAL_SHARE * covariance[n * i + i])) {
                 return false;
             }
         }

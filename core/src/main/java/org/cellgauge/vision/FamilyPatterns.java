@@ -6,6 +6,7 @@ import boofcv.alg.fiducial.square.FiducialSquareHammingGenerator;
 import boofcv.factory.fiducial.ConfigHammingMarker;
 import boofcv.factory.fiducial.HammingDictionary;
 import org.cellgauge.cell.MarkerFamily;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The black and white cells of a family's markers, border included, marker upright: read off the pictures that BoofCV's
@@ -19,7 +20,8 @@ public final class FamilyPatterns {
     private static final int BINARY_CODE_CELLS = 4;
 
     private final MarkerFamily family;
-    private final ConfigHammingMarker dictionary;
+    /** Null for families of BoofCV's that have no table. */
+    private final @Nullable ConfigHammingMarker dictionary;
     private final int cells;
 
     /**
@@ -54,7 +56,7 @@ public final class FamilyPatterns {
         int width = cells * PIXELS_PER_CELL;
         FiducialImageEngine engine = new FiducialImageEngine();
         engine.configure(0, width);
-        if (family.isSquareBinary()) {
+        if (dictionary == null) {
             FiducialSquareGenerator generator = new FiducialSquareGenerator(engine);
             generator.setMarkerWidth(width);
             generator.setWhiteBorderDoc(0);

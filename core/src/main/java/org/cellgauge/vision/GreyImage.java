@@ -1,6 +1,7 @@
 package org.cellgauge.vision;
 
 import org.cellgauge.light.ToneCurve;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A grey image as the detector reads it: one byte of luminance per pixel in an array that may be somebody else's.
@@ -15,10 +16,10 @@ public final class GreyImage {
     private final int rowStride;
     private final int widthPx;
     private final int heightPx;
-    private final ToneCurve toneCurve;
+    private final @Nullable ToneCurve toneCurve;
 
     private GreyImage(byte[] luminance, int offset, int rowStride, int widthPx, int heightPx,
-            ToneCurve toneCurve) {
+            @Nullable ToneCurve toneCurve) {
         this.luminance = luminance;
         this.offset = offset;
         this.rowStride = rowStride;
@@ -74,7 +75,7 @@ public final class GreyImage {
      * @param stated how grey values were made of light; null: nothing is said
      * @return a view of the same array
      */
-    public GreyImage withToneCurve(ToneCurve stated) {
+    public GreyImage withToneCurve(@Nullable ToneCurve stated) {
         return new GreyImage(luminance, offset, rowStride, widthPx, heightPx, stated);
     }
 
@@ -84,7 +85,7 @@ public final class GreyImage {
      *
      * @return how grey values were made of light; null where nothing is said
      */
-    public ToneCurve toneCurve() {
+    public @Nullable ToneCurve toneCurve() {
         return toneCurve;
     }
 

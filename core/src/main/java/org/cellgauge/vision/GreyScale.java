@@ -28,7 +28,7 @@ final class GreyScale {
     /** Share of the noise that leaves the grey level within the scale. */
     double inside;
 
-    private ToneCurve curve;
+    private ToneCurve curve = ToneCurve.LINEAR;
     private double darkLight;
     private double brightLight;
     private double darkByPower;
@@ -40,24 +40,32 @@ final class GreyScale {
     private final double[] lightOfByte = new double[257];
     private double perRoot;
 
+    /** The scale of a linear curve. */
+    GreyScale() {
+        tabulate();
+    }
+
     /**
      * Takes another curve.
      *
      * @param other the curve
      */
     void set(ToneCurve other) {
-        if (other.equals(curve)) {
-            return;
+        if (!other.equals(curve)) {
+            curve = other;
+            tabulate();
         }
-        curve = other;
-        linear = other.isLinear();
+    }
+
+    private void tabulate() {
+        linear = curve.isLinear();
         perRoot = NODES / Math.sqrt(MOST_LIGHT);
         for (int i = 0; i <= 256; i++) {
             lightOfByte[i] = light(i);
         }
         for (int i = 0; i <= NODES && !linear; i++) {
             double root = i / perRoot;
-            table[i] = WHITE * other.grey(root * root);
+            table[i] = WHITE * curve.grey(root * root);
         }
         for (int i = 1; i < NODES && !linear; i++) {
             // by the root from both neighbours, by the light by the chain rule

@@ -3,6 +3,7 @@ package org.cellgauge.vision;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import org.cellgauge.light.ToneCurve;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The tone curve of a colour profile, from its tone reproduction curves.
@@ -41,7 +42,7 @@ public final class IccToneCurve {
      *     there is none, or none that a power comes near
      * @throws RuntimeException if the profile is damaged
      */
-    public static ToneCurve of(byte[] profile) {
+    public static @Nullable ToneCurve of(byte[] profile) {
         ByteBuffer data = ByteBuffer.wrap(profile);
         int tags = Math.min(data.getInt(HEADER_BYTES), MAX_TAGS);
         ToneCurve grey = null;
@@ -76,7 +77,7 @@ public final class IccToneCurve {
         return new String(profile, offset, length, StandardCharsets.ISO_8859_1).replace("\0", "").contains("sRGB");
     }
 
-    private static ToneCurve curve(ByteBuffer data) {
+    private static @Nullable ToneCurve curve(ByteBuffer data) {
         int type = data.getInt(0);
         if (type == TABLE) {
             int count = data.getInt(8);
@@ -130,7 +131,7 @@ public final class IccToneCurve {
     }
 
     /** sRGB's curve where it is that, else the power that comes nearest. */
-    private static ToneCurve nearest(double[] light) {
+    private static @Nullable ToneCurve nearest(double[] light) {
         double fromSrgb = 0;
         double logs = 0;
         double squares = 0;
@@ -162,7 +163,7 @@ public final class IccToneCurve {
      * @param gamma light = grey^gamma
      * @return the curve, or null where no camera has it
      */
-    public static ToneCurve gamma(double gamma) {
+    public static @Nullable ToneCurve gamma(double gamma) {
         double meant = Math.rint(100 * gamma) / 100;
         return meant >= ToneCurve.LEAST_GAMMA && meant <= ToneCurve.LARGEST_GAMMA ? ToneCurve.gamma(meant) : null;
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What the edges of all markers of a photo say together of its light: the tone curve, which skews every blurred edge
@@ -105,7 +106,7 @@ final class LightFit {
     private static final double SETTLED_RADIUS = 0.02;
 
     private final GreyScale scale;
-    private ToneCurve curve;
+    private ToneCurve curve = ToneCurve.LINEAR;
     private double powerMean;
     private double powerStd;
     private boolean estimated;
@@ -136,7 +137,7 @@ final class LightFit {
      * @param stated the curve that the user states, or null
      * @param ofFile the curve that the image file says, or null
      */
-    void start(ToneCurve stated, ToneCurve ofFile) {
+    void start(@Nullable ToneCurve stated, @Nullable ToneCurve ofFile) {
         estimated = stated == null;
         said = ofFile != null;
         fileSaid = said;
@@ -360,7 +361,7 @@ final class LightFit {
      * @param offsetBy receives the mean change of a side's offset, px
      * @return covariance of the three, or null where nothing tells them
      */
-    private double[] shapeCovariance(List<MarkerEdges> some, double correlation, boolean withShift, double power,
+    private double @Nullable [] shapeCovariance(List<MarkerEdges> some, double correlation, boolean withShift, double power,
             double[] score, double[] offsetBy) {
         double variance = noiseGrey * noiseGrey;
         double[] information = new double[SHAPES * SHAPES];

@@ -5,6 +5,7 @@ import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.TangentPlane;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The edges of one marker in one image: its four sides fitted to the grey values, corners where they meet, the
@@ -78,7 +79,7 @@ final class MarkerEdges {
     private final Lens lens;
     private final double[] intrinsics;
     /** Where the marker is looked at under a wide lens; null for others. */
-    private final TangentPlane plane;
+    private final @Nullable TangentPlane plane;
     private final boolean distorted;
     private final int cells;
     private final int borderCells;
@@ -92,7 +93,7 @@ final class MarkerEdges {
     private final double[] homography = new double[8];
     private final double[] point = new double[2];
     private final double[] ray = new double[3];
-    private boolean[] white;
+    private boolean[] white = new boolean[0];
     /** Grey values with an unsharp mask undone, in force where {@link #unsharpened}. */
     private final Unsharpened levels = new Unsharpened();
     private boolean unsharpened;
@@ -1141,7 +1142,7 @@ final class MarkerEdges {
         }
         double[] corners = new double[8];
         corners(corners);
-        EdgeShift shift = null;
+        @Nullable EdgeShift shift = null;
         if (shiftMeasured) {
             double[] withCorners = new double[8];
             for (int r = 0; r < 8; r++) {

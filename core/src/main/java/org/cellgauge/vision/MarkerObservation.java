@@ -1,5 +1,7 @@
 package org.cellgauge.vision;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * One marker as seen in an image: its id, where its four corners are and, where the detector can tell, how precisely
  * they are known; immutable.
@@ -7,8 +9,8 @@ package org.cellgauge.vision;
 public final class MarkerObservation {
     private final int id;
     private final double[] cornersPx;
-    private final double[] covariancePx2;
-    private final EdgeShift edgeShift;
+    private final double @Nullable [] covariancePx2;
+    private final @Nullable EdgeShift edgeShift;
 
     /**
      * An observation of which nothing is known but the corners.
@@ -34,7 +36,8 @@ public final class MarkerObservation {
      *     not corrected; null: not measured
      * @throws IllegalArgumentException if there are not 8 finite corner values, or 64 finite ones of a covariance
      */
-    public MarkerObservation(int id, double[] cornersPx, double[] covariancePx2, EdgeShift edgeShift) {
+    public MarkerObservation(int id, double[] cornersPx, double @Nullable [] covariancePx2,
+            @Nullable EdgeShift edgeShift) {
         if (cornersPx.length != 8) {
             throw new IllegalArgumentException("marker " + id + ": 4 corners take 8 values, not " + cornersPx.length);
         }
@@ -83,7 +86,7 @@ public final class MarkerObservation {
      *
      * @return a copy, 8x8 row by row in the order of {@link #cornersPx()}, px²; null where it is not known
      */
-    public double[] covariancePx2() {
+    public double @Nullable [] covariancePx2() {
         return covariancePx2 == null ? null : covariancePx2.clone();
     }
 
@@ -92,7 +95,7 @@ public final class MarkerObservation {
      *
      * @return the measured shift, by which {@link #cornersPx()} are not corrected; null where none was measured
      */
-    public EdgeShift edgeShift() {
+    public @Nullable EdgeShift edgeShift() {
         return edgeShift;
     }
 

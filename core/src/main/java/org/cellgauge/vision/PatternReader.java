@@ -3,6 +3,7 @@ package org.cellgauge.vision;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.TangentPlane;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads the cells of a marker again, once its corners, grey values and blur are known to fractions.
@@ -22,7 +23,7 @@ final class PatternReader {
     private final Lens lens;
     private final double[] intrinsics;
     /** Where the marker is looked at under a wide lens; null for others. */
-    private final TangentPlane plane;
+    private final @Nullable TangentPlane plane;
     private final int cells;
     private final double[] level;
     private final double[] weightX;

@@ -3,6 +3,7 @@ package org.cellgauge.vision;
 import java.util.Arrays;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.DampedGaussNewton;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One side of a marker fitted to the grey values of the pixels about it: position and slope of its line, width of the
@@ -80,7 +81,6 @@ final class SideFit {
     private int samples;
 
     final double[] unknowns = new double[UNKNOWNS];
-    private final Line line = new Line();
     private final DampedGaussNewton solver =
             new DampedGaussNewton(UNKNOWNS, DampedGaussNewton.Damping.TENFOLD, MAX_STEPS);
     private final double[] normal = new double[UNKNOWNS * UNKNOWNS];
@@ -215,21 +215,23 @@ final class SideFit {
         }
         // clipped noise makes the darkest pixel 0, and another curve may have left less
         unknowns[DARK] = Math.max(scale.leastLevel(), unknowns[DARK]);
-        line.scale = scale;
-        line.profile = profile;
-        line.evaluated = false;
-        solver.minimise(line);
+        solver.minimise(new Line(scale, profile));
         return !solver.isSingular() && unknowns[BRIGHT] > unknowns[DARK] + 1;
     }
 
     /** The side as the solver sees it: a step is within what blur and grey levels can be. */
     private final class Line implements DampedGaussNewton.Problem {
-        private GreyScale scale;
-        private EdgeProfile profile;
+        private final GreyScale scale;
+        private final EdgeProfile profile;
         /** Whether sum and derivative at the unknowns are known, from when they were tried. */
         private boolean evaluated;
         private double sum;
         private final double[] trial = new double[UNKNOWNS];
+
+        Line(GreyScale scale, EdgeProfile profile) {
+            this.scale = scale;
+            this.profile = profile;
+        }
 
         @Override
         public double linearise(double[] information, double[] toGradient) {
@@ -609,7 +611,7 @@ final class SideFit {
     }
 
     /** Inverse of the lower triangle gathered in {@link #gathered}, hardly damped; null where it has none. */
-    private double[] inverseOfDamped() {
+    private double @Nullable [] inverseOfDamped() {
         for (int a = 0; a < UNKNOWNS; a++) {
             gathered[a * (UNKNOWNS + 1)] += 1e-9;
             for (int b = 0; b < a; b++) {

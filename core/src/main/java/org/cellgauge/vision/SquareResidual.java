@@ -15,6 +15,7 @@ import org.cellgauge.internal.geometry.DampedGaussNewton;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.internal.geometry.Rotations;
 import org.cellgauge.internal.geometry.TangentPlane;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How far four corners are from being the image of any square: what remains after the best pose.
@@ -38,12 +39,11 @@ final class SquareResidual {
     private final Lens lens;
     private final double[] intrinsics;
     /** Where the square is looked at under a wide lens; null for others, which have one plane for all. */
-    private final TangentPlane plane;
+    private final @Nullable TangentPlane plane;
     private final double[] square = MarkerGeometry.cornersMm(SIDE);
     private final Estimate1ofPnP ippe = FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0);
     private final List<Point2D3D> correspondences = new ArrayList<>();
     private final Se3_F64 cameraFromSquare = new Se3_F64();
-    private final Pose pose = new Pose();
     private final DampedGaussNewton solver =
             new DampedGaussNewton(POSE, DampedGaussNewton.Damping.TENFOLD, MAX_STEPS);
     private final double[] normalised = new double[2];
@@ -91,25 +91,24 @@ final class SquareResidual {
             rotation = pose.rotation();
             translation = pose.translationMm();
         }
-        double sum = refine(cornersPx, rotation, translation);
+        double sum = solver.minimise(new Pose(cornersPx, rotation, translation));
         return Math.sqrt(sum / DEGREES_OF_FREEDOM);
-    }
-
-    private double refine(double[] cornersPx, double[] rotation, double[] translation) {
-        pose.observed = cornersPx;
-        pose.rotation = rotation;
-        pose.translation = translation;
-        return solver.minimise(pose);
     }
 
     /** The pose as the solver sees it: steps turn it by a rotation vector in the camera frame, and shift it. */
     private final class Pose implements DampedGaussNewton.Problem {
-        private double[] observed;
-        private double[] rotation;
-        private double[] translation;
+        private final double[] observed;
+        private final double[] rotation;
+        private final double[] translation;
         private final double[] turn = new double[9];
         private final double[] trialRotation = new double[9];
         private final double[] trialTranslation = new double[3];
+
+        Pose(double[] observed, double[] rotation, double[] translation) {
+            this.observed = observed;
+            this.rotation = rotation;
+            this.translation = translation;
+        }
 
         @Override
         public double linearise(double[] information, double[] gradient) {

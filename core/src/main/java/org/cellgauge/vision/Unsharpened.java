@@ -29,7 +29,7 @@ final class Unsharpened {
     private int firstY;
     private int width;
     private int height;
-    private GreyImage image;
+    private GreyImage image = GreyImage.packed(new byte[1], 1, 1);
     private double[] before = new double[0];
     private double[] blurred = new double[0];
     private double[] rows = new double[0];

@@ -67,8 +67,9 @@ public final class CellWriter {
             for (ObjectMarker object : cell.objects()) {
                 out.append("  ").append(object.id()).append(": {size_mm: ")
                         .append(CameraWriter.number(object.sizeMm()));
-                if (object.hasGrip()) {
-                    out.append(", grip_mm: ").append(numbers(object.gripMm()));
+                double[] grip = object.gripMm();
+                if (grip != null) {
+                    out.append(", grip_mm: ").append(numbers(grip));
                 }
                 out.append("}\n");
             }

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import java.util.zip.InflaterInputStream;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.IccToneCurve;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What an image file says of its tone curve, in the notes that stand beside its pixels.
@@ -86,7 +87,7 @@ public final class StatedToneCurve {
      * @return the curve; sRGB for JPEG, BMP and GIF files that say nothing, since nothing else is stored so by custom;
      *     null where nothing is said, or nothing that can be read
      */
-    public static ToneCurve of(Source file) {
+    public static @Nullable ToneCurve of(Source file) {
         try {
             StatedToneCurve reader = new StatedToneCurve(file);
             long first = reader.unsigned(4);
@@ -112,7 +113,7 @@ public final class StatedToneCurve {
      * @param file all of its bytes
      * @return as {@link #of(Source)}
      */
-    public static ToneCurve of(byte[] file) {
+    public static @Nullable ToneCurve of(byte[] file) {
         return of(inMemory(file));
     }
 
@@ -127,7 +128,7 @@ public final class StatedToneCurve {
 
     // ---- PNG
 
-    private ToneCurve ofPng() throws IOException {
+    private @Nullable ToneCurve ofPng() throws IOException {
         ToneCurve ofProfile = null;
         ToneCurve ofGamma = null;
         boolean srgb = false;
@@ -152,7 +153,7 @@ public final class StatedToneCurve {
     }
 
     /** Name, end of the name, method 0, compressed profile. */
-    private static ToneCurve profileOfPng(byte[] chunk) {
+    private static @Nullable ToneCurve profileOfPng(byte[] chunk) {
         int end = 0;
         while (end < chunk.length - 2 && chunk[end] != 0) {
             end++;
@@ -182,7 +183,7 @@ public final class StatedToneCurve {
 
     // ---- JPEG
 
-    private ToneCurve ofJpeg() {
+    private @Nullable ToneCurve ofJpeg() {
         ToneCurve ofExif = null;
         Map<Integer, byte[]> parts = new TreeMap<>();
         try {
@@ -225,7 +226,7 @@ public final class StatedToneCurve {
         return data.length > begin.length + 2 && Arrays.equals(Arrays.copyOf(data, begin.length), begin);
     }
 
-    private static ToneCurve ofExif(byte[] tiff) {
+    private static @Nullable ToneCurve ofExif(byte[] tiff) {
         try {
             return new StatedToneCurve(inMemory(tiff)).ofTiff();
         } catch (IOException | RuntimeException e) {
@@ -233,7 +234,7 @@ public final class StatedToneCurve {
         }
     }
 
-    private static ToneCurve profile(byte[] icc) {
+    private static @Nullable ToneCurve profile(byte[] icc) {
         try {
             return IccToneCurve.of(icc);
         } catch (RuntimeException e) {
@@ -243,7 +244,7 @@ public final class StatedToneCurve {
 
     // ---- TIFF, and Exif, which has its structure
 
-    private ToneCurve ofTiff() throws IOException {
+    private @Nullable ToneCurve ofTiff() throws IOException {
         at = 0;
         littleEndian = unsigned(2) == LITTLE_ENDIAN;
         at = 4;
@@ -268,8 +269,8 @@ public final class StatedToneCurve {
     private static final class Tags {
         private long exif;
         private long colourSpace;
-        private ToneCurve gamma;
-        private ToneCurve profile;
+        private @Nullable ToneCurve gamma;
+        private @Nullable ToneCurve profile;
     }
 
     private void directory(long offset, Tags tags) throws IOException {
