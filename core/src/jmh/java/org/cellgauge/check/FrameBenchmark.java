@@ -145,7 +145,7 @@ public class FrameBenchmark {
         for (ObjectFit object : objects) {
             LinearModel.ObjectLink link = linear.new ObjectLink(object, 0);
             out.add(link.poseEstimate());
-            out.add(link.budget(null, new RigidMarkerNoise(view, PIXEL_STD)));
+            out.add(link.budget(new double[3], new RigidMarkerNoise(view, PIXEL_STD)));
             if (object.marker.hasGrip()) {
                 out.add(link.grip());
                 out.add(link.budget(object.marker.gripMm(), new RigidMarkerNoise(view, PIXEL_STD)));

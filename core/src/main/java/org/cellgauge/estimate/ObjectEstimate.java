@@ -4,16 +4,17 @@ import java.util.Collections;
 import java.util.List;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.statistics.Ellipse;
+import org.jspecify.annotations.Nullable;
 
 /** What a check says of one object; immutable. */
 public final class ObjectEstimate {
     private final ObjectMarker marker;
     private final PoseEstimate pose;
-    private final PointEstimate grip;
+    private final @Nullable PointEstimate grip;
     private final VarianceBudget budget;
-    private final VarianceBudget gripBudget;
-    private final Ellipse ellipse95Px;
-    private final Ellipse gripEllipse95Px;
+    private final @Nullable VarianceBudget gripBudget;
+    private final @Nullable Ellipse ellipse95Px;
+    private final @Nullable Ellipse gripEllipse95Px;
     private final List<ModeEstimate> modes;
 
     /**
@@ -28,8 +29,9 @@ public final class ObjectEstimate {
      * @param gripEllipse95Px the same of the gripping point; null where it has none
      * @param modes heaviest first, not empty; kept
      */
-    public ObjectEstimate(ObjectMarker marker, PoseEstimate pose, PointEstimate grip, VarianceBudget budget,
-            VarianceBudget gripBudget, Ellipse ellipse95Px, Ellipse gripEllipse95Px, List<ModeEstimate> modes) {
+    public ObjectEstimate(ObjectMarker marker, PoseEstimate pose, @Nullable PointEstimate grip,
+            VarianceBudget budget, @Nullable VarianceBudget gripBudget, @Nullable Ellipse ellipse95Px,
+            @Nullable Ellipse gripEllipse95Px, List<ModeEstimate> modes) {
         this.marker = marker;
         this.pose = pose;
         this.grip = grip;
@@ -72,7 +74,7 @@ public final class ObjectEstimate {
      *
      * @return its estimate, or null where the cell file gives none
      */
-    public PointEstimate grip() {
+    public @Nullable PointEstimate grip() {
         return grip;
     }
 
@@ -90,7 +92,7 @@ public final class ObjectEstimate {
      *
      * @return shares by source, or null where no gripping point is given
      */
-    public VarianceBudget gripBudget() {
+    public @Nullable VarianceBudget gripBudget() {
         return gripBudget;
     }
 
@@ -99,7 +101,7 @@ public final class ObjectEstimate {
      *
      * @return in px, or null where the mean position is not in front of the camera
      */
-    public Ellipse ellipse95Px() {
+    public @Nullable Ellipse ellipse95Px() {
         return ellipse95Px;
     }
 
@@ -108,7 +110,7 @@ public final class ObjectEstimate {
      *
      * @return in px, or null where there is none
      */
-    public Ellipse gripEllipse95Px() {
+    public @Nullable Ellipse gripEllipse95Px() {
         return gripEllipse95Px;
     }
 

@@ -2,6 +2,7 @@ package org.cellgauge.estimate;
 
 import java.util.Objects;
 import java.util.OptionalInt;
+import org.jspecify.annotations.Nullable;
 
 /** What causes a part of a variance: a kind and, where the kind is about one reference, which; immutable. */
 public final class VarianceSource {
@@ -127,7 +128,7 @@ public final class VarianceSource {
     }
 
     @Override
-    public boolean equals(Object other) {
+    public boolean equals(@Nullable Object other) {
         return other instanceof VarianceSource && kind == ((VarianceSource) other).kind
                 && referenceId.equals(((VarianceSource) other).referenceId);
     }

@@ -26,6 +26,7 @@ import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How precisely a photo of a layout would tell where camera and objects are, from poses alone, without any photo:
@@ -53,8 +54,9 @@ public final class LayoutPrediction {
             LinearModel.ObjectLink link = linear.new ObjectLink(fit, 0);
             objects.put(fit.marker.id(), fit);
             poses.put(fit.marker.id(), link.poseEstimate());
-            if (fit.marker.hasGrip()) {
-                grips.put(fit.marker.id(), link.grip());
+            PointEstimate grip = link.grip();
+            if (grip != null) {
+                grips.put(fit.marker.id(), grip);
             }
         }
     }
@@ -69,7 +71,7 @@ public final class LayoutPrediction {
      * @return the prediction; null where the references that would be seen, if any, do not determine the camera pose
      * @throws IllegalArgumentException if the cell states no corner noise
      */
-    public static LayoutPrediction of(Cell cell, RigidTransform worldFromCamera,
+    public static @Nullable LayoutPrediction of(Cell cell, RigidTransform worldFromCamera,
             Map<Integer, RigidTransform> worldFromObjects, CheckSettings settings) {
         if (!cell.pixelStdPx().isPresent()) {
             throw new IllegalArgumentException("nothing is predicted without a stated corner noise");
@@ -170,7 +172,7 @@ public final class LayoutPrediction {
      * @param id id of the object
      * @return its pose in the world as it was given, with covariance and deviations; null where it would not be seen
      */
-    public PoseEstimate object(int id) {
+    public @Nullable PoseEstimate object(int id) {
         return poses.get(id);
     }
 
@@ -180,7 +182,7 @@ public final class LayoutPrediction {
      * @param id id of the object
      * @return the point in the world with its covariance; null where there is none, or the object would not be seen
      */
-    public PointEstimate grip(int id) {
+    public @Nullable PointEstimate grip(int id) {
         return grips.get(id);
     }
 
@@ -192,7 +194,7 @@ public final class LayoutPrediction {
      * @throws IllegalArgumentException if it would not be seen
      */
     public VarianceBudget budget(int id) {
-        return budget(id, null);
+        return budget(id, new double[3]);
     }
 
     /**
@@ -202,7 +204,7 @@ public final class LayoutPrediction {
      * @return variances along world x, y, z by source; null where it has no gripping point
      * @throws IllegalArgumentException if it would not be seen
      */
-    public VarianceBudget gripBudget(int id) {
+    public @Nullable VarianceBudget gripBudget(int id) {
         double[] grip = fit(id).marker.gripMm();
         return grip == null ? null : budget(id, grip);
     }

@@ -5,6 +5,7 @@ import org.cellgauge.internal.posterior.CameraChart;
 import org.cellgauge.internal.sampling.MetropolisChain;
 import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /** A way to sample the camera posterior: tuned once, then it makes the chains. */
 public interface CameraSampler {
@@ -49,7 +50,7 @@ public interface CameraSampler {
          *
          * @return why, or null where nothing speaks against this sampler
          */
-        default Warning misfit() {
+        default @Nullable Warning misfit() {
             return null;
         }
 

@@ -16,6 +16,7 @@ import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.sampling.StudentTMixture;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.settings.ObjectNoise;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One chain of a check: the camera's, and one for each object's pose before the camera, side by side.
@@ -88,8 +89,9 @@ public final class CellProcess implements ChainProcess {
         final CameraState base;
         final CameraState state = new CameraState();
         final ObjectPosterior posterior;
-        final MetropolisChain chain;
-        final double[] grip;
+        /** Null where the pose follows from the camera's draw. */
+        final @Nullable MetropolisChain chain;
+        final double @Nullable [] grip;
         final double[] observed;
         /** Coordinates of the solved pose. */
         final double[] solution = new double[6];
@@ -199,7 +201,8 @@ public final class CellProcess implements ChainProcess {
             centre[i] = centroid[i] - along(worldFromCamera, i, state.offset);
         }
         out[0] = camera.logDensity();
-        int at = readPose(centre, worldFromCamera, quantities.cameraReference, out, 1);
+        System.arraycopy(centre, 0, out, 1, 3);
+        int at = readRotation(worldFromCamera, quantities.cameraReference, out, 1);
         if (quantities.camera.modes.size() > 1) {
             out[at++] = ObjectFit.nearest(quantities.camera.modes, state);
         }
@@ -217,7 +220,7 @@ public final class CellProcess implements ChainProcess {
             double py = centre[1] + worldFromCamera[3] * x + worldFromCamera[4] * y + worldFromCamera[5] * z;
             double pz = centre[2] + worldFromCamera[6] * x + worldFromCamera[7] * y + worldFromCamera[8] * z;
             int first = at;
-            at = readPose(null, worldFromObject, quantities.objectReferences[o], out, first);
+            at = readRotation(worldFromObject, quantities.objectReferences[o], out, first);
             out[first] = px;
             out[first + 1] = py;
             out[first + 2] = pz;
@@ -236,10 +239,8 @@ public final class CellProcess implements ChainProcess {
         return rotation[3 * row] * v[0] + rotation[3 * row + 1] * v[1] + rotation[3 * row + 2] * v[2];
     }
 
-    private int readPose(double[] position, double[] rotation, double[] reference, double[] out, int at) {
-        if (position != null) {
-            System.arraycopy(position, 0, out, at, 3);
-        }
+    /** The rotation of a pose whose figures begin at a place, position first. */
+    private int readRotation(double[] rotation, double[] reference, double[] out, int at) {
         Rotations.toEuler(rotation, out, at + 3);
         Rotations.multiplyTransposed(rotation, reference, turned);
         Rotations.log(turned, out, at + 6);

@@ -10,6 +10,7 @@ import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.Quantity.Axis;
 import org.cellgauge.sampling.QuantityLayout;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The quantities of a draw: log density, camera pose, unknown intrinsics, what markers share (shift of edges in px,
@@ -51,7 +52,8 @@ public final class CellQuantities {
     public final int[] grips;
     /** Where the moments of the unknown intrinsics stand; -1 where there are none. */
     public final int intrinsics;
-    private final CornerErrors errors;
+    /** Null where markers share nothing. */
+    private final @Nullable CornerErrors errors;
 
     /**
      * The quantities of a photo.
@@ -126,7 +128,7 @@ public final class CellQuantities {
             out[next++] = errors.sizesMm().get(i) + errors.sizeStdMm() * state.unknowns[ofEdges + i];
         }
         if (camera.belief != null) {
-            out[next++] = Math.sqrt(errors.added().variancePx2(state.noise));
+            out[next++] = errors.addedStdPx(state.noise);
         }
         return next;
     }

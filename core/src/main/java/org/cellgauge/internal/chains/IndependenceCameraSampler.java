@@ -9,6 +9,7 @@ import org.cellgauge.internal.sampling.StudentTMixture;
 import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /** Independence Metropolis in the centred chart with a t mixture that importance sampling has fitted. */
 final class IndependenceCameraSampler implements CameraSampler {
@@ -33,7 +34,7 @@ final class IndependenceCameraSampler implements CameraSampler {
             }
 
             @Override
-            public Warning misfit() {
+            public @Nullable Warning misfit() {
                 return tuning.efficiency() < POOR_EFFICIENCY || acceptance < POOR_ACCEPTANCE
                         ? Warning.of(CheckPhrase.MISFIT, Decimal.of(100 * tuning.efficiency(), 0),
                                 Decimal.of(100 * acceptance, 0)) : null;

@@ -11,13 +11,14 @@ import org.cellgauge.internal.posterior.MovingRigidLikelihood;
 import org.cellgauge.internal.posterior.NearestModeLikelihood;
 import org.cellgauge.internal.posterior.RigidMarkerLikelihood;
 import org.cellgauge.settings.LikelihoodModel;
+import org.jspecify.annotations.Nullable;
 
 /** The likelihood of the references seen, by model. */
 enum Likelihoods {
     /** References misplaced rigidly, corners noisy: the default. */
     RIGID_MARKER {
         @Override
-        CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors,
+        CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, @Nullable CornerErrors errors,
                 double kappa) {
             if (modes.size() > 1) {
                 return new NearestModeLikelihood(view, modes, errors);
@@ -28,7 +29,7 @@ enum Likelihoods {
 
         @Override
         CameraLikelihood farReaching(ReferenceView view, List<PoseMode> modes, ReferenceNoise noise,
-                CornerErrors errors, double kappa) {
+                @Nullable CornerErrors errors, double kappa) {
             return modes.size() > 1
                     ? new NearestModeLikelihood(modes, mode -> new MovingRigidLikelihood(view, mode, noise, errors))
                     : new MovingRigidLikelihood(view, modes.get(0), noise, errors);
@@ -37,7 +38,7 @@ enum Likelihoods {
     /** The thesis' likelihood: every corner on its own, deviations of a projected box. */
     CORNER_CUBE {
         @Override
-        CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors,
+        CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, @Nullable CornerErrors errors,
                 double kappa) {
             return new CornerCubeLikelihood(view, kappa);
         }
@@ -58,7 +59,7 @@ enum Likelihoods {
      *
      * @param errors errors of the corners where their noise is sampled; null where it is that of the modes
      */
-    abstract CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors,
+    abstract CameraLikelihood likelihood(ReferenceView view, List<PoseMode> modes, @Nullable CornerErrors errors,
             double kappa);
 
     /**
@@ -67,8 +68,8 @@ enum Likelihoods {
      *
      * @param noise of the view
      */
-    CameraLikelihood farReaching(ReferenceView view, List<PoseMode> modes, ReferenceNoise noise, CornerErrors errors,
-            double kappa) {
+    CameraLikelihood farReaching(ReferenceView view, List<PoseMode> modes, ReferenceNoise noise,
+            @Nullable CornerErrors errors, double kappa) {
         return likelihood(view, modes, errors, kappa);
     }
 }

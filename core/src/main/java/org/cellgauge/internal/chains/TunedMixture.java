@@ -10,6 +10,7 @@ import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.sampling.ImportanceTuning;
 import org.cellgauge.internal.sampling.LogDensity;
 import org.cellgauge.internal.sampling.StudentTMixture;
+import org.jspecify.annotations.Nullable;
 
 /** Laplace's approximation at each mode as a t mixture in the centred chart about the heaviest, then tuned. */
 public final class TunedMixture {
@@ -43,7 +44,7 @@ public final class TunedMixture {
     }
 
     /** The same with the added noise as the last coordinate, where there is a belief about it. */
-    public static StudentTMixture ofModes(List<PoseMode> modes, NoiseBelief belief) {
+    public static StudentTMixture ofModes(List<PoseMode> modes, @Nullable NoiseBelief belief) {
         PoseMode first = modes.get(0);
         int ofMode = first.dimension();
         int n = belief == null ? ofMode : ofMode + 1;

@@ -5,6 +5,7 @@ import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.statistics.Ellipse;
+import org.jspecify.annotations.Nullable;
 
 /** The 95 % region of a point in the world, carried into the image by the derivative of the projection at its mean. */
 public final class ImageEllipses {
@@ -14,7 +15,8 @@ public final class ImageEllipses {
     }
 
     /** The camera with the intrinsics that were estimated in place of the file's. */
-    public static PinholeCamera camera(PinholeCamera file, IntrinsicsPrior unknown, IntrinsicsEstimate estimate) {
+    public static PinholeCamera camera(PinholeCamera file, IntrinsicsPrior unknown,
+            @Nullable IntrinsicsEstimate estimate) {
         if (estimate == null) {
             return file;
         }
@@ -27,7 +29,8 @@ public final class ImageEllipses {
     }
 
     /** The ellipse in px, or null where the point is not in front of the camera or its covariance is not finite. */
-    public static Ellipse of(PinholeCamera camera, PoseEstimate cameraPose, double[] meanMm, double[][] covarianceMm2) {
+    public static @Nullable Ellipse of(PinholeCamera camera, PoseEstimate cameraPose, double[] meanMm,
+            double[][] covarianceMm2) {
         double[] p = cameraPose.meanTransform().inverse().apply(meanMm);
         double[] r = cameraPose.meanTransform().rotation();
         double[] uv = new double[2];

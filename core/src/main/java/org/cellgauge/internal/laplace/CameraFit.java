@@ -13,6 +13,7 @@ import org.cellgauge.internal.pose.PosePrior;
 import org.cellgauge.internal.pose.ReferenceNoise;
 import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.settings.CheckSettings;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The camera of one photo fitted to its references: what they show, how it is modelled, and the modes that came of it;
@@ -28,7 +29,7 @@ public final class CameraFit {
     /** Prior of the unknown intrinsics. */
     public final IntrinsicsPrior intrinsicsPrior;
     /** Prior of the camera pose; null where it is flat. */
-    public final PosePrior posePrior;
+    public final @Nullable PosePrior posePrior;
     /** Errors of the corners, px. */
     public final CornerErrors errors;
     /** The added noise that the modes are found at: the u of {@link org.cellgauge.internal.pose.AddedNoise}. */
@@ -36,11 +37,11 @@ public final class CameraFit {
     /** Heaviest first; empty before they are found. */
     public final List<PoseMode> modes;
     /** The initial estimate, x_world = worldFromCamera · x_camera, mm; null before the modes are found. */
-    public final RigidTransform initialWorldFromCamera;
+    private final @Nullable RigidTransform initialWorldFromCamera;
     /** What is known of the added noise; null where it is stated. */
-    public final NoiseBelief belief;
+    public final @Nullable NoiseBelief belief;
     /** The same without what the references say, by node; null where it is stated. */
-    public final double[] logNoise;
+    public final double @Nullable [] logNoise;
 
     /**
      * A camera whose modes are yet to be found.
@@ -53,13 +54,14 @@ public final class CameraFit {
      * @param noiseLevel the added noise to fit at
      */
     public CameraFit(PinholeCamera lens, CheckSettings settings, ReferenceView view, IntrinsicsPrior intrinsicsPrior,
-            PosePrior posePrior, CornerErrors errors, double noiseLevel) {
+            @Nullable PosePrior posePrior, CornerErrors errors, double noiseLevel) {
         this(lens, settings, view, intrinsicsPrior, posePrior, errors, noiseLevel, List.of(), null, null, null);
     }
 
     private CameraFit(PinholeCamera lens, CheckSettings settings, ReferenceView view, IntrinsicsPrior intrinsicsPrior,
-            PosePrior posePrior, CornerErrors errors, double noiseLevel, List<PoseMode> modes,
-            RigidTransform initialWorldFromCamera, NoiseBelief belief, double[] logNoise) {
+            @Nullable PosePrior posePrior, CornerErrors errors, double noiseLevel, List<PoseMode> modes,
+            @Nullable RigidTransform initialWorldFromCamera, @Nullable NoiseBelief belief,
+            double @Nullable [] logNoise) {
         this.lens = lens;
         this.settings = settings;
         this.view = view;
@@ -77,6 +79,12 @@ public final class CameraFit {
     public CameraFit at(List<PoseMode> found, RigidTransform initial) {
         return new CameraFit(lens, settings, view, intrinsicsPrior, posePrior, errors, noiseLevel, found, initial,
                 belief, logNoise);
+    }
+
+    /** The same camera at other modes, the initial estimate being what it was. */
+    public CameraFit at(List<PoseMode> found) {
+        return new CameraFit(lens, settings, view, intrinsicsPrior, posePrior, errors, noiseLevel, found,
+                initialWorldFromCamera, belief, logNoise);
     }
 
     /** The same camera from other references, at the modes found for them. */
@@ -124,6 +132,9 @@ public final class CameraFit {
 
     /** The initial estimate as a state; its intrinsics are the prior means. */
     public CameraState initialState() {
+        if (initialWorldFromCamera == null) {
+            throw new IllegalStateException("the modes are yet to be found");
+        }
         CameraState state = modes.get(0).state();
         RigidTransform cameraFromSet = view.cameraFromSet(initialWorldFromCamera);
         System.arraycopy(cameraFromSet.rotation(), 0, state.rotation, 0, 9);

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
@@ -24,6 +25,7 @@ import org.cellgauge.settings.ObjectNoise;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The model linearised at its modes: Laplace covariances carried to the world, and where the variance of each object
@@ -44,7 +46,7 @@ public final class LinearModel {
     private final double[] worldFromCamera = new double[9];
     private final int columns;
     /** Covariance that a fit has which knows a source to be zero, by source; filled when a budget is asked for. */
-    private Map<VarianceSource, double[]> refitted;
+    private Map<VarianceSource, double[]> refitted = Collections.emptyMap();
 
     /**
      * The model about the heaviest mode.
@@ -236,7 +238,7 @@ public final class LinearModel {
 
         private double[] arm(double[] pointMm) {
             double[] r = object.rotation;
-            return pointMm == null ? new double[3] : new double[] {
+            return new double[] {
                 r[0] * pointMm[0] + r[1] * pointMm[1] + r[2] * pointMm[2],
                 r[3] * pointMm[0] + r[4] * pointMm[1] + r[5] * pointMm[2],
                 r[6] * pointMm[0] + r[7] * pointMm[1] + r[8] * pointMm[2]};
@@ -254,7 +256,7 @@ public final class LinearModel {
         }
 
         /** Gripping point in the world with its Laplace covariance; null where there is none. */
-        public PointEstimate grip() {
+        public @Nullable PointEstimate grip() {
             double[] grip = target.marker.gripMm();
             if (grip == null) {
                 return null;
@@ -271,7 +273,7 @@ public final class LinearModel {
         /**
          * Variance along each world axis of a point of the object, by source.
          *
-         * @param pointMm in the marker's frame, or null for its centre
+         * @param pointMm in the marker's frame; zeros for its centre
          */
         public VarianceBudget budget(double[] pointMm, ReferenceNoise noise) {
             double[] arm = arm(pointMm);
@@ -309,7 +311,7 @@ public final class LinearModel {
             if (errors.hasFlatness()) {
                 variances.put(VarianceSource.FLATNESS_OF_PRINTS, bent);
             }
-            if (refitted == null) {
+            if (refitted.isEmpty()) {
                 refitted = refitted(atMode, errors);
             }
             refitted.forEach((source, covariance) -> {
@@ -362,11 +364,11 @@ public final class LinearModel {
          *
          * @param without corner noise, flatness, or null for neither
          */
-        private double[] ownVariance(double[] arm, VarianceSource without) {
+        private double[] ownVariance(double[] arm, @Nullable VarianceSource without) {
             if (!noisy || (VarianceSource.CORNER_NOISE_OF_OBJECT.equals(without) && !target.errors.hasFlatness())) {
                 return new double[3];
             }
-            double[] covariance = objectMode.covariance();
+            double @Nullable [] covariance = objectMode.covariance();
             if (without != null) {
                 double[] bent = target.errors.flatness(target.marker.id());
                 double[] noise = new double[64];
@@ -374,7 +376,7 @@ public final class LinearModel {
                 for (int i = 0; i < 64; i++) {
                     noise[i] -= bent[i];
                 }
-                double[] information = Cholesky.inverse(covariance, 6);
+                double[] information = informationOf(objectMode);
                 boolean stays = without.equals(VarianceSource.FLATNESS_OF_PRINTS);
                 exchange(objectMode, information, 0, stays ? noise : bent, stays ? bent : noise);
                 covariance = Cholesky.inverse(information, 6);
@@ -389,13 +391,18 @@ public final class LinearModel {
         }
     }
 
+    private static double[] informationOf(PoseMode mode) {
+        return Objects.requireNonNull(Cholesky.inverse(mode.covariance(), mode.dimension()),
+                "a mode's covariance is the inverse of its information");
+    }
+
     /**
      * The linear model fitted again with one source's variance set to zero, all of the camera's in turn but for a prior
      * of its pose.
      */
     private Map<VarianceSource, double[]> refitted(ReferenceNoise atMode, CornerErrors errors) {
         Map<VarianceSource, double[]> out = new LinkedHashMap<>();
-        double[] information = Cholesky.inverse(mode.covariance(), columns);
+        double[] information = informationOf(mode);
         int n = camera.view.size();
         double[] placement = new double[64];
         double[] pixel = new double[64];

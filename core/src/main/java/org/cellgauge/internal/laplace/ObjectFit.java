@@ -12,6 +12,7 @@ import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.pose.MarkerPoseFinder;
 import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.ReprojectionFit;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One object of a photo: its corners less what they share with others at the camera's mode, and the modes of its pose
@@ -56,7 +57,7 @@ public final class ObjectFit {
      * @param cameraFromObject its pose in the camera frame
      * @return the object; null where the corners do not determine that pose
      */
-    public static ObjectFit at(ObjectMarker marker, CornerErrors errors, CameraState camera,
+    public static @Nullable ObjectFit at(ObjectMarker marker, CornerErrors errors, CameraState camera,
             RigidTransform cameraFromObject) {
         PinholeCamera lens = PinholeCamera.of(camera.lens, 1, 1, camera.intrinsics);
         ObjectFit unfitted = new ObjectFit(marker, errors, camera, List.of());

@@ -3,11 +3,12 @@ package org.cellgauge.internal.pose;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.jspecify.annotations.Nullable;
 
 /** Mean position and mean direction of each Euler angle over the camera poses that each reference gives alone. */
 final class AverageInitialPose implements InitialPose {
     @Override
-    public RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
+    public @Nullable RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
         double[] position = new double[3];
         double[] sine = new double[3];
         double[] cosine = new double[3];
@@ -34,7 +35,7 @@ final class AverageInitialPose implements InitialPose {
     }
 
     /** Camera pose that one reference gives alone, or null. */
-    static RigidTransform ofOneReference(ReferenceView view, int marker, PinholeCamera camera) {
+    static @Nullable RigidTransform ofOneReference(ReferenceView view, int marker, PinholeCamera camera) {
         Reference reference = view.references().get(marker);
         double[] observed = new double[8];
         System.arraycopy(view.observed(), 8 * marker, observed, 0, 8);

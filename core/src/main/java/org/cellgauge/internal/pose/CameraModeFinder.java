@@ -9,6 +9,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Modes of the camera's pose, or of its poses in several views, given all references: damped Gauss-Newton with the
@@ -37,7 +38,7 @@ public final class CameraModeFinder {
     private final PinholeCamera camera;
     private final ReferenceNoise noise;
     private final IntrinsicsPrior intrinsicsPrior;
-    private final PosePrior posePrior;
+    private final @Nullable PosePrior posePrior;
 
     /**
      * A finder.
@@ -49,7 +50,7 @@ public final class CameraModeFinder {
      * @param posePrior prior of the pose, or null for a flat one
      */
     public CameraModeFinder(Observations view, PinholeCamera camera, ReferenceNoise noise,
-            IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+            IntrinsicsPrior intrinsicsPrior, @Nullable PosePrior posePrior) {
         this.view = view;
         this.camera = camera;
         this.noise = noise;
@@ -158,7 +159,7 @@ public final class CameraModeFinder {
      * @param worldFromCameras camera in world, by view
      * @return the mode, or null where a corner is not in front of a camera, or the poses are not determined
      */
-    public PoseMode at(List<RigidTransform> worldFromCameras) {
+    public @Nullable PoseMode at(List<RigidTransform> worldFromCameras) {
         List<RigidTransform> poses = new ArrayList<>();
         for (RigidTransform worldFromCamera : worldFromCameras) {
             poses.add(view.cameraFromSet(worldFromCamera));
@@ -278,7 +279,7 @@ public final class CameraModeFinder {
      * @param known modes found; the search is given up where it comes to one of these or lies hopelessly above them
      * @return null if there is none, or the search is given up
      */
-    private PoseMode fitFrom(List<RigidTransform> cameraFromSets, List<PoseMode> known) {
+    private @Nullable PoseMode fitFrom(List<RigidTransform> cameraFromSets, List<PoseMode> known) {
         double hopeless = Double.POSITIVE_INFINITY;
         for (PoseMode mode : known) {
             hopeless = Math.min(hopeless, mode.halfChiSquare() + HOPELESS);
@@ -298,7 +299,8 @@ public final class CameraModeFinder {
                 intrinsicsPrior, posePrior);
     }
 
-    private PoseMode converged(CameraState state, Linearisation errors, List<PoseMode> known, double hopeless) {
+    private @Nullable PoseMode converged(CameraState state, Linearisation errors, List<PoseMode> known,
+            double hopeless) {
         ReprojectionFit fit = fit(errors);
         CameraState before = state.copy();
         double cost = Double.NaN;

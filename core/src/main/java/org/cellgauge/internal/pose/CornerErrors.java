@@ -15,6 +15,7 @@ import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How far the corners of one photo may be from where they are seen: for each marker a covariance of its own errors, and
@@ -51,15 +52,15 @@ public final class CornerErrors {
 
     private final Map<Integer, MarkerErrors> markers;
     private final double statedStdPx;
-    private final AddedNoise added;
-    private final EdgeModel edges;
+    private final @Nullable AddedNoise added;
+    private final @Nullable EdgeModel edges;
     private final List<Double> sizesMm;
     private final double sizeStdMm;
     private final int unknowns;
     private final Map<Integer, Double> inflations;
 
-    private CornerErrors(Map<Integer, MarkerErrors> markers, double statedStdPx, AddedNoise added, EdgeModel edges,
-            List<Double> sizesMm, double sizeStdMm, int unknowns, Map<Integer, Double> inflations) {
+    private CornerErrors(Map<Integer, MarkerErrors> markers, double statedStdPx, @Nullable AddedNoise added,
+            @Nullable EdgeModel edges, List<Double> sizesMm, double sizeStdMm, int unknowns, Map<Integer, Double> inflations) {
         this.markers = markers;
         this.statedStdPx = statedStdPx;
         this.added = added;
@@ -78,7 +79,7 @@ public final class CornerErrors {
      * @return their errors, no marker set aside
      */
     public static CornerErrors of(Cell cell, Detections detections) {
-        return of(cell, detections, null);
+        return of(cell, detections, Collections.emptyMap());
     }
 
     /**
@@ -86,7 +87,7 @@ public final class CornerErrors {
      *
      * @param cell the cell
      * @param detections where their corners would be; ids foreign to the cell are ignored
-     * @param cameraFromMarkers their poses in the camera frame, by id; null: they are found from the corners
+     * @param cameraFromMarkers their poses in the camera frame, by id; others are found from the corners
      * @return their errors
      */
     public static CornerErrors of(Cell cell, Detections detections, Map<Integer, RigidTransform> cameraFromMarkers) {
@@ -114,7 +115,7 @@ public final class CornerErrors {
         Map<Integer, MarkerErrors> markers = new LinkedHashMap<>();
         List<Double> variances = new ArrayList<>();
         for (MarkerErrors.Source m : seen) {
-            RigidTransform pose = cameraFromMarkers == null ? null : cameraFromMarkers.get(m.observation.id());
+            RigidTransform pose = cameraFromMarkers.get(m.observation.id());
             MarkerErrors errors = errors(cell, m, pose, stated, largest, edges, sizes, q);
             markers.put(m.observation.id(), errors);
             variances.add(meanVariance(errors.covariancePx2));
@@ -126,7 +127,7 @@ public final class CornerErrors {
                 Collections.unmodifiableList(sizes), cell.prints().sizeStdMm(), q, Collections.emptyMap());
     }
 
-    private static void addSeen(MarkerObservation observation, double sizeMm, List<MarkerErrors.Source> seen) {
+    private static void addSeen(@Nullable MarkerObservation observation, double sizeMm, List<MarkerErrors.Source> seen) {
         if (observation != null) {
             seen.add(new MarkerErrors.Source(observation, sizeMm));
         }
@@ -141,7 +142,7 @@ public final class CornerErrors {
     }
 
     /** The largest covariance of any marker, as one for corners that have none beside it; null where none has. */
-    private static double[] largest(List<MarkerErrors.Source> seen) {
+    private static double @Nullable [] largest(List<MarkerErrors.Source> seen) {
         double most = 0;
         for (MarkerErrors.Source m : seen) {
             double[] covariance = m.observation.covariancePx2();
@@ -158,8 +159,8 @@ public final class CornerErrors {
         return out;
     }
 
-    private static MarkerErrors errors(Cell cell, MarkerErrors.Source m, RigidTransform known, double stated,
-            double[] otherwise, EdgeModel edges, List<Double> sizes, int q) {
+    private static MarkerErrors errors(Cell cell, MarkerErrors.Source m, @Nullable RigidTransform known, double stated,
+            double @Nullable [] otherwise, @Nullable EdgeModel edges, List<Double> sizes, int q) {
         boolean unknown = Double.isNaN(stated);
         double[] corners = m.observation.cornersPx();
         double[] covariance = unknown ? m.observation.covariancePx2() : isotropic(stated * stated);
@@ -188,7 +189,7 @@ public final class CornerErrors {
             }
         }
         Squareness squareness = null;
-        double[] flatness = null;
+        double @Nullable [] flatness = null;
         if (unknown || !sizes.isEmpty() || cell.prints().flatnessMm() > 0) {
             List<PoseMode> modes = known != null && !unknown ? Collections.emptyList()
                     : MarkerPoseFinder.modes(corners, m.sizeMm, cell.camera(), 1);
@@ -237,13 +238,18 @@ public final class CornerErrors {
                 log[i] += logSquareness(m, i);
             }
         }
-        return new NoiseBelief(added, log);
+        return new NoiseBelief(unknownNoise(), log);
     }
 
-    private double[] logPrior() {
+    private AddedNoise unknownNoise() {
         if (added == null) {
             throw new IllegalStateException("the noise is stated");
         }
+        return added;
+    }
+
+    private double[] logPrior() {
+        unknownNoise();
         double[] log = new double[AddedNoise.NODES];
         for (int i = 0; i < log.length; i++) {
             double u = AddedNoise.atNode(i);
@@ -254,7 +260,7 @@ public final class CornerErrors {
 
     private double logSquareness(MarkerErrors m, int node) {
         return m.squareness == null || m.setAside ? 0
-                : m.squareness.logLikelihood(added.variancePx2(AddedNoise.atNode(node)), 1);
+                : m.squareness.logLikelihood(unknownNoise().variancePx2(AddedNoise.atNode(node)), 1);
     }
 
     /**
@@ -288,9 +294,11 @@ public final class CornerErrors {
      */
     public CornerErrors withOutliersSetAside() {
         List<Integer> ids = new ArrayList<>();
+        List<Squareness> squares = new ArrayList<>();
         markers.forEach((id, m) -> {
             if (m.squareness != null) {
                 ids.add(id);
+                squares.add(m.squareness);
             }
         });
         if (added == null || ids.size() < LEAST_MARKERS) {
@@ -301,7 +309,7 @@ public final class CornerErrors {
         double[][] outlier = new double[ids.size()][nodes];
         double[] log = logPrior();
         for (int m = 0; m < ids.size(); m++) {
-            Squareness squareness = markers.get(ids.get(m)).squareness;
+            Squareness squareness = squares.get(m);
             for (int i = 0; i < nodes; i++) {
                 double variance = added.variancePx2(AddedNoise.atNode(i));
                 double clean = Math.log(1 - OUTLIER_MARKERS) + squareness.logLikelihood(variance, 1);
@@ -322,10 +330,10 @@ public final class CornerErrors {
                 probability += belief.weight(i) * outlier[m][i];
             }
             if (probability > SET_ASIDE) {
-                MarkerErrors errors = markers.get(ids.get(m));
+                MarkerErrors errors = of(ids.get(m));
                 // half of chi-square is the factor that would make it usual; 2 degrees of freedom tell it so poorly
                 // that twice that is what regions need
-                double chiSquare = errors.squareness.chiSquare(variance);
+                double chiSquare = squares.get(m).chiSquare(variance);
                 double factor = Math.max(LEAST_INFLATION, chiSquare);
                 double[] inflated = errors.withAdded(variance).covariancePx2;
                 for (int i = 0; i < 64; i++) {
@@ -380,7 +388,7 @@ public final class CornerErrors {
      *     model); NaN where the corners are of no pose
      */
     public double squareChiSquare(int id, double sizeMm, PinholeCamera lens) {
-        MarkerErrors m = markers.get(id);
+        MarkerErrors m = of(id);
         List<PoseMode> modes = MarkerPoseFinder.modes(m.cornersPx, sizeMm, lens, 1);
         if (modes.isEmpty()) {
             return Double.NaN;
@@ -471,7 +479,7 @@ public final class CornerErrors {
      *
      * @return the model, null where nothing speaks of a shift
      */
-    public EdgeModel edges() {
+    public @Nullable EdgeModel edges() {
         return edges;
     }
 
@@ -498,8 +506,19 @@ public final class CornerErrors {
      *
      * @return its prior; null where the noise is stated
      */
-    public AddedNoise added() {
+    public @Nullable AddedNoise added() {
         return added;
+    }
+
+    /**
+     * Deviation of the added noise.
+     *
+     * @param u the added noise
+     * @return px
+     * @throws IllegalStateException if the noise is stated
+     */
+    public double addedStdPx(double u) {
+        return Math.sqrt(unknownNoise().variancePx2(u));
     }
 
     /**
@@ -529,6 +548,14 @@ public final class CornerErrors {
         return inflations;
     }
 
+    private MarkerErrors of(int id) {
+        MarkerErrors errors = markers.get(id);
+        if (errors == null) {
+            throw new IllegalArgumentException("marker " + id + " is not seen");
+        }
+        return errors;
+    }
+
     /**
      * Whether the corners of a marker are known.
      *
@@ -546,7 +573,7 @@ public final class CornerErrors {
      * @return a copy of 8 values, px
      */
     public double[] cornersPx(int id) {
-        return markers.get(id).cornersPx.clone();
+        return of(id).cornersPx.clone();
     }
 
     /**
@@ -558,7 +585,7 @@ public final class CornerErrors {
      */
     public double[] cornersPx(int id, double[] unknowns) {
         double[] corners = cornersPx(id);
-        double[] columns = markers.get(id).columns;
+        double[] columns = of(id).columns;
         for (int i = 0; i < 8; i++) {
             for (int j = 0; j < this.unknowns; j++) {
                 corners[i] -= columns[i * this.unknowns + j] * unknowns[j];
@@ -574,7 +601,7 @@ public final class CornerErrors {
      * @return a copy, 8 x {@link #unknowns()} row by row, px per unit
      */
     public double[] columns(int id) {
-        return markers.get(id).columns.clone();
+        return of(id).columns.clone();
     }
 
     /**
@@ -582,13 +609,14 @@ public final class CornerErrors {
      *
      * @param u the added noise
      * @return true where less noise would change no figure
+     * @throws IllegalStateException if the noise is stated
      */
     public boolean isNegligible(double u) {
         double least = Double.POSITIVE_INFINITY;
         for (MarkerErrors m : markers.values()) {
             least = m.setAside ? least : Math.min(least, meanVariance(m.covariancePx2));
         }
-        return added.variancePx2(u) < NEGLIGIBLE * least;
+        return unknownNoise().variancePx2(u) < NEGLIGIBLE * least;
     }
 
     /**
@@ -599,7 +627,7 @@ public final class CornerErrors {
      * @param out receives 8x8 row by row, px²
      */
     public void covariance(int id, double u, double[] out) {
-        MarkerErrors m = markers.get(id);
+        MarkerErrors m = of(id);
         System.arraycopy(m.covariancePx2, 0, out, 0, 64);
         if (added != null && !m.setAside) {
             double variance = added.variancePx2(u);
@@ -616,7 +644,7 @@ public final class CornerErrors {
      * @return a copy, 8x8 row by row, px²; zeros where prints are flat
      */
     public double[] flatness(int id) {
-        double[] flatness = markers.get(id).flatnessPx2;
+        double[] flatness = of(id).flatnessPx2;
         return flatness == null ? new double[64] : flatness.clone();
     }
 
@@ -628,7 +656,7 @@ public final class CornerErrors {
      * @return px²
      */
     public double meanVariancePx2(int id, double u) {
-        MarkerErrors m = markers.get(id);
+        MarkerErrors m = of(id);
         return meanVariance(m.covariancePx2) + (added == null || m.setAside ? 0 : added.variancePx2(u));
     }
 
@@ -685,7 +713,7 @@ public final class CornerErrors {
     double[] columns(List<Reference> references) {
         double[] out = new double[8 * unknowns * references.size()];
         for (int m = 0; m < references.size(); m++) {
-            double[] own = markers.get(references.get(m).id()).columns;
+            double[] own = of(references.get(m).id()).columns;
             System.arraycopy(own, 0, out, m * own.length, own.length);
         }
         return out;

@@ -3,11 +3,13 @@ package org.cellgauge.internal.pose;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How far the edges of a photo's markers lie from where they are: a shift e of the photo, px into the dark, and ink
@@ -40,7 +42,7 @@ public final class EdgeModel {
     }
 
     /** The model of a photo; null where nothing speaks of a shift. */
-    static EdgeModel of(Cell cell, Detections detections, List<MarkerErrors.Source> markers) {
+    static @Nullable EdgeModel of(Cell cell, Detections detections, List<MarkerErrors.Source> markers) {
         boolean measured = false;
         for (MarkerErrors.Source m : markers) {
             measured |= m.observation.edgeShift() != null;
@@ -79,7 +81,7 @@ public final class EdgeModel {
                 }
             }
         }
-        double[] covariance = Cholesky.inverse(information, n);
+        double[] covariance = Objects.requireNonNull(Cholesky.inverse(information, n), "every unknown has a prior");
         double[] mean = new double[n];
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {

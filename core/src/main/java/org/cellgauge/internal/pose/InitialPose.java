@@ -3,6 +3,7 @@ package org.cellgauge.internal.pose;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.settings.InitialEstimate;
+import org.jspecify.annotations.Nullable;
 
 /** A first estimate of the camera pose, from which fits and chains start. */
 public interface InitialPose {
@@ -37,5 +38,5 @@ public interface InitialPose {
      * @param camera intrinsics
      * @return worldFromCamera, or null where the estimator finds none
      */
-    RigidTransform estimate(ReferenceView view, PinholeCamera camera);
+    @Nullable RigidTransform estimate(ReferenceView view, PinholeCamera camera);
 }

@@ -1,6 +1,7 @@
 package org.cellgauge.internal.pose;
 
 import org.cellgauge.vision.MarkerObservation;
+import org.jspecify.annotations.Nullable;
 
 /** What is known of the errors of one marker's corners, part of {@link CornerErrors}; immutable. */
 final class MarkerErrors {
@@ -20,18 +21,18 @@ final class MarkerErrors {
     /** Covariance of their errors but for added noise, 8x8, px². */
     final double[] covariancePx2;
     /** The part of it that comes from bent prints, 8x8, px²; null where there is none. */
-    final double[] flatnessPx2;
+    final double @Nullable [] flatnessPx2;
     /** Change of the seen corners by each shared unknown, 8 rows. */
     final double[] columns;
     /** What the corners say of their noise; null where it is stated. */
-    final Squareness squareness;
+    final @Nullable Squareness squareness;
     /**
      * Whether its corners fit no square: then the covariance is all there is, and says nothing of the others' noise.
      */
     final boolean setAside;
 
-    MarkerErrors(double[] cornersPx, double[] covariancePx2, double[] flatnessPx2, double[] columns,
-            Squareness squareness, boolean setAside) {
+    MarkerErrors(double[] cornersPx, double[] covariancePx2, double @Nullable [] flatnessPx2, double[] columns,
+            @Nullable Squareness squareness, boolean setAside) {
         this.cornersPx = cornersPx;
         this.covariancePx2 = covariancePx2;
         this.flatnessPx2 = flatnessPx2;
@@ -61,7 +62,7 @@ final class MarkerErrors {
      * @param sizeMm its size
      * @return 16 values: 8 by size (px per mm), 8 by each corner's own height (px per mm); null behind the camera
      */
-    static double[] bySizeAndHeight(CameraState state, double sizeMm) {
+    static double @Nullable [] bySizeAndHeight(CameraState state, double sizeMm) {
         double[] points = org.cellgauge.internal.geometry.MarkerGeometry.cornersMm(sizeMm);
         double[] r = state.rotation;
         double[] uv = new double[2];

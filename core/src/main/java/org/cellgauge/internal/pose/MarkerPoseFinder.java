@@ -7,6 +7,7 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.internal.geometry.Rotations;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Pose of one marker in the camera frame from its four corners, with both of its modes.
@@ -30,7 +31,7 @@ public final class MarkerPoseFinder {
      * @param camera intrinsics
      * @return cameraFromMarker, or null if the corners are of no pose at all
      */
-    public static RigidTransform best(double[] cornersPx, double sizeMm, PinholeCamera camera) {
+    public static @Nullable RigidTransform best(double[] cornersPx, double sizeMm, PinholeCamera camera) {
         PoseMode best = null;
         // the smallest residuals decide: weights depend on a corner noise that is not stated here
         for (PoseMode mode : modes(cornersPx, sizeMm, camera, 1)) {
@@ -104,7 +105,7 @@ public final class MarkerPoseFinder {
         return modes.size() > 2 ? modes.subList(0, 2) : modes;
     }
 
-    private static PoseMode fitFrom(ReprojectionFit fit, RigidTransform pose, PinholeCamera camera) {
+    private static @Nullable PoseMode fitFrom(ReprojectionFit fit, RigidTransform pose, PinholeCamera camera) {
         if (!camera.lens().isWide() && !(pose.translationMm()[2] > 0)) {
             return null;
         }

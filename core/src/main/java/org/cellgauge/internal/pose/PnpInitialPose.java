@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Perspective-n-point over all references at once: candidates of EPnP and of each reference alone, each refined by
@@ -15,7 +16,7 @@ final class PnpInitialPose implements InitialPose {
     private static final double OUTLIER_PX = 30;
 
     @Override
-    public RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
+    public @Nullable RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
         List<RigidTransform> candidates = new ArrayList<>();
         RigidTransform joint = TargetPnp.general(camera, view.points(), view.observed());
         if (joint != null) {

@@ -2,6 +2,7 @@ package org.cellgauge.internal.pose;
 
 import java.util.Arrays;
 import org.cellgauge.internal.geometry.Cholesky;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A mode of a pose posterior with what Laplace's approximation needs: where it is, its Fisher information, and the
@@ -18,7 +19,7 @@ public final class PoseMode {
     private final double[] placement;
     private final double[] points;
     private final double[] observed;
-    private final PlacedReferences placed;
+    private final @Nullable PlacedReferences placed;
     private final double[] covariance;
     private final int columns;
     private final StateLayout layout;
@@ -35,14 +36,14 @@ public final class PoseMode {
      * @param placed where placement errors were linearised, or null where there are none
      * @return the mode, or null where its information is singular
      */
-    static PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare,
-            PlacedReferences placed) {
+    static @Nullable PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare,
+            @Nullable PlacedReferences placed) {
         double[] covariance = Cholesky.inverse(fit.information(), fit.columns());
         return covariance == null ? null : new PoseMode(fit, state, halfChiSquare, placed, covariance);
     }
 
     private PoseMode(ReprojectionFit fit, CameraState state, double halfChiSquare,
-            PlacedReferences placed, double[] covariance) {
+            @Nullable PlacedReferences placed, double[] covariance) {
         this.state = state.copy();
         this.jacobian = fit.jacobian().clone();
         this.residuals = fit.residuals().clone();
@@ -188,9 +189,13 @@ public final class PoseMode {
     /**
      * Where the references are taken to stand at this mode.
      *
-     * @return the linearisation point of placement errors, or null for a mode that knows none
+     * @return the linearisation point of placement errors
+     * @throws IllegalStateException if the mode is of a fit that knows none
      */
     public PlacedReferences placed() {
+        if (placed == null) {
+            throw new IllegalStateException("this mode knows no placement errors");
+        }
         return placed;
     }
 

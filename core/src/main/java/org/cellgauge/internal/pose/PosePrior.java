@@ -2,6 +2,7 @@ package org.cellgauge.internal.pose;
 
 import java.util.Arrays;
 import org.cellgauge.internal.geometry.Rotations;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A weak proper prior on the camera pose, Gaussian in the centred chart about a given pose; immutable but for its base,
@@ -104,7 +105,7 @@ public final class PosePrior {
     }
 
     /** Whitened residuals (6 per view) and their derivative by a step of the chart, appended to a fit's rows. */
-    void rows(CameraState state, double[] residuals, double[] jacobian, int firstRow, int columns) {
+    void rows(CameraState state, double[] residuals, double @Nullable [] jacobian, int firstRow, int columns) {
         double[] step = state.stepFrom(base);
         double[] byTurn = new double[9];
         for (int i = 0; i < step.length; i++) {

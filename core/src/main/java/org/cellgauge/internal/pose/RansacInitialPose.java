@@ -2,6 +2,7 @@ package org.cellgauge.internal.pose;
 
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.jspecify.annotations.Nullable;
 
 /** Consensus of single corners; a misplaced reference does not pull it. */
 final class RansacInitialPose implements InitialPose {
@@ -11,7 +12,7 @@ final class RansacInitialPose implements InitialPose {
     private static final long SAMPLING_SEED = 4096;
 
     @Override
-    public RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
+    public @Nullable RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
         RigidTransform cameraFromSet = TargetPnp.ransac(camera, view.points(), view.observed(), THRESHOLD_PX,
                 SAMPLING_SEED);
         return cameraFromSet == null ? null : view.worldFromCamera(cameraFromSet);

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.DampedGaussNewton;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Least squares fit of a pose, or of those of several views, and of unknown intrinsics, to image corners, in the
@@ -23,7 +24,7 @@ public final class ReprojectionFit {
     private final double[] points;
     private final double[] observed;
     private final IntrinsicsPrior intrinsicsPrior;
-    private final PosePrior posePrior;
+    private final @Nullable PosePrior posePrior;
     private final double[] byUnknowns;
     private final BlockLayout blocks;
     private final StateLayout layout;
@@ -37,7 +38,6 @@ public final class ReprojectionFit {
     private final double[] information;
     private final double[] gradient;
     private final DampedGaussNewton solver;
-    private final Chart chart = new Chart();
     private final CameraState candidate;
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
@@ -53,7 +53,8 @@ public final class ReprojectionFit {
      * @param intrinsicsPrior unknown intrinsics
      * @param posePrior prior of the pose, or null for a flat one
      */
-    public ReprojectionFit(double[] points, double[] observed, IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+    public ReprojectionFit(double[] points, double[] observed, IntrinsicsPrior intrinsicsPrior,
+            @Nullable PosePrior posePrior) {
         this(points, observed, new double[0], 0, intrinsicsPrior, posePrior);
     }
 
@@ -69,7 +70,7 @@ public final class ReprojectionFit {
      * @param posePrior prior of the pose, or null for a flat one
      */
     public ReprojectionFit(double[] points, double[] observed, double[] byUnknowns, int unknowns,
-            IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+            IntrinsicsPrior intrinsicsPrior, @Nullable PosePrior posePrior) {
         this(BlockLayout.ofMarkers(points.length / 12), points, observed, byUnknowns, unknowns, intrinsicsPrior,
                 posePrior);
     }
@@ -87,7 +88,7 @@ public final class ReprojectionFit {
      * @param posePrior prior of the poses, or null for a flat one
      */
     public ReprojectionFit(BlockLayout blocks, double[] points, double[] observed, double[] byUnknowns, int unknowns,
-            IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+            IntrinsicsPrior intrinsicsPrior, @Nullable PosePrior posePrior) {
         this.blocks = blocks;
         this.points = points;
         this.observed = observed;
@@ -189,15 +190,17 @@ public final class ReprojectionFit {
      * @return half the sum of squares at the result, or NaN if a corner of the start is not in front of the camera
      */
     public double fit(CameraState state) {
-        chart.state = state;
-        double cost = solver.minimise(chart);
-        chart.state = null;
+        double cost = solver.minimise(new Chart(state));
         return cost < Double.POSITIVE_INFINITY ? cost : Double.NaN;
     }
 
     /** The fit as the solver sees it: steps in the chart from the state that it started with. */
     private final class Chart implements DampedGaussNewton.Problem {
-        private CameraState state;
+        private final CameraState state;
+
+        Chart(CameraState state) {
+            this.state = state;
+        }
 
         @Override
         public double linearise(double[] toInformation, double[] toGradient) {
@@ -434,12 +437,12 @@ public final class ReprojectionFit {
      * @param state where; copied
      * @return the mode, or null where a corner is not in front of the camera, or the information is singular
      */
-    public PoseMode modeAt(CameraState state) {
+    public @Nullable PoseMode modeAt(CameraState state) {
         return modeAt(state, null);
     }
 
     /** The same of references whose placement errors are linearised at a place. */
-    PoseMode modeAt(CameraState state, PlacedReferences placed) {
+    @Nullable PoseMode modeAt(CameraState state, @Nullable PlacedReferences placed) {
         double cost = evaluate(state, true);
         return cost < Double.POSITIVE_INFINITY ? PoseMode.of(this, state, cost, placed) : null;
     }

@@ -1,6 +1,7 @@
 package org.cellgauge.internal.pose;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Residual covariance of rigidly misplaced references: {@code J S J^T + C}, C the covariance of the corners' own errors
@@ -17,7 +18,8 @@ public final class RigidMarkerNoise implements ReferenceNoise {
     private final Observations view;
     private final PlacedReferences placed;
     private final double pixelStdPx;
-    private final CornerErrors errors;
+    /** Null where every corner has the same deviation and nothing else is unknown. */
+    private final @Nullable CornerErrors errors;
     private final double noise;
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];

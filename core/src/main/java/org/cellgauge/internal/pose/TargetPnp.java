@@ -16,6 +16,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.TangentPlane;
 import org.ejml.dense.row.SingularOps_DDRM;
 import org.ejml.interfaces.decomposition.SingularValueDecomposition_F64;
+import org.jspecify.annotations.Nullable;
 
 /** BoofCV's perspective-n-point solvers over this project's types. */
 final class TargetPnp {
@@ -25,7 +26,7 @@ final class TargetPnp {
     }
 
     /** The plane in which a wide lens's corners are looked at; null for other lenses, which have one for all. */
-    private static TangentPlane plane(PinholeCamera camera, double[] observed) {
+    private static @Nullable TangentPlane plane(PinholeCamera camera, double[] observed) {
         if (!camera.lens().isWide()) {
             return null;
         }
@@ -35,12 +36,12 @@ final class TargetPnp {
         return plane;
     }
 
-    private static RigidTransform inCamera(TangentPlane plane, RigidTransform pose) {
+    private static @Nullable RigidTransform inCamera(@Nullable TangentPlane plane, @Nullable RigidTransform pose) {
         return plane == null || pose == null ? pose : plane.inCamera(pose);
     }
 
     /** Pairs of undistorted normalised image point and point in space; corners beyond the lens model are left out. */
-    private static List<Point2D3D> pairs(PinholeCamera camera, TangentPlane plane, double[] points,
+    private static List<Point2D3D> pairs(PinholeCamera camera, @Nullable TangentPlane plane, double[] points,
             double[] observed) {
         List<Point2D3D> pairs = new ArrayList<>();
         double[] normalised = new double[2];
@@ -62,7 +63,7 @@ final class TargetPnp {
      *
      * @return cameraFromPlane, or null where none was found
      */
-    static RigidTransform planar(PinholeCamera camera, double[] points, double[] observed) {
+    static @Nullable RigidTransform planar(PinholeCamera camera, double[] points, double[] observed) {
         TangentPlane plane = plane(camera, observed);
         return inCamera(plane, single(FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0),
                 pairs(camera, plane, points, observed)));
@@ -73,13 +74,13 @@ final class TargetPnp {
      *
      * @return cameraFromPoints, or null where none was found
      */
-    static RigidTransform general(PinholeCamera camera, double[] points, double[] observed) {
+    static @Nullable RigidTransform general(PinholeCamera camera, double[] points, double[] observed) {
         TangentPlane plane = plane(camera, observed);
         return inCamera(plane, single(FactoryMultiView.pnp_1(EnumPNP.EPNP, 50, 0),
                 pairs(camera, plane, points, observed)));
     }
 
-    private static RigidTransform single(Estimate1ofPnP estimator, List<Point2D3D> pairs) {
+    private static @Nullable RigidTransform single(Estimate1ofPnP estimator, List<Point2D3D> pairs) {
         if (pairs.size() < 4) {
             return null;
         }
@@ -94,7 +95,7 @@ final class TargetPnp {
      * @param seed seed of the sampling
      * @return cameraFromPoints, or null where no consensus was found
      */
-    static RigidTransform ransac(PinholeCamera camera, double[] points, double[] observed, double thresholdPx,
+    static @Nullable RigidTransform ransac(PinholeCamera camera, double[] points, double[] observed, double thresholdPx,
             long seed) {
         TangentPlane plane = plane(camera, observed);
         List<Point2D3D> pairs = pairs(camera, plane, points, observed);
@@ -109,7 +110,7 @@ final class TargetPnp {
         return matcher.process(pairs) ? inCamera(plane, toTransform(matcher.getModelParameters())) : null;
     }
 
-    private static RigidTransform toTransform(Se3_F64 pose) {
+    private static @Nullable RigidTransform toTransform(Se3_F64 pose) {
         double[] t = {pose.T.x, pose.T.y, pose.T.z};
         for (double v : t) {
             if (!Double.isFinite(v)) {

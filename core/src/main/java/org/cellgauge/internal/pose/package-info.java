@@ -6,4 +6,7 @@
  * mm, w in rad), both in the camera frame. Moves then rotate the camera about the scene and not about itself, which
  * keeps position and rotation nearly uncorrelated.
  */
+@NullMarked
 package org.cellgauge.internal.pose;
+
+import org.jspecify.annotations.NullMarked;

@@ -5,6 +5,7 @@ import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.pose.PosePrior;
 import org.cellgauge.internal.sampling.LogDensity;
 import org.cellgauge.settings.RotationPrior;
+import org.jspecify.annotations.Nullable;
 
 /** Posterior of the camera pose and unknown intrinsics in the coordinates of a chart. Not thread-safe. */
 public final class CameraPosterior implements LogDensity {
@@ -12,8 +13,8 @@ public final class CameraPosterior implements LogDensity {
     private final CameraLikelihood likelihood;
     private final RotationPrior rotationPrior;
     private final IntrinsicsPrior intrinsicsPrior;
-    private final PosePrior posePrior;
-    private final SharedPrior sharedPrior;
+    private final @Nullable PosePrior posePrior;
+    private final @Nullable SharedPrior sharedPrior;
     private final CameraState state = new CameraState();
     private final double[] scratch9 = new double[9];
     private final double[] scratch3 = new double[3];
@@ -28,7 +29,7 @@ public final class CameraPosterior implements LogDensity {
      * @param posePrior weak prior of the pose on top, or null
      */
     public CameraPosterior(CameraChart chart, CameraLikelihood likelihood, RotationPrior rotationPrior,
-            IntrinsicsPrior intrinsicsPrior, PosePrior posePrior) {
+            IntrinsicsPrior intrinsicsPrior, @Nullable PosePrior posePrior) {
         this(chart, likelihood, rotationPrior, intrinsicsPrior, posePrior, null);
     }
 
@@ -43,7 +44,7 @@ public final class CameraPosterior implements LogDensity {
      * @param sharedPrior prior of what markers share, or null where they share nothing
      */
     public CameraPosterior(CameraChart chart, CameraLikelihood likelihood, RotationPrior rotationPrior,
-            IntrinsicsPrior intrinsicsPrior, PosePrior posePrior, SharedPrior sharedPrior) {
+            IntrinsicsPrior intrinsicsPrior, @Nullable PosePrior posePrior, @Nullable SharedPrior sharedPrior) {
         this.sharedPrior = sharedPrior;
         this.chart = chart;
         this.likelihood = likelihood;

@@ -7,6 +7,7 @@ import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.ReferenceNoise;
 import org.cellgauge.internal.pose.ReferenceView;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Likelihood of rigidly misplaced references with covariances that move with the pose: what
@@ -25,7 +26,7 @@ import org.cellgauge.internal.pose.ReferenceView;
 public final class MovingRigidLikelihood implements CameraLikelihood {
     private final ReferenceView view;
     private final ReferenceNoise noise;
-    private final CornerErrors errors;
+    private final @Nullable CornerErrors errors;
     private final double[] points;
     private final double[] placed;
     private final double[] observed;
@@ -47,7 +48,8 @@ public final class MovingRigidLikelihood implements CameraLikelihood {
      * @param errors errors of these corners, with an added noise that the state has; null where it is that of
      *     {@code noise}
      */
-    public MovingRigidLikelihood(ReferenceView view, PoseMode mode, ReferenceNoise noise, CornerErrors errors) {
+    public MovingRigidLikelihood(ReferenceView view, PoseMode mode, ReferenceNoise noise,
+            @Nullable CornerErrors errors) {
         this.view = view;
         this.noise = noise.about(mode.placed());
         this.errors = errors;
@@ -61,7 +63,7 @@ public final class MovingRigidLikelihood implements CameraLikelihood {
     @Override
     public double at(CameraState state) {
         double[] r = state.rotation;
-        double[] added = errors == null ? null : corners(AddedNoise.node(state.noise));
+        double[] added = errors == null ? null : corners(errors, AddedNoise.node(state.noise));
         double sum = 0;
         for (int m = 0; m < view.size(); m++) {
             if (!noise.covariance(state, m, covariance, pixel) || !noise.placementJacobian(state, m, jacobian)) {
@@ -106,7 +108,7 @@ public final class MovingRigidLikelihood implements CameraLikelihood {
     }
 
     /** Covariances of the corners' own errors at a node of the added noise, 64 values per reference. */
-    private double[] corners(int node) {
+    private double[] corners(CornerErrors errors, int node) {
         if (ofNode[node] == null) {
             double[] made = new double[64 * view.size()];
             for (int m = 0; m < view.size(); m++) {

@@ -6,6 +6,7 @@ import org.cellgauge.internal.pose.CameraState;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.ReferenceView;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Likelihood of rigidly misplaced references with several modes: at each pose that of the mode whose rotation is the
@@ -37,7 +38,7 @@ public final class NearestModeLikelihood implements CameraLikelihood {
      * @param modes modes of the camera pose that shows them, at least one
      * @param errors errors of these corners, with an added noise; null where it is the modes' own
      */
-    public NearestModeLikelihood(ReferenceView view, List<PoseMode> modes, CornerErrors errors) {
+    public NearestModeLikelihood(ReferenceView view, List<PoseMode> modes, @Nullable CornerErrors errors) {
         this(modes, mode -> errors == null ? new RigidMarkerLikelihood(view, mode)
                 : new RigidMarkerLikelihood(view, mode, errors));
     }

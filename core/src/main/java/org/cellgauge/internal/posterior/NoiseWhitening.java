@@ -24,7 +24,7 @@ final class NoiseWhitening {
      *
      * @param errors errors of the corners
      * @param ids the markers
-     * @param placementPx2 64 values per marker: covariances that come on top, px²; null for none
+     * @param placementPx2 64 values per marker: covariances that come on top, px²
      */
     NoiseWhitening(CornerErrors errors, List<Integer> ids, double[] placementPx2) {
         this.errors = errors;
@@ -52,7 +52,7 @@ final class NoiseWhitening {
         double sum = 0;
         for (int m = 0; m < ids.size(); m++) {
             errors.covariance(ids.get(m), AddedNoise.atNode(node), covariance);
-            for (int i = 0; i < 64 && placementPx2 != null; i++) {
+            for (int i = 0; i < 64; i++) {
                 covariance[i] += placementPx2[64 * m + i];
             }
             if (!Cholesky.factor(covariance, 8)) {

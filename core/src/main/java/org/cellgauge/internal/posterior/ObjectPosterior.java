@@ -7,6 +7,7 @@ import org.cellgauge.internal.pose.AddedNoise;
 import org.cellgauge.internal.pose.CameraState;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.sampling.LogDensity;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Posterior of an object marker's pose in the camera frame given its own corners: Gaussian corner noise, flat position,
@@ -28,8 +29,8 @@ public final class ObjectPosterior implements LogDensity {
     private final double[] uv = new double[2];
     private final double[] residuals = new double[8];
     private final double[] stretched = new double[6];
-    private final Shared shared;
-    private double[] packed;
+    private final @Nullable Shared shared;
+    private double @Nullable [] packed;
     private double stretch = 1;
     private final double firstDepthMm;
     private double depthStretch = 1;
@@ -51,7 +52,7 @@ public final class ObjectPosterior implements LogDensity {
             this.mode = mode.copy();
             corners = errors.cornersPx(id);
             columns = errors.columns(id);
-            whitening = new NoiseWhitening(errors, Collections.singletonList(id), null);
+            whitening = new NoiseWhitening(errors, Collections.singletonList(id), new double[64]);
             stretches = new double[AddedNoise.NODES];
             double atMode = errors.meanVariancePx2(id, mode.noise);
             for (int i = 0; i < stretches.length; i++) {
@@ -190,12 +191,12 @@ public final class ObjectPosterior implements LogDensity {
             residuals[2 * k + 1] = dv;
             sum += du * du + dv * dv;
         }
-        double squares = packed == null ? sum * inverseVariance : whitenedSquares();
+        double squares = packed == null ? sum * inverseVariance : whitenedSquares(packed);
         double value = Rotations.logHaarDensity(step[3], step[4], step[5]) - 0.5 * squares;
         return Double.isNaN(value) ? Double.NEGATIVE_INFINITY : value;
     }
 
-    private double whitenedSquares() {
+    private double whitenedSquares(double[] packed) {
         double squares = 0;
         for (int i = 0, at = 0; i < 8; i++) {
             double s = 0;

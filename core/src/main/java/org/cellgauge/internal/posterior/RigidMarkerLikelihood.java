@@ -9,6 +9,7 @@ import org.cellgauge.internal.pose.CameraState;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.ReferenceView;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Likelihood of rigidly misplaced references: the residuals of each reference are Gaussian with the covariance of
@@ -31,7 +32,7 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
     private final int unknowns;
     private final double[] stated;
     private final double logDeterminant;
-    private final NoiseWhitening noise;
+    private final @Nullable NoiseWhitening noise;
     private final double[] residuals = new double[8];
     private final double[] uv = new double[2];
 
@@ -92,7 +93,7 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         observed = mode.comparedPx();
         columns = view.columnsPx();
         unknowns = view.unknowns();
-        stated = null;
+        stated = new double[0];
         logDeterminant = 0;
         List<Integer> ids = new ArrayList<>();
         view.references().forEach(r -> ids.add(r.id()));

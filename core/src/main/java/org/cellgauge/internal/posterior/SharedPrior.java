@@ -2,13 +2,14 @@ package org.cellgauge.internal.posterior;
 
 import org.cellgauge.internal.pose.AddedNoise;
 import org.cellgauge.internal.pose.CameraState;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Prior of what the markers of a photo share: unknowns standard normal beforehand, and the added noise with all that is
  * known of it apart from the references' likelihood. Immutable.
  */
 public final class SharedPrior {
-    private final double[] logNoise;
+    private final double @Nullable [] logNoise;
 
     /**
      * A prior.
@@ -16,7 +17,7 @@ public final class SharedPrior {
      * @param logNoise logarithm of the density of the added noise at each node of the grid of {@link AddedNoise}, up to
      *     a constant; null where the noise is stated; copied
      */
-    public SharedPrior(double[] logNoise) {
+    public SharedPrior(double @Nullable [] logNoise) {
         this.logNoise = logNoise == null ? null : logNoise.clone();
     }
 

@@ -5,4 +5,7 @@
  * {@link CameraLikelihood} over poses, a {@link CameraChart} that says
  * which pose an array stands for and what volume it takes, and priors. Evaluating one allocates nothing.
  */
+@NullMarked
 package org.cellgauge.internal.posterior;
+
+import org.jspecify.annotations.NullMarked;
