@@ -1,11 +1,13 @@
 package org.cellgauge.check;
 
 import io.reactivex.rxjava3.core.Flowable;
+import java.util.Objects;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The check of one photo: from its detections to camera and object poses with uncertainties and a verdict.
@@ -56,7 +58,7 @@ public final class CellCheck {
      * @throws InputRefusedException as {@link #run}
      */
     public static QuickLook quickLook(Cell cell, Detections detections, CheckSettings settings,
-            RigidTransform worldFromCameraStart) {
+            @Nullable RigidTransform worldFromCameraStart) {
         return QuickLook.of(CellModes.of(Observed.of(cell, detections, settings), worldFromCameraStart));
     }
 
@@ -70,6 +72,7 @@ public final class CellCheck {
      * @throws InputRefusedException if the photo shows no reference, or corners that no camera pose explains
      */
     public static CheckResult run(Cell cell, Detections detections, CheckSettings settings) {
-        return stream(cell, detections, settings).blockingLast().result();
+        return Objects.requireNonNull(stream(cell, detections, settings).blockingLast().result(),
+                "the last update has the result");
     }
 }

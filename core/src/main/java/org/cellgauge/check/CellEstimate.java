@@ -7,15 +7,16 @@ import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PoseEstimate;
+import org.jspecify.annotations.Nullable;
 
 /** Camera, unknown intrinsics and objects with their uncertainties, at whatever stage of a check; immutable. */
 public final class CellEstimate {
     private final PoseEstimate camera;
     private final List<ModeEstimate> cameraModes;
-    private final IntrinsicsEstimate intrinsics;
+    private final @Nullable IntrinsicsEstimate intrinsics;
     private final List<ObjectEstimate> objects;
 
-    CellEstimate(PoseEstimate camera, List<ModeEstimate> cameraModes, IntrinsicsEstimate intrinsics,
+    CellEstimate(PoseEstimate camera, List<ModeEstimate> cameraModes, @Nullable IntrinsicsEstimate intrinsics,
             List<ObjectEstimate> objects) {
         this.camera = camera;
         this.cameraModes = Collections.unmodifiableList(cameraModes);
@@ -46,7 +47,7 @@ public final class CellEstimate {
      *
      * @return their estimate, or null where all are known
      */
-    public IntrinsicsEstimate intrinsics() {
+    public @Nullable IntrinsicsEstimate intrinsics() {
         return intrinsics;
     }
 
@@ -65,7 +66,7 @@ public final class CellEstimate {
      * @param id marker id
      * @return its estimate, or null where it was not seen
      */
-    public ObjectEstimate object(int id) {
+    public @Nullable ObjectEstimate object(int id) {
         for (ObjectEstimate o : objects) {
             if (o.id() == id) {
                 return o;
@@ -92,7 +93,7 @@ public final class CellEstimate {
      * @return a reason of the kind {@link Reason.Kind#LARGEST_DEVIATION} without a target, or null for an object not
      *     seen
      */
-    public Reason largestDeviation(int objectId) {
+    public @Nullable Reason largestDeviation(int objectId) {
         ObjectEstimate object = object(objectId);
         return object == null ? null
                 : Reason.largestDeviation(Collections.singletonList(object), Collections.emptyList(),

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
@@ -39,6 +40,7 @@ import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The second stage of a check: the poses of camera and objects that explain the photo best; immutable.
@@ -91,17 +93,17 @@ final class CellModes {
      * @return the modes
      * @throws InputRefusedException if no pose explains the corners
      */
-    static CellModes of(Observed observed, RigidTransform worldFromCameraStart) {
+    static CellModes of(Observed observed, @Nullable RigidTransform worldFromCameraStart) {
         return new Search(observed, worldFromCameraStart).found();
     }
 
     /** What the weak prior of the camera pose is called; null where there is none. */
-    String posePriorText() {
+    @Nullable String posePriorText() {
         return camera.posePrior == null ? null : weakPrior().toString();
     }
 
     /** What is said where the result leans on the weak prior of the camera pose; null where it does not. */
-    Warning directionOpen() {
+    @Nullable Warning directionOpen() {
         if (camera.posePrior == null) {
             return null;
         }
@@ -137,7 +139,7 @@ final class CellModes {
         }
         CameraFit noisier = camera.with(observed.errors.inflated(inflation));
         List<PoseMode> modes = noisier.finder(camera.view).refined(camera.modes);
-        return modes.isEmpty() ? camera : noisier.at(modes, camera.initialWorldFromCamera);
+        return modes.isEmpty() ? camera : noisier.at(modes);
     }
 
     private static Warning weakPrior() {
@@ -169,10 +171,10 @@ final class CellModes {
         private final Detections detections;
         private final CheckSettings settings;
         private final CornerErrors errors;
-        private final RigidTransform worldFromCameraStart;
+        private final @Nullable RigidTransform worldFromCameraStart;
         private final List<Warning> warnings;
 
-        Search(Observed observed, RigidTransform worldFromCameraStart) {
+        Search(Observed observed, @Nullable RigidTransform worldFromCameraStart) {
             this.observed = observed;
             this.worldFromCameraStart = worldFromCameraStart;
             cell = observed.cell;
@@ -232,7 +234,9 @@ final class CellModes {
             double most = 0;
             for (Reference reference : camera.view.references()) {
                 double std = reference.placement().stdRad();
-                double bend = detections.find(reference.id()).shortestSidePx() * std * std
+                double sidePx = Objects.requireNonNull(detections.find(reference.id()), "what is fitted was seen")
+                        .shortestSidePx();
+                double bend = sidePx * std * std
                         / Math.sqrt(errors.meanVariancePx2(reference.id(), camera.noiseLevel));
                 if (bend > LARGEST_BEND) {
                     loose.add(reference.id());
@@ -287,7 +291,7 @@ final class CellModes {
             if (errors.fromNothing()) {
                 warnings.add(Observed.noiseWarning(belief));
             }
-            return noisy.at(notNegligible(modes.isEmpty() ? fit.modes : modes), fit.initialWorldFromCamera);
+            return noisy.at(notNegligible(modes.isEmpty() ? fit.modes : modes));
         }
 
         /**
@@ -328,7 +332,7 @@ final class CellModes {
         private CameraFit cameraFitOf(ReferenceView view, IntrinsicsPrior intrinsics) {
             boolean needsPosePrior = settings.model().posePriorAllowed() && PosePrior.isNeededFor(view.size());
             if (worldFromCameraStart != null && !needsPosePrior) {
-                CameraFit fromStart = fitFromStart(view, intrinsics);
+                CameraFit fromStart = fitFromStart(view, worldFromCameraStart, intrinsics);
                 if (fromStart != null) {
                     return fromStart;
                 }
@@ -349,7 +353,8 @@ final class CellModes {
                     observed.noiseLevel);
             List<PoseMode> modes = fit.finder(view).modes(initial);
             if (modes.isEmpty() && settings.sampling().initial() != InitialEstimate.PNP) {
-                modes = fit.finder(view).modes(InitialPose.PNP.estimate(view, cell.camera()));
+                RigidTransform other = InitialPose.PNP.estimate(view, cell.camera());
+                modes = other == null ? modes : fit.finder(view).modes(other);
             }
             if (modes.isEmpty()) {
                 throw noPose();
@@ -358,14 +363,14 @@ final class CellModes {
         }
 
         /** The camera at the modes that the start leads to; null where they leave more unexplained than noise would. */
-        private CameraFit fitFromStart(ReferenceView view, IntrinsicsPrior intrinsics) {
+        private @Nullable CameraFit fitFromStart(ReferenceView view, RigidTransform start, IntrinsicsPrior intrinsics) {
             CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, null, errors, observed.noiseLevel);
-            List<PoseMode> modes = fit.finder(view).modes(worldFromCameraStart);
+            List<PoseMode> modes = fit.finder(view).modes(start);
             if (modes.isEmpty() || 2 * modes.get(0).halfChiSquare()
                     > CoverageRegion.chiSquareQuantile(EXPLAINED, 8 * view.size() - 6)) {
                 return null;
             }
-            return fit.at(notNegligible(modes), worldFromCameraStart);
+            return fit.at(notNegligible(modes), start);
         }
 
         private InputRefusedException noPose() {

@@ -32,6 +32,7 @@ import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /** One run of the chains of a photo, from its quick look to draws that suffice; for one subscription. */
 final class ChainRun {
@@ -45,7 +46,7 @@ final class ChainRun {
     private final CellQuantities quantities;
     private SamplerKind samplerUsed;
     private long tuningEvaluations;
-    private Diagnostics diagnostics;
+    private @Nullable Diagnostics diagnostics;
     private int diagnosedDraws;
 
     ChainRun(QuickLook quickLook) {
@@ -53,6 +54,7 @@ final class ChainRun {
         observed = quickLook.modes.observed;
         settings = observed.settings;
         seed = observed.photoSeed();
+        samplerUsed = settings.sampling().sampler();
         warnings = new ArrayList<>(quickLook.modes.warnings);
         quantities = new CellQuantities(quickLook.modes.camera, tunedObjects());
     }
@@ -74,7 +76,7 @@ final class ChainRun {
         } catch (IllegalStateException e) {
             Object why = e instanceof StartException
                     ? Warning.of(CheckPhrase.DENSITY_AT_START, String.valueOf(((StartException) e).logDensity()))
-                    : e.getMessage();
+                    : String.valueOf(e.getMessage());
             throw new InputRefusedException(Refusal.at(Place.of(observed.detections.imageName()),
                     CheckRefusal.CHAINS_CANNOT_START, why, CheckPhrase.INITIAL_PNP), e);
         }
@@ -84,10 +86,13 @@ final class ChainRun {
         RunLength length = new RunLength(warmup,
                 settings.sampling().iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> preciseEnough(diagnosed(draws, judged, threads.getAsInt()), settings) && !undecided(),
+                draws -> {
+                    Diagnostics found = diagnosed(draws, judged, threads.getAsInt());
+                    return preciseEnough(found, settings) && !undecided(found);
+                },
                 threads);
         return ensemble.stream().map(snapshot -> {
-            CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), null)
+            CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), List.of())
                     : quickLook.estimate();
             if (!snapshot.last()) {
                 return new CheckUpdate(CheckUpdate.Phase.SAMPLING, running, snapshot.iterationsPerChain(), null);
@@ -107,10 +112,10 @@ final class ChainRun {
 
     /** The sampler asked for; where independence fits the posterior too poorly, adaptive Metropolis instead. */
     private CameraSampler.Tuned tunedSampler() {
-        samplerUsed = settings.sampling().sampler();
         CameraSampler.Tuned tuned = tuned(samplerUsed);
-        if (tuned.misfit() != null && settings.sampling().sampler() == SamplerKind.INDEPENDENCE) {
-            warnings.add(Warning.of(CheckWarning.FAR_FROM_GAUSSIAN, tuned.misfit()));
+        Warning misfit = tuned.misfit();
+        if (misfit != null && samplerUsed == SamplerKind.INDEPENDENCE) {
+            warnings.add(Warning.of(CheckWarning.FAR_FROM_GAUSSIAN, misfit));
             samplerUsed = SamplerKind.ADAPTIVE;
             return tuned(samplerUsed);
         }
@@ -139,11 +144,13 @@ final class ChainRun {
     /** Diagnostics of draws, kept: the draws that suffice are those of the result. */
     private Diagnostics diagnosed(List<Draws> draws, boolean[] judged, int threads) {
         int count = draws.get(0).count();
-        if (diagnostics == null || diagnosedDraws != count) {
-            diagnostics = Diagnostics.of(draws, quantities.layout, judged, quantities.measured(), threads);
+        Diagnostics found = diagnostics;
+        if (found == null || diagnosedDraws != count) {
+            found = Diagnostics.of(draws, quantities.layout, judged, quantities.measured(), threads);
+            diagnostics = found;
             diagnosedDraws = count;
         }
-        return diagnostics;
+        return found;
     }
 
     static boolean preciseEnough(Diagnostics found, CheckSettings settings) {
@@ -151,22 +158,22 @@ final class ChainRun {
     }
 
     /** Whether the target lies within the Monte Carlo error of a deviation that could decide on it. */
-    private boolean undecided() {
+    private boolean undecided(Diagnostics found) {
         OptionalDouble target = observed.cell.targetStdMm();
         CellModes modes = quickLook.modes;
-        if (!target.isPresent() || !Judgement.undecided(diagnostics, modes.objects, target.getAsDouble())) {
+        if (!target.isPresent() || !Judgement.undecided(found, modes.objects, target.getAsDouble())) {
             return false;
         }
         // no target is held against two poses
-        return !twoPoses(Quantity.CAMERA_MODE, modes.camera.modes) && modes.objects.stream()
-                .noneMatch(object -> twoPoses(Quantity.objectMode(object.marker.id()), object.modes));
+        return !twoPoses(found, Quantity.CAMERA_MODE, modes.camera.modes) && modes.objects.stream()
+                .noneMatch(object -> twoPoses(found, Quantity.objectMode(object.marker.id()), object.modes));
     }
 
-    private boolean twoPoses(Quantity mode, List<PoseMode> modes) {
+    private static boolean twoPoses(Diagnostics found, Quantity mode, List<PoseMode> modes) {
         if (modes.size() < 2) {
             return false;
         }
-        double mean = diagnostics.of(mode).mean();
+        double mean = found.of(mode).mean();
         return mean > ModeEstimate.AMBIGUOUS_SHARE && mean < 1 - ModeEstimate.AMBIGUOUS_SHARE;
     }
 }

@@ -16,6 +16,7 @@ import org.cellgauge.placement.NoiseFit;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.SamplerKind;
@@ -23,6 +24,7 @@ import org.cellgauge.settings.SettingTable;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /** What a check found; immutable. */
 public final class CheckResult {
@@ -69,14 +71,17 @@ public final class CheckResult {
         if (open != null) {
             warnings.add(open);
         }
-        if (diagnostics.converged() && !settings.sampling().iterations().isPresent() && !sampled.preciseEnough()) {
+        Quantity leastPrecise = diagnostics.leastPreciseParameter();
+        if (leastPrecise != null && diagnostics.converged() && !settings.sampling().iterations().isPresent()
+                && !sampled.preciseEnough()) {
             warnings.add(Warning.of(CheckWarning.CAP_REACHED, Decimal.of(sampled.last.iterationsPerChain(), 0),
-                    diagnostics.leastPreciseParameter().name(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
+                    leastPrecise.name(), Decimal.of(100 * diagnostics.mcseStdRelMax(), 1),
                     Decimal.shortest(Math.rint(1e11 * settings.sampling().targetMcseStdRel()) / 1e9),
                     CheckPhrase.MORE_ITERATIONS));
         }
-        if (diagnostics.converged() && diagnostics.heavyTails()) {
-            warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, diagnostics.heaviestParameter().name(),
+        Quantity heaviest = diagnostics.heaviestParameter();
+        if (heaviest != null && diagnostics.converged() && diagnostics.heavyTails()) {
+            warnings.add(Warning.of(CheckWarning.HEAVY_TAILS, heaviest.name(),
                     Decimal.of(diagnostics.paretoKMax(), 2), Decimal.of(ParetoTail.LARGEST_FOR_STD, 2)));
         }
         return new CheckResult(modes.observed.cell, settings, sampled, referenceCheck, warnings);
@@ -315,7 +320,7 @@ public final class CheckResult {
      *
      * @return in words, or null where it was flat in position and uniform over rotations
      */
-    public String posePrior() {
+    public @Nullable String posePrior() {
         return modes.posePriorText();
     }
 

@@ -1,5 +1,7 @@
 package org.cellgauge.check;
 
+import org.jspecify.annotations.Nullable;
+
 /** One item of the stream of a check; immutable. */
 public final class CheckUpdate {
     /** What an update brings. */
@@ -15,9 +17,9 @@ public final class CheckUpdate {
     private final Phase phase;
     private final CellEstimate estimate;
     private final int iterationsPerChain;
-    private final CheckResult result;
+    private final @Nullable CheckResult result;
 
-    CheckUpdate(Phase phase, CellEstimate estimate, int iterationsPerChain, CheckResult result) {
+    CheckUpdate(Phase phase, CellEstimate estimate, int iterationsPerChain, @Nullable CheckResult result) {
         this.phase = phase;
         this.estimate = estimate;
         this.iterationsPerChain = iterationsPerChain;
@@ -56,7 +58,7 @@ public final class CheckUpdate {
      *
      * @return null before the last update
      */
-    public CheckResult result() {
+    public @Nullable CheckResult result() {
         return result;
     }
 }

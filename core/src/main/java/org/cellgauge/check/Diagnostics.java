@@ -11,6 +11,7 @@ import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Convergence;
+import org.jspecify.annotations.Nullable;
 
 /** Convergence of all chains, quantity by quantity; immutable. */
 public final class Diagnostics {
@@ -20,11 +21,12 @@ public final class Diagnostics {
     private final double essBulkMin;
     private final double essTailMin;
     private final double mcseStdRelMax;
-    private final Quantity worst;
-    private final Quantity leastPrecise;
+    private final @Nullable Quantity worst;
+    private final @Nullable Quantity leastPrecise;
     private final boolean[] measured;
     private final Map<Quantity, Double> paretoK;
-    private final Quantity heaviest;
+    private final @Nullable Quantity heaviest;
+    private final double paretoKMax;
 
     private Diagnostics(Map<Quantity, ChainDiagnostics> parameters, boolean[] judged, boolean[] measured) {
         this.parameters = Collections.unmodifiableMap(parameters);
@@ -73,6 +75,7 @@ public final class Diagnostics {
         this.measured = measured.clone();
         paretoK = Collections.emptyMap();
         heaviest = null;
+        paretoKMax = Double.NaN;
     }
 
     private Diagnostics(Diagnostics d, Map<Quantity, Double> paretoK) {
@@ -87,10 +90,15 @@ public final class Diagnostics {
         measured = d.measured;
         this.paretoK = Collections.unmodifiableMap(paretoK);
         Quantity name = null;
+        double most = Double.NaN;
         for (Map.Entry<Quantity, Double> e : paretoK.entrySet()) {
-            name = name == null || e.getValue() > paretoK.get(name) ? e.getKey() : name;
+            if (name == null || e.getValue() > most) {
+                name = e.getKey();
+                most = e.getValue();
+            }
         }
         heaviest = name;
+        paretoKMax = most;
     }
 
     /**
@@ -103,7 +111,7 @@ public final class Diagnostics {
         Quantity[] quantities = parameters.keySet().toArray(new Quantity[0]);
         double[] k = new double[quantities.length];
         OwnThreads.forEach(k.length, threads,
-                i -> k[i] = measured[i] ? parameters.get(quantities[i]).paretoK() : Double.NaN);
+                i -> k[i] = measured[i] ? of(quantities[i]).paretoK() : Double.NaN);
         Map<Quantity, Double> all = new LinkedHashMap<>();
         for (int i = 0; i < k.length; i++) {
             if (!Double.isNaN(k[i])) {
@@ -226,7 +234,7 @@ public final class Diagnostics {
      *
      * @return null where none is judged
      */
-    public Quantity leastPreciseParameter() {
+    public @Nullable Quantity leastPreciseParameter() {
         return leastPrecise;
     }
 
@@ -245,7 +253,7 @@ public final class Diagnostics {
      * @return NaN where there is none
      */
     public double paretoKMax() {
-        return heaviest == null ? Double.NaN : paretoK.get(heaviest);
+        return paretoKMax;
     }
 
     /**
@@ -253,7 +261,7 @@ public final class Diagnostics {
      *
      * @return null where there is none
      */
-    public Quantity heaviestParameter() {
+    public @Nullable Quantity heaviestParameter() {
         return heaviest;
     }
 
@@ -271,7 +279,7 @@ public final class Diagnostics {
      *
      * @return null where none is judged
      */
-    public Quantity worstParameter() {
+    public @Nullable Quantity worstParameter() {
         return worst;
     }
 }

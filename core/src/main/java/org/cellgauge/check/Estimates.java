@@ -36,13 +36,14 @@ final class Estimates {
     /**
      * Estimates of a summary.
      *
-     * @param draws all draws, for the share and the moments of each mode; null while they are still being made
+     * @param draws all draws, for the share and the moments of each mode; empty while they are still being made
      */
     CellEstimate of(RunningSummary summary, List<Draws> draws) {
         PoseEstimate camera = pose(summary, quantities.cameraPose, "camera in world", quantities.cameraReference);
         IntrinsicsEstimate intrinsics = null;
-        if (quickLook.intrinsics() != null) {
-            intrinsics = new IntrinsicsEstimate(quickLook.intrinsics().names(), summary.mean(quantities.intrinsics),
+        IntrinsicsEstimate quick = quickLook.intrinsics();
+        if (quick != null) {
+            intrinsics = new IntrinsicsEstimate(quick.names(), summary.mean(quantities.intrinsics),
                     summary.covariance(quantities.intrinsics));
         }
         PinholeCamera lens = ImageEllipses.camera(cell.camera(), quantities.camera.intrinsicsPrior, intrinsics);
@@ -55,8 +56,8 @@ final class Estimates {
             PointEstimate grip = target.marker.hasGrip()
                     ? new PointEstimate(summary.mean(quantities.grips[o]),
                             summary.covariance(quantities.grips[o])) : null;
-            ObjectEstimate quick = quickLook.objects().get(o);
-            objects.add(new ObjectEstimate(target.marker, pose, grip, quick.budget(), quick.gripBudget(),
+            ObjectEstimate ofModes = quickLook.objects().get(o);
+            objects.add(new ObjectEstimate(target.marker, pose, grip, ofModes.budget(), ofModes.gripBudget(),
                     ImageEllipses.of(lens, camera, pose.meanTransform().translationMm(),
                             pose.positionCovarianceMm2()),
                     grip == null ? null
@@ -98,7 +99,7 @@ final class Estimates {
     /** Moments of the draws near each mode. */
     private List<ModeEstimate> modes(List<Draws> draws, Quantity which, PoseGroups groups, String frame,
             double[] reference, int count, PoseEstimate all) {
-        if (count < 2 || draws == null) {
+        if (count < 2 || draws.isEmpty()) {
             return Collections.singletonList(new ModeEstimate(1, all));
         }
         int label = quantities.layout.indexOf(which);

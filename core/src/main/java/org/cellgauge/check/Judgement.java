@@ -15,6 +15,7 @@ import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.Quantity.Axis;
 import org.cellgauge.statistics.ChainDiagnostics;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The verdict on figures that are there already, and why. Nothing here is sampled, so that another target can be held
@@ -31,7 +32,7 @@ final class Judgement {
     private final CellEstimate estimate;
     private final Diagnostics diagnostics;
     private final ReferenceCheck references;
-    private final Misfit misfit;
+    private final @Nullable Misfit misfit;
     private final OptionalDouble targetStdMm;
     private final List<Integer> missing;
 
@@ -217,7 +218,7 @@ final class Judgement {
                         ? OptionalDouble.of(undecidedMm(objects)) : OptionalDouble.empty());
     }
 
-    private static List<ObjectEstimate> only(ObjectEstimate object) {
+    private static List<ObjectEstimate> only(@Nullable ObjectEstimate object) {
         return object == null ? Collections.emptyList() : Collections.singletonList(object);
     }
 }

@@ -5,11 +5,13 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.cellgauge.internal.pose.AddedNoise;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.EdgeModel;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.QuantityLayout;
+import org.jspecify.annotations.Nullable;
 
 /** What a check says of the corners themselves: their noise, the shift of edges, markers set aside. Immutable. */
 public final class NoiseEstimate {
@@ -18,13 +20,14 @@ public final class NoiseEstimate {
     private final boolean stated;
     private final double usualStdPx;
     private final double addedMeanStdPx;
-    private final double[] addedQuantilesStdPx;
+    private final double @Nullable [] addedQuantilesStdPx;
     private final Map<Integer, Double> markerStdPx;
     private final Map<Integer, Double> setAside;
-    private final double[] edgeShiftPx;
+    private final double @Nullable [] edgeShiftPx;
 
-    private NoiseEstimate(boolean stated, double usualStdPx, double addedMeanStdPx, double[] addedQuantilesStdPx,
-            Map<Integer, Double> markerStdPx, Map<Integer, Double> setAside, double[] edgeShiftPx) {
+    private NoiseEstimate(boolean stated, double usualStdPx, double addedMeanStdPx,
+            double @Nullable [] addedQuantilesStdPx, Map<Integer, Double> markerStdPx, Map<Integer, Double> setAside,
+            double @Nullable [] edgeShiftPx) {
         this.stated = stated;
         this.usualStdPx = usualStdPx;
         this.addedMeanStdPx = addedMeanStdPx;
@@ -43,8 +46,9 @@ public final class NoiseEstimate {
     public static NoiseEstimate of(CornerErrors errors, double noiseLevel, List<Draws> draws, QuantityLayout layout) {
         double level = noiseLevel;
         double mean = Double.NaN;
-        double[] quantiles = null;
-        if (errors.added() != null) {
+        double @Nullable [] quantiles = null;
+        AddedNoise added = errors.added();
+        if (added != null) {
             double[] values = all(draws, layout.indexOf(Quantity.ADDED_NOISE));
             double sum = 0;
             double squares = 0;
@@ -53,7 +57,7 @@ public final class NoiseEstimate {
                 squares += v * v;
             }
             mean = sum / values.length;
-            level = errors.added().ofVariance(squares / values.length);
+            level = added.ofVariance(squares / values.length);
             Arrays.sort(values);
             quantiles = new double[SHARES.length];
             for (int i = 0; i < SHARES.length; i++) {
@@ -64,7 +68,7 @@ public final class NoiseEstimate {
         for (int id : errors.ids()) {
             ofMarkers.put(id, Math.sqrt(errors.meanVariancePx2(id, level)));
         }
-        double[] edges = null;
+        double @Nullable [] edges = null;
         EdgeModel model = errors.edges();
         if (model != null) {
             double[] values = all(draws, layout.indexOf(Quantity.EDGE_SHIFT));
@@ -134,7 +138,7 @@ public final class NoiseEstimate {
      *
      * @return a copy, px; null where it is not sampled
      */
-    public double[] addedQuantilesStdPx() {
+    public double @Nullable [] addedQuantilesStdPx() {
         return addedQuantilesStdPx == null ? null : addedQuantilesStdPx.clone();
     }
 
@@ -162,7 +166,7 @@ public final class NoiseEstimate {
      * @return a copy: deviation before anything is measured, mean and deviation by inner edges, mean and deviation by
      *     all of the photo, px; null where nothing speaks of a shift
      */
-    public double[] edgeShiftPx() {
+    public double @Nullable [] edgeShiftPx() {
         return edgeShiftPx == null ? null : edgeShiftPx.clone();
     }
 }

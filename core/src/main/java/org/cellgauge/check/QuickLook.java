@@ -17,6 +17,7 @@ import org.cellgauge.internal.laplace.LinearModel;
 import org.cellgauge.internal.laplace.ObjectFit;
 import org.cellgauge.internal.pose.CameraState;
 import org.cellgauge.internal.pose.PoseMode;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The third stage of a check: the poses that explain a photo best, with Laplace's approximation of their uncertainty,
@@ -87,7 +88,7 @@ public final class QuickLook {
         CameraFit camera = cell.camera;
         LinearModel linear = new LinearModel(camera);
         PoseEstimate cameraPose = linear.cameraPose();
-        IntrinsicsEstimate intrinsics = null;
+        @Nullable IntrinsicsEstimate intrinsics = null;
         CameraState state = camera.mode().state();
         if (camera.intrinsicsPrior.count() > 0) {
             List<String> names = new ArrayList<>();
@@ -109,8 +110,9 @@ public final class QuickLook {
             }
             PoseEstimate pose = link.poseEstimate();
             PointEstimate grip = link.grip();
-            list.add(new ObjectEstimate(object.marker, pose, grip, link.budget(null, cell.noise),
-                    grip == null ? null : link.budget(object.marker.gripMm(), cell.noise),
+            double[] gripMm = object.marker.gripMm();
+            list.add(new ObjectEstimate(object.marker, pose, grip, link.budget(new double[3], cell.noise),
+                    gripMm == null ? null : link.budget(gripMm, cell.noise),
                     ImageEllipses.of(lens, cameraPose, pose.meanTransform().translationMm(),
                             pose.positionCovarianceMm2()),
                     grip == null ? null

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.estimate.ObjectEstimate;
@@ -15,6 +16,7 @@ import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.Misplacement;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.statistics.ChainDiagnostics;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Why a check ended as it did, in parts that any language can make a sentence of; immutable.
@@ -62,13 +64,13 @@ public final class Reason {
         private boolean grip;
         private OptionalInt axis = OptionalInt.empty();
         private OptionalDouble stdMm = OptionalDouble.empty();
-        private VarianceSource source;
+        private @Nullable VarianceSource source;
         private OptionalDouble share = OptionalDouble.empty();
-        private Quantity worstParameter;
+        private @Nullable Quantity worstParameter;
         private double rHat = Double.NaN;
         private double effectiveDraws = Double.NaN;
-        private Misplacement misplacement;
-        private Misfit misfit;
+        private @Nullable Misplacement misplacement;
+        private @Nullable Misfit misfit;
         private OptionalDouble undecidedMm = OptionalDouble.empty();
 
         Parts(Kind kind) {
@@ -81,9 +83,10 @@ public final class Reason {
     }
 
     static Reason notConverged(Diagnostics diagnostics) {
-        ChainDiagnostics worst = diagnostics.of(diagnostics.worstParameter());
+        Quantity parameter = Objects.requireNonNull(diagnostics.worstParameter(), "chains that converged have no reason");
+        ChainDiagnostics worst = diagnostics.of(parameter);
         Parts parts = new Parts(kindOf(worst.status()));
-        parts.worstParameter = diagnostics.worstParameter();
+        parts.worstParameter = parameter;
         parts.rHat = worst.rHat();
         parts.effectiveDraws = Math.min(worst.essBulk(), worst.essTail());
         return new Reason(parts);
@@ -126,7 +129,7 @@ public final class Reason {
      * @param undecidedMm Monte Carlo error because of which the target is neither met nor missed; empty where it is
      */
     static Reason largestDeviation(List<ObjectEstimate> objects, List<Integer> missingObjects, OptionalDouble targetMm,
-            Misplacement misplacement, Misfit misfit, OptionalDouble undecidedMm) {
+            @Nullable Misplacement misplacement, @Nullable Misfit misfit, OptionalDouble undecidedMm) {
         Kind kind = !missingObjects.isEmpty() ? Kind.OBJECT_NOT_SEEN
                 : objects.isEmpty() ? Kind.NO_OBJECT : Kind.LARGEST_DEVIATION;
         Parts parts = new Parts(kind);
@@ -239,7 +242,7 @@ public final class Reason {
      *
      * @return the source, or null where there is no deviation
      */
-    public VarianceSource source() {
+    public @Nullable VarianceSource source() {
         return p.source;
     }
 
@@ -257,7 +260,7 @@ public final class Reason {
      *
      * @return null where no reference seems misplaced, or no figure is to be trusted anyway
      */
-    public Misplacement misplacement() {
+    public @Nullable Misplacement misplacement() {
         return p.misplacement;
     }
 
@@ -266,7 +269,7 @@ public final class Reason {
      *
      * @return null where it contradicts nothing, or no figure is to be trusted anyway
      */
-    public Misfit misfit() {
+    public @Nullable Misfit misfit() {
         return p.misfit;
     }
 
@@ -284,7 +287,7 @@ public final class Reason {
      *
      * @return one of the diagnostics, or null
      */
-    public Quantity worstParameter() {
+    public @Nullable Quantity worstParameter() {
         return p.worstParameter;
     }
 
@@ -357,7 +360,7 @@ public final class Reason {
         return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance "
                 + "comes from %s.", p.stdMm.getAsDouble(), "xyz".charAt(p.axis.getAsInt()),
                 p.grip ? "the gripping point of " : "", p.objectId.getAsInt(), target, 100 * p.share.getAsDouble(),
-                p.source.phrase());
+                Objects.requireNonNull(p.source, "every deviation has a source").phrase());
     }
 
     private static String plain(double value) {

@@ -4,4 +4,7 @@
  * <p>{@link org.cellgauge.check.CellCheck} takes a cell, detections and settings and publishes updates while it runs:
  * the quick look of Laplace's approximation first, running statistics of the chains then, the result last.
  */
+@NullMarked
 package org.cellgauge.check;
+
+import org.jspecify.annotations.NullMarked;
