@@ -312,7 +312,12 @@ public final class CameraReader {
         return false;
     }
 
-    /** A number as a person would write it. */
+    /**
+     * A number as a person would write it.
+     *
+     * @param value any, NaN included
+     * @return without a decimal point where it is whole and below 10^15
+     */
     public static String plain(double value) {
         if (value == Math.rint(value) && Math.abs(value) < 1e15) {
             return String.valueOf((long) value);

@@ -42,6 +42,9 @@ public final class NoiseEstimate {
      *
      * @param errors errors of the corners
      * @param noiseLevel added noise by Laplace's method, where it is not sampled
+     * @param draws of each chain
+     * @param layout quantities of a draw
+     * @return the estimate
      */
     public static NoiseEstimate of(CornerErrors errors, double noiseLevel, List<Draws> draws, QuantityLayout layout) {
         double level = noiseLevel;

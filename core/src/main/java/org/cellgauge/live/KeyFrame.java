@@ -4,6 +4,7 @@ import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.QuickLook;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.warning.Refusal;
+import org.jspecify.annotations.Nullable;
 
 /** The frame that figures belong to, and how far its check has come. For one thread. */
 final class KeyFrame {
@@ -16,7 +17,7 @@ final class KeyFrame {
     /** The newest figures. */
     CheckUpdate update;
     /** Why the chains could not run; null while nothing speaks against them. */
-    Refusal refusal;
+    @Nullable Refusal refusal;
 
     KeyFrame(Detections detections, long number, QuickLook quickLook) {
         this.detections = detections;

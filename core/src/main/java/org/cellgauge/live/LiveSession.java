@@ -29,6 +29,7 @@ import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One subscription of a live check. Everything that happens is handed to one worker, so that nothing below {@code on…}
@@ -52,19 +53,19 @@ final class LiveSession {
     private final SerialDisposable chains = new SerialDisposable();
     private volatile LivePace pace = LivePace.FULL;
 
-    private Frame newest;
     private final List<Integer> missingReferences = new ArrayList<>();
     private final List<Integer> missingObjects = new ArrayList<>();
     private double displacementPx = Double.NaN;
-    private Refusal refusal;
-    private KeyFrame key;
-    private RigidTransform lastWorldFromCamera;
+    private Frame newest;
+    private @Nullable Refusal refusal;
+    private @Nullable KeyFrame key;
+    private @Nullable RigidTransform lastWorldFromCamera;
     private int framesWithoutReference;
     private Set<Integer> newcomers = new HashSet<>();
     private final Map<Integer, Integer> framesWithout = new HashMap<>();
     private boolean framesEnded;
-    private ChainRun running;
-    private LiveState last;
+    private @Nullable ChainRun running;
+    private @Nullable LiveState last;
 
     /** A frame with its number. */
     private static final class Frame {
@@ -84,6 +85,7 @@ final class LiveSession {
         this.settings = settings;
         this.chainScheduler = chainScheduler;
         worker = watch.createWorker();
+        newest = new Frame(new Detections("", cell.camera().widthPx(), cell.camera().heightPx(), List.of()), 0);
         gate = new StateGate(worker, emitter::onNext);
         gate.setIntervalMs(pace.updateIntervalMs());
         resources.add(chains);
@@ -151,15 +153,16 @@ final class LiveSession {
 
     private void onPace() {
         gate.setIntervalMs(pace.updateIntervalMs());
-        if (key == null || key.finished()) {
+        KeyFrame held = key;
+        if (held == null || held.finished()) {
             return;
         }
         if (!pace.sampling()) {
             stopChains();
-            key.update = key.quickLook.update();
+            held.update = held.quickLook.update();
             publish();
-        } else if (key.settled && running == null) {
-            startChains();
+        } else if (held.settled && running == null) {
+            startChains(held);
         }
     }
 
@@ -167,8 +170,9 @@ final class LiveSession {
         newest = frame;
         findMissing(frame.detections);
         boolean referenceSeen = missingReferences.size() < cell.references().size();
-        displacementPx = key == null ? Double.NaN
-                : Stillness.displacementPx(cell, key.detections, frame.detections);
+        KeyFrame held = key;
+        displacementPx = held == null ? Double.NaN
+                : Stillness.displacementPx(cell, held.detections, frame.detections);
         if (!sizeFits(frame.detections)) {
             drop(Refusal.at(Place.of(frame.detections.imageName()), CellRefusal.IMAGE_SIZE,
                     frame.detections.widthPx(), frame.detections.heightPx(), cell.camera().widthPx(),
@@ -177,10 +181,10 @@ final class LiveSession {
             withoutReference();
         } else {
             framesWithoutReference = 0;
-            if (key == null || key.refusal != null || moved() || markersChanged(frame.detections)) {
+            if (held == null || held.refusal != null || moved(held) || markersChanged(held, frame.detections)) {
                 takeAsKeyFrame(frame);
             } else {
-                settle();
+                settle(held);
             }
         }
         publish();
@@ -189,14 +193,14 @@ final class LiveSession {
     private void onFramesEnded() {
         framesEnded = true;
         if (key != null) {
-            settle();
+            settle(key);
         }
         completeIfDone();
     }
 
     private void onUpdate(ChainRun of, CheckUpdate update) {
         if (of == running) {
-            key.update = update;
+            of.frame.update = update;
             publish();
         }
     }
@@ -217,7 +221,7 @@ final class LiveSession {
             return;
         }
         running = null;
-        key.refusal = ((InputRefusedException) error).refusal();
+        of.frame.refusal = ((InputRefusedException) error).refusal();
         // chains begin without it: with it the quick look of the next frame could accept what they refuse again
         lastWorldFromCamera = null;
         publish();
@@ -239,26 +243,26 @@ final class LiveSession {
 
     private void withoutReference() {
         framesWithoutReference++;
-        if (key == null || moved() || framesWithoutReference >= LOST_FRAMES) {
+        if (key == null || moved(key) || framesWithoutReference >= LOST_FRAMES) {
             drop(null);
         }
     }
 
     /** Whether the newest frame is too far from the key frame; before chains have started half as far is too far. */
-    private boolean moved() {
+    private boolean moved(KeyFrame held) {
         if (Double.isNaN(displacementPx)) {
             return missingReferences.size() < cell.references().size();
         }
-        return displacementPx > (key.settled ? 1 : SETTLE_SHARE) * key.tolerancePx;
+        return displacementPx > (held.settled ? 1 : SETTLE_SHARE) * held.tolerancePx;
     }
 
     /** Whether a marker has come that the key frame lacks, twice in a row, or one has been gone for long. */
-    private boolean markersChanged(Detections frame) {
+    private boolean markersChanged(KeyFrame held, Detections frame) {
         Set<Integer> now = new HashSet<>();
         boolean changed = false;
         for (int id : markersOfCell()) {
             boolean seen = frame.find(id) != null;
-            boolean inKeyFrame = key.detections.find(id) != null;
+            boolean inKeyFrame = held.detections.find(id) != null;
             if (seen && !inKeyFrame) {
                 now.add(id);
                 changed |= newcomers.contains(id);
@@ -278,7 +282,7 @@ final class LiveSession {
         return ids;
     }
 
-    private void drop(Refusal why) {
+    private void drop(@Nullable Refusal why) {
         stopChains();
         key = null;
         refusal = why;
@@ -290,19 +294,20 @@ final class LiveSession {
         newcomers.clear();
         framesWithout.clear();
         try {
-            key = new KeyFrame(frame.detections, frame.number,
+            KeyFrame taken = new KeyFrame(frame.detections, frame.number,
                     CellCheck.quickLook(cell, frame.detections, settings, lastWorldFromCamera));
-            lastWorldFromCamera = key.update.estimate().camera().meanTransform();
+            key = taken;
+            lastWorldFromCamera = taken.update.estimate().camera().meanTransform();
             displacementPx = 0;
         } catch (InputRefusedException e) {
             refusal = e.refusal();
         }
     }
 
-    private void settle() {
-        key.settled = true;
-        if (pace.sampling() && running == null && !key.finished()) {
-            startChains();
+    private void settle(KeyFrame held) {
+        held.settled = true;
+        if (pace.sampling() && running == null && !held.finished()) {
+            startChains(held);
         }
     }
 
@@ -313,8 +318,13 @@ final class LiveSession {
      * to.
      */
     private final class ChainRun extends DisposableSubscriber<CheckUpdate> {
+        private final KeyFrame frame;
         private final Latest<CheckUpdate> updates =
                 new Latest<>(worker, update -> guarded(() -> onUpdate(this, update)).run());
+
+        ChainRun(KeyFrame frame) {
+            this.frame = frame;
+        }
 
         @Override
         public void onNext(CheckUpdate update) {
@@ -332,14 +342,15 @@ final class LiveSession {
         }
     }
 
-    private void startChains() {
-        Detections frame = key.detections;
-        running = new ChainRun();
-        chains.set(running);
+    private void startChains(KeyFrame held) {
+        Detections frame = held.detections;
+        ChainRun run = new ChainRun(held);
+        running = run;
+        chains.set(run);
         // from the initial estimate and not from where the quick look began: the figures are those of this frame alone
         Flowable.defer(() -> CellCheck.quickLook(cell, frame, settings, null)
                 .chains(() -> Math.min(settings.sampling().threads(), pace.chainThreads())))
-                .subscribeOn(chainScheduler).subscribe(running);
+                .subscribeOn(chainScheduler).subscribe(run);
     }
 
     private void stopChains() {
@@ -373,15 +384,15 @@ final class LiveSession {
     }
 
     private LiveState state() {
-        Refusal why = key == null ? refusal : key.refusal;
-        boolean figures = key != null && why == null;
+        KeyFrame held = key;
+        Refusal why = held == null ? refusal : held.refusal;
         LiveState.Phase phase;
         if (why != null) {
             phase = LiveState.Phase.REFUSED;
-        } else if (key == null) {
+        } else if (held == null) {
             phase = LiveState.Phase.SEARCHING;
         } else {
-            switch (key.update.phase()) {
+            switch (held.update.phase()) {
                 case RESULT:
                     phase = LiveState.Phase.RESULT;
                     break;
@@ -393,8 +404,11 @@ final class LiveSession {
                     break;
             }
         }
-        return new LiveState(phase, newest.detections, newest.number, figures ? key.detections : null,
-                figures ? key.number : 0, figures ? key.update : null, missingReferences, missingObjects,
-                figures ? displacementPx : Double.NaN, why);
+        if (held == null || why != null) {
+            return new LiveState(phase, newest.detections, newest.number, null, 0, null, missingReferences,
+                    missingObjects, Double.NaN, why);
+        }
+        return new LiveState(phase, newest.detections, newest.number, held.detections, held.number, held.update,
+                missingReferences, missingObjects, displacementPx, null);
     }
 }

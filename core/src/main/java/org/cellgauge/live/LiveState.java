@@ -6,6 +6,7 @@ import java.util.List;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.warning.Refusal;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What a live check knows at one moment; immutable.
@@ -31,17 +32,17 @@ public final class LiveState {
     private final Phase phase;
     private final Detections detections;
     private final long frameNumber;
-    private final Detections keyFrame;
+    private final @Nullable Detections keyFrame;
     private final long keyFrameNumber;
-    private final CheckUpdate update;
+    private final @Nullable CheckUpdate update;
     private final List<Integer> missingReferences;
     private final List<Integer> missingObjects;
     private final double displacementPx;
-    private final Refusal refusal;
+    private final @Nullable Refusal refusal;
 
-    LiveState(Phase phase, Detections detections, long frameNumber, Detections keyFrame, long keyFrameNumber,
-            CheckUpdate update, List<Integer> missingReferences, List<Integer> missingObjects, double displacementPx,
-            Refusal refusal) {
+    LiveState(Phase phase, Detections detections, long frameNumber, @Nullable Detections keyFrame,
+            long keyFrameNumber, @Nullable CheckUpdate update, List<Integer> missingReferences,
+            List<Integer> missingObjects, double displacementPx, @Nullable Refusal refusal) {
         this.phase = phase;
         this.detections = detections;
         this.frameNumber = frameNumber;
@@ -86,7 +87,7 @@ public final class LiveState {
      *
      * @return null while {@link Phase#SEARCHING} or {@link Phase#REFUSED}
      */
-    public Detections keyFrame() {
+    public @Nullable Detections keyFrame() {
         return keyFrame;
     }
 
@@ -104,7 +105,7 @@ public final class LiveState {
      *
      * @return null while {@link Phase#SEARCHING} or {@link Phase#REFUSED}
      */
-    public CheckUpdate update() {
+    public @Nullable CheckUpdate update() {
         return update;
     }
 
@@ -152,7 +153,7 @@ public final class LiveState {
      *
      * @return what is wrong and the remedy, or null where it was not
      */
-    public Refusal refusal() {
+    public @Nullable Refusal refusal() {
         return refusal;
     }
 }

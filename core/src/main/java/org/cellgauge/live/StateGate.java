@@ -4,6 +4,7 @@ import io.reactivex.rxjava3.core.Scheduler;
 import io.reactivex.rxjava3.disposables.Disposable;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /** Lets states out at a bounded rate, the urgent ones at once, and never holds back the last one. For one worker. */
 final class StateGate {
@@ -12,7 +13,7 @@ final class StateGate {
     private long intervalMs;
     private boolean opened;
     private long lastMs;
-    private LiveState held;
+    private @Nullable LiveState held;
     private Disposable timer = Disposable.disposed();
 
     StateGate(Scheduler.Worker worker, Consumer<LiveState> out) {

@@ -5,6 +5,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.jspecify.annotations.Nullable;
 
 /** How far two frames are apart, and how far they may be while the camera counts as held still. */
 final class Stillness {
@@ -50,7 +51,7 @@ final class Stillness {
         return other > most || Double.isNaN(most) ? other : most;
     }
 
-    private static double displacementPx(MarkerObservation a, MarkerObservation b) {
+    private static double displacementPx(@Nullable MarkerObservation a, @Nullable MarkerObservation b) {
         if (a == null || b == null) {
             return Double.NaN;
         }

@@ -229,7 +229,11 @@ public final class Setting<T> {
         builder.set(this, value);
     }
 
-    /** Sets it to what null stands for in a file: open, or, where it does not apply, the default. */
+    /**
+     * Sets it to what null stands for in a file: open, or, where it does not apply, the default.
+     *
+     * @param builder receives the value
+     */
     public void readOpen(CheckSettings.Builder builder) {
         builder.set(this, form.open() == null ? usual : form.open());
     }

@@ -51,7 +51,13 @@ public abstract class Message {
         return places;
     }
 
-    /** An argument as it is kept. */
+    /**
+     * An argument as it is kept.
+     *
+     * @param argument what stands in a place of a pattern
+     * @return a message for a kind that stands alone; what is kept as it is
+     * @throws IllegalArgumentException if it is of a type that no language makes words of
+     */
     public static Object checked(Object argument) {
         if (argument instanceof WarningKind) {
             return Warning.of((WarningKind) argument);
@@ -99,7 +105,13 @@ public abstract class Message {
         return String.format(Locale.ROOT, patterns.apply(kind), words);
     }
 
-    /** An argument in words. */
+    /**
+     * An argument in words.
+     *
+     * @param argument one of {@link #arguments()}
+     * @param patterns the pattern of a kind, with as many places as {@link MessageKind#english()}
+     * @return in English
+     */
     public static String english(Object argument, Function<MessageKind, String> patterns) {
         if (argument instanceof Message) {
             return ((Message) argument).english(patterns);

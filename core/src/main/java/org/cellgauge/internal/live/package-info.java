@@ -1,2 +1,5 @@
 /** Threads of a live check. */
+@NullMarked
 package org.cellgauge.internal.live;
+
+import org.jspecify.annotations.NullMarked;

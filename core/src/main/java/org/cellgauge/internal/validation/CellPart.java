@@ -19,6 +19,7 @@ import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.Quantity.Axis;
 import org.cellgauge.settings.Estimate;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The camera or one object of a cell: which regions and quantities of it are judged, and how the truth lies among the
@@ -33,13 +34,13 @@ final class CellPart {
     private static final int MOST_DRAWS = 8000;
 
     final String name;
-    final ObjectMarker object;
+    final @Nullable ObjectMarker object;
     final List<String> regionNames = new ArrayList<>();
     final List<Integer> regionDimensions = new ArrayList<>();
     final List<Quantity> coordinates;
     final List<String> derived = new ArrayList<>();
 
-    private CellPart(ObjectMarker object, boolean focal) {
+    private CellPart(@Nullable ObjectMarker object, boolean focal) {
         this.object = object;
         name = object == null ? "camera" : "object " + object.id();
         coordinates = coordinatesOf(object);
@@ -61,7 +62,7 @@ final class CellPart {
     }
 
     /** Position, rotation vector and, where it has one, gripping point of an object; of the camera where it is null. */
-    static List<Quantity> coordinatesOf(ObjectMarker object) {
+    static List<Quantity> coordinatesOf(@Nullable ObjectMarker object) {
         List<Quantity> all = new ArrayList<>();
         TANGENT.forEach(axis -> all.add(of(object, axis)));
         if (object != null && object.hasGrip()) {
@@ -70,7 +71,7 @@ final class CellPart {
         return all;
     }
 
-    private static Quantity of(ObjectMarker object, Axis axis) {
+    private static Quantity of(@Nullable ObjectMarker object, Axis axis) {
         return object == null ? Quantity.camera(axis) : Quantity.object(object.id(), axis);
     }
 
@@ -92,15 +93,22 @@ final class CellPart {
          * By region: share of the draws with a smaller Mahalanobis distance from the mean than the truth; where there
          * are several modes, share of the draws of higher density.
          */
-        double[] drawShare;
+        final double[] drawShare;
         /** By region: the truth's squared Mahalanobis distance. */
-        double[] squaredDistance;
+        final double[] squaredDistance;
         /** By coordinate: (truth - mean) / stated standard deviation. */
-        double[] standardisedError;
+        final double[] standardisedError;
         /** By coordinate, then by derived quantity. */
-        int[] ranks;
+        final int[] ranks;
         /** Effective share of the draws after weighting with the prior of the truth. */
         double weightShare;
+
+        private Standing(int regions, int coordinates, int derived) {
+            drawShare = new double[regions];
+            squaredDistance = new double[regions];
+            standardisedError = new double[coordinates];
+            ranks = new int[coordinates + derived];
+        }
     }
 
     /** Draws of one quantity, chain by chain. */
@@ -122,7 +130,7 @@ final class CellPart {
     }
 
     /** Rotation matrices of all draws of a pose, 9 values each. */
-    static double[] rotations(CheckResult result, ObjectMarker object) {
+    static double[] rotations(CheckResult result, @Nullable ObjectMarker object) {
         double[] psi = column(result, of(object, Axis.PSI));
         double[] theta = column(result, of(object, Axis.THETA));
         double[] phi = column(result, of(object, Axis.PHI));
@@ -157,7 +165,7 @@ final class CellPart {
         final PinholeCamera[] lenses;
 
         CameraDraws(CheckResult result, TruthPrior prior) {
-            rotations = rotations(result, (ObjectMarker) null);
+            rotations = rotations(result, null);
             columns = new double[][] {column(result, Quantity.camera(Axis.X)), column(result, Quantity.camera(Axis.Y)),
                 column(result, Quantity.camera(Axis.Z))};
             int n = columns[0].length;
@@ -206,14 +214,13 @@ final class CellPart {
         double[][] columns = columns(result);
         double[] rotations = object == null ? camera.rotations : rotations(result, object);
         int n = columns[0].length;
-        RigidTransform truePose = object == null ? truth.worldFromCamera() : truth.worldFromObjects().get(object.id());
+        RigidTransform truePose = object == null ? truth.worldFromCamera() : truth.worldFromObject(object.id());
         double[] trueValues = trueCoordinates(truePose, truth.camera(result.cell()),
                 referenceRotation(columns, rotations));
 
-        Standing standing = new Standing();
+        Standing standing = new Standing(regionNames.size(), coordinates.size(), derived.size());
         double[] mean = new double[columns.length];
         double[] std = new double[columns.length];
-        standing.standardisedError = new double[columns.length];
         for (int c = 0; c < columns.length; c++) {
             for (double v : columns[c]) {
                 mean[c] += v / n;
@@ -228,8 +235,6 @@ final class CellPart {
         // regions
         int[] labels = CoverageStudy.labels(result, object);
         int regions = regionNames.size();
-        standing.drawShare = new double[regions];
-        standing.squaredDistance = new double[regions];
         double[][] distances = new double[regions][n];
         for (int k = 0; k < regions; k++) {
             int d = regionDimensions.get(k);
@@ -276,7 +281,6 @@ final class CellPart {
         for (int i = 0; i < ranked; i++) {
             picked[i] = pick(cumulative, random.nextDouble());
         }
-        standing.ranks = new int[coordinates.size() + derived.size()];
         int at = 0;
         for (int c = 0; c < columns.length; c++) {
             standing.ranks[at++] = rank(trueValues[c], columns[c], picked);
@@ -305,11 +309,12 @@ final class CellPart {
         double[] turned = new double[9];
         Rotations.multiplyTransposed(pose.rotation(), referenceRotation, turned);
         Rotations.log(turned, values, 3);
-        if (object == null && values.length > 6) {
+        double[] gripMm = object == null ? null : object.gripMm();
+        if (gripMm != null) {
+            System.arraycopy(pose.apply(gripMm), 0, values, 6, 3);
+        } else if (values.length > 6) {
             values[6] = lens.get(PinholeCamera.FX);
             values[7] = lens.get(PinholeCamera.FY);
-        } else if (values.length > 6) {
-            System.arraycopy(pose.apply(object.gripMm()), 0, values, 6, 3);
         }
         return values;
     }

@@ -10,6 +10,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.jspecify.annotations.Nullable;
 
 /** Where the camera and the objects of a cell really stand, and what lens the camera really has; immutable. */
 public final class CellTruth {
@@ -22,7 +23,7 @@ public final class CellTruth {
     private final RigidTransform worldFromCamera;
     private final Map<Integer, RigidTransform> worldFromObjects;
     /** Null where the camera is the one of the cell file. */
-    private final PinholeCamera camera;
+    private final @Nullable PinholeCamera camera;
 
     /**
      * A truth in which the camera is as the cell file has it.
@@ -42,7 +43,7 @@ public final class CellTruth {
      * @param camera intrinsics and image size that the photo is taken with; null for those of the cell file
      */
     public CellTruth(RigidTransform worldFromCamera, Map<Integer, RigidTransform> worldFromObjects,
-            PinholeCamera camera) {
+            @Nullable PinholeCamera camera) {
         this.worldFromCamera = worldFromCamera;
         this.worldFromObjects = Collections.unmodifiableMap(new LinkedHashMap<>(worldFromObjects));
         this.camera = camera;
@@ -133,5 +134,20 @@ public final class CellTruth {
      */
     public Map<Integer, RigidTransform> worldFromObjects() {
         return worldFromObjects;
+    }
+
+    /**
+     * The pose of one object.
+     *
+     * @param id id of an object
+     * @return in the world
+     * @throws IllegalArgumentException if no pose of that object is known
+     */
+    public RigidTransform worldFromObject(int id) {
+        RigidTransform pose = worldFromObjects.get(id);
+        if (pose == null) {
+            throw new IllegalArgumentException("object " + id + " has no true pose");
+        }
+        return pose;
     }
 }

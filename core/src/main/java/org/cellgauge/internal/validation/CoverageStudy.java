@@ -25,6 +25,7 @@ import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Simulated cells from wherever they come, seen however they are seen, each checked as a photo would be: how often do
@@ -64,7 +65,7 @@ public final class CoverageStudy {
 
     /** How one part of a cell stands to what was stated of it. */
     static final class Standing {
-        String name;
+        final String name;
         /** Names of the regions: position (objects), pose, grip. */
         final List<String> regions = new ArrayList<>();
         final List<Integer> dimensions = new ArrayList<>();
@@ -75,6 +76,10 @@ public final class CoverageStudy {
         /** Mean minus truth, world z. */
         double errorZMm;
         boolean severalModes;
+
+        Standing(String name) {
+            this.name = name;
+        }
     }
 
     /** An unknown noise so far below zero that nothing is added: what the fit alone says is judged. */
@@ -94,8 +99,8 @@ public final class CoverageStudy {
 
     /** What became of one simulated cell. */
     static final class Outcome {
-        String refusal;
-        Verdict verdict;
+        @Nullable String refusal;
+        @Nullable Verdict verdict;
         boolean accuses;
         boolean noiseMisfit;
         boolean referencesMisfit;
@@ -160,7 +165,7 @@ public final class CoverageStudy {
     }
 
     /** What is seen of a cell, its corners counted; null, the reason kept, where the detector refuses it. */
-    private static Detections see(SimulatedCell simulated, DetectionSource detections, long seed, int index,
+    private static @Nullable Detections see(SimulatedCell simulated, DetectionSource detections, long seed, int index,
             Outcome outcome) {
         try {
             Detections seen = detections.detect(simulated, RandomStreams.of(seed, STREAM_PHOTO, index));
@@ -168,7 +173,7 @@ public final class CoverageStudy {
             addWarnings(outcome, seen.warnings());
             return seen;
         } catch (InputRefusedException e) {
-            outcome.refusal = reason(e.getMessage());
+            outcome.refusal = reason(e.refusal().toString());
             return null;
         }
     }
@@ -188,7 +193,7 @@ public final class CoverageStudy {
         try {
             result = CellCheck.run(cell, seen, own);
         } catch (InputRefusedException e) {
-            outcome.refusal = reason(e.getMessage());
+            outcome.refusal = reason(e.refusal().toString());
             return outcome;
         }
         outcome.warnings.clear();
@@ -227,10 +232,10 @@ public final class CoverageStudy {
 
     // ---- parts
 
-    private Standing standing(CheckResult result, ObjectMarker object, SimulatedCell simulated) {
+    private Standing standing(CheckResult result, @Nullable ObjectMarker object, SimulatedCell simulated) {
         RigidTransform truth = object == null ? simulated.truth().worldFromCamera()
-                : simulated.truth().worldFromObjects().get(object.id());
-        boolean grip = object != null && object.hasGrip();
+                : simulated.truth().worldFromObject(object.id());
+        double[] grip = object == null ? null : object.gripMm();
         List<Quantity> quantities = CellPart.coordinatesOf(object);
         double[][] columns = new double[quantities.size()][];
         for (int c = 0; c < columns.length; c++) {
@@ -242,16 +247,15 @@ public final class CoverageStudy {
         Rotations.multiplyTransposed(truth.rotation(),
                 CellPart.referenceRotation(columns, CellPart.rotations(result, object)), turned);
         Rotations.log(turned, values, 3);
-        if (grip) {
-            System.arraycopy(truth.apply(object.gripMm()), 0, values, 6, 3);
+        if (grip != null) {
+            System.arraycopy(truth.apply(grip), 0, values, 6, 3);
         }
-        Standing standing = new Standing();
-        standing.name = object == null ? "camera" : cells.nameOf(object);
+        Standing standing = new Standing(object == null ? "camera" : cells.nameOf(object));
         int[] labels = labels(result, object);
         standing.severalModes = labels != null;
         add(standing, "position", columns, values, 0, 3, labels);
         add(standing, "pose", columns, values, 0, 6, labels);
-        if (grip) {
+        if (grip != null) {
             add(standing, "grip", columns, values, 6, 3, labels);
         }
         double meanZ = 0;
@@ -263,7 +267,7 @@ public final class CoverageStudy {
     }
 
     private static void add(Standing standing, String name, double[][] columns, double[] truth, int first,
-            int dimension, int[] labels) {
+            int dimension, int @Nullable [] labels) {
         double[] own = Arrays.copyOfRange(truth, first, first + dimension);
         standing.regions.add(name);
         standing.dimensions.add(dimension);
@@ -290,11 +294,11 @@ public final class CoverageStudy {
     }
 
     /** Which of the modes of camera and object together each draw is near; null where there is but one. */
-    static int[] labels(CheckResult result, ObjectMarker object) {
+    static int @Nullable [] labels(CheckResult result, @Nullable ObjectMarker object) {
         int[] labels = null;
-        for (Quantity which : Arrays.asList(Quantity.CAMERA_MODE,
-                object == null ? null : Quantity.objectMode(object.id()))) {
-            if (which == null || !result.layout().quantities().contains(which)) {
+        for (Quantity which : object == null ? List.of(Quantity.CAMERA_MODE)
+                : List.of(Quantity.CAMERA_MODE, Quantity.objectMode(object.id()))) {
+            if (!result.layout().quantities().contains(which)) {
                 continue;
             }
             double[] modes = CellPart.column(result, which);

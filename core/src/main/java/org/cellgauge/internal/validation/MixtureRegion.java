@@ -1,6 +1,7 @@
 package org.cellgauge.internal.validation;
 
 import org.cellgauge.internal.geometry.Cholesky;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The region of highest density of draws that gather about one or several modes.
@@ -33,7 +34,7 @@ final class MixtureRegion {
      * @param dimension number of coordinates that count
      * @param labels which mode each draw is near, or null for one mode
      */
-    MixtureRegion(double[][] columns, int first, int dimension, int[] labels) {
+    MixtureRegion(double[][] columns, int first, int dimension, int @Nullable [] labels) {
         this.dimension = dimension;
         int n = columns[first].length;
         centre = new double[dimension];
@@ -83,7 +84,7 @@ final class MixtureRegion {
     /**
      * Means and covariances (in place of their factors) of the draws of each mode, in units of the deviations of all.
      */
-    private int[] moments(double[][] columns, int first, int[] labels) {
+    private int[] moments(double[][] columns, int first, int @Nullable [] labels) {
         int n = columns[first].length;
         int[] counts = new int[means.length];
         for (int i = 0; i < n; i++) {

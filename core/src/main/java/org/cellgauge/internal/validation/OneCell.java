@@ -12,6 +12,7 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.warning.Refusal;
+import org.jspecify.annotations.Nullable;
 
 /** The same cell again and again, built anew each time: placement errors, camera and objects are drawn. Immutable. */
 public final class OneCell implements CellSource {
@@ -91,7 +92,7 @@ public final class OneCell implements CellSource {
     }
 
     /** Outline of a marker's paper, 8 values, or null without corners. */
-    private static double[] paper(double[] px) {
+    private static double @Nullable [] paper(double @Nullable [] px) {
         if (px == null) {
             return null;
         }

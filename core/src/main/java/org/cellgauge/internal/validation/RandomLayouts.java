@@ -19,6 +19,7 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.internal.sampling.RandomStreams;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A new layout for every simulation; immutable.
@@ -99,7 +100,7 @@ public final class RandomLayouts implements CellSource {
     }
 
     /** A layout, or null if its markers found no room. */
-    private SimulatedCell layout(RandomGenerator random) {
+    private @Nullable SimulatedCell layout(RandomGenerator random) {
         PinholeCamera camera = camera(random);
         double usualMm = logUniform(random, 30, 120);
         boolean oneSize = random.nextBoolean();
@@ -151,7 +152,7 @@ public final class RandomLayouts implements CellSource {
     }
 
     /** A marker somewhere in view, or null if the place drawn is none. */
-    private static RigidTransform marker(RandomGenerator random, PinholeCamera camera, RigidTransform worldFromCamera,
+    private static @Nullable RigidTransform marker(RandomGenerator random, PinholeCamera camera, RigidTransform worldFromCamera,
             double distanceMm, double sizeMm, List<double[]> taken) {
         double[] ray = new double[2];
         boolean seen = camera.toNormalised(WIDTH_PX * random.nextDouble(), HEIGHT_PX * random.nextDouble(), ray);
@@ -183,7 +184,7 @@ public final class RandomLayouts implements CellSource {
     }
 
     /** Centre and radius, px, of what a marker and its paper take of the image; null if it cannot be seen well. */
-    private static double[] circle(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
+    private static double @Nullable [] circle(PinholeCamera camera, RigidTransform cameraFromMarker, double sizeMm) {
         double[] r = cameraFromMarker.rotation();
         double[] t = cameraFromMarker.translationMm();
         double distance = Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);

@@ -8,6 +8,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
+import org.jspecify.annotations.Nullable;
 
 /** One simulated cell: what its file says, and how it really stands; immutable. */
 public final class SimulatedCell {
@@ -63,19 +64,19 @@ public final class SimulatedCell {
      *     camera
      * @throws IllegalArgumentException if the cell has no such marker
      */
-    public double[] cornersPx(int id) {
+    public double @Nullable [] cornersPx(int id) {
         RigidTransform cameraFromWorld = truth.worldFromCamera().inverse();
         for (Reference r : cell.references()) {
-            if (r.id() == id) {
-                return MarkerGeometry.cornersPx(truth.camera(cell),
-                        cameraFromWorld.compose(worldFromReferences.get(id)),
+            RigidTransform worldFromReference = worldFromReferences.get(id);
+            if (r.id() == id && worldFromReference != null) {
+                return MarkerGeometry.cornersPx(truth.camera(cell), cameraFromWorld.compose(worldFromReference),
                         r.sizeMm());
             }
         }
         for (ObjectMarker o : cell.objects()) {
             if (o.id() == id) {
                 return MarkerGeometry.cornersPx(truth.camera(cell),
-                        cameraFromWorld.compose(truth.worldFromObjects().get(id)),
+                        cameraFromWorld.compose(truth.worldFromObject(id)),
                         o.sizeMm());
             }
         }

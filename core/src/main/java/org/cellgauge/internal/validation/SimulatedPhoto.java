@@ -11,6 +11,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Corners as a detector would report them of a cell that was built as precisely as its file states: every reference off
@@ -31,8 +32,8 @@ public final class SimulatedPhoto {
      * @param noise source of corner noise
      * @return the corners; null where a placement error puts a corner behind the camera
      */
-    public static Detections of(Cell cell, CellTruth truth, double pixelStdPx, RandomGenerator placement,
-            RandomGenerator noise) {
+    public static @Nullable Detections of(Cell cell, CellTruth truth, double pixelStdPx,
+            @Nullable RandomGenerator placement, RandomGenerator noise) {
         RigidTransform cameraFromWorld = truth.worldFromCamera().inverse();
         List<MarkerObservation> markers = new ArrayList<>();
         for (Reference r : cell.references()) {
@@ -43,7 +44,7 @@ public final class SimulatedPhoto {
             }
         }
         for (ObjectMarker o : cell.objects()) {
-            RigidTransform pose = cameraFromWorld.compose(truth.worldFromObjects().get(o.id()));
+            RigidTransform pose = cameraFromWorld.compose(truth.worldFromObject(o.id()));
             if (!add(markers, truth.camera(cell), o.id(), o.sizeMm(), pose, pixelStdPx, noise)) {
                 return null;
             }

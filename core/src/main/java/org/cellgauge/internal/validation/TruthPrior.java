@@ -3,6 +3,7 @@ package org.cellgauge.internal.validation;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
@@ -134,22 +135,17 @@ public final class TruthPrior {
         RigidTransform camera = cameraFromWorld;
         PinholeCamera lens = lens(random);
         if (!isPoint()) {
-            camera = null;
-            for (int i = 0; camera == null; i++) {
-                lens = i == 0 ? lens : lens(random);
-                RigidTransform moved = moved(RigidTransform.of(cameraFromWorld.rotation(), centroidInCamera), random);
-                double[] g = RigidTransform.of(moved.rotation(), new double[3]).apply(centroid);
-                double[] p = moved.translationMm();
-                RigidTransform suggested = RigidTransform.of(moved.rotation(),
-                        new double[] {p[0] - g[0], p[1] - g[1], p[2] - g[2]});
-                camera = referencesSeen(lens, suggested) ? suggested : null;
+            camera = suggested(random);
+            for (int i = 0; !referencesSeen(lens, camera); i++) {
                 refuseIfHopeless(i, Refusal.of(ValidationRefusal.THE_REFERENCES));
+                lens = lens(random);
+                camera = suggested(random);
             }
         }
         RigidTransform worldFromCamera = camera.inverse();
         Map<Integer, RigidTransform> objects = new LinkedHashMap<>();
         for (ObjectMarker o : cell.objects()) {
-            RigidTransform pose = cameraFromObjects.get(o.id());
+            RigidTransform pose = cameraFromObject(o);
             if (!isPoint()) {
                 RigidTransform nominal = pose;
                 pose = moved(nominal, random);
@@ -161,6 +157,17 @@ public final class TruthPrior {
             objects.put(o.id(), worldFromCamera.compose(pose));
         }
         return new CellTruth(worldFromCamera, objects, lens);
+    }
+
+    private RigidTransform suggested(RandomGenerator random) {
+        RigidTransform moved = moved(RigidTransform.of(cameraFromWorld.rotation(), centroidInCamera), random);
+        double[] g = RigidTransform.of(moved.rotation(), new double[3]).apply(centroid);
+        double[] p = moved.translationMm();
+        return RigidTransform.of(moved.rotation(), new double[] {p[0] - g[0], p[1] - g[1], p[2] - g[2]});
+    }
+
+    private RigidTransform cameraFromObject(ObjectMarker object) {
+        return Objects.requireNonNull(cameraFromObjects.get(object.id()), "every object of the cell has a pose");
     }
 
     private PinholeCamera lens(RandomGenerator random) {
@@ -229,7 +236,7 @@ public final class TruthPrior {
         if (isPoint()) {
             return 0;
         }
-        RigidTransform nominal = cameraFromObjects.get(object.id());
+        RigidTransform nominal = cameraFromObject(object);
         return seen(lens, cameraFromObject, object.sizeMm())
                 ? log(cameraFromObject.rotation(), cameraFromObject.translationMm(), nominal.rotation(),
                         nominal.translationMm())

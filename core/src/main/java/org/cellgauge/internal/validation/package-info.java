@@ -5,4 +5,7 @@
  * <p>{@link Validation} runs the simulations; {@link TruthPrior} says
  * where the true poses come from, and with it what a deviation from the nominal coverage means.
  */
+@NullMarked
 package org.cellgauge.internal.validation;
+
+import org.jspecify.annotations.NullMarked;
