@@ -60,7 +60,7 @@ class ArchitectureTest {
     private static final List<String> SHARED_POOL = List.of("parallel", "parallelStream", "parallelSort",
             "parallelSetAll", "parallelPrefix", "supplyAsync", "runAsync");
 
-    private static final int JAVA_11_CLASS_FILE = 55;
+    private static final int JAVA_17_CLASS_FILE = 61;
 
     private static JavaClasses product;
     private static JavaClasses core;
@@ -92,7 +92,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void coreRunsOnJava11() throws IOException {
+    void coreRunsOnJava17() throws IOException {
         List<String> tooNew = new ArrayList<>();
         for (JavaClass type : core) {
             URL file = type.getSource().orElseThrow().getUri().toURL();
@@ -100,7 +100,7 @@ class ArchitectureTest {
                 assertEquals(0xCAFEBABE, in.readInt(), type.getName());
                 in.readUnsignedShort();
                 int version = in.readUnsignedShort();
-                if (version > JAVA_11_CLASS_FILE) {
+                if (version > JAVA_17_CLASS_FILE) {
                     tooNew.add(type.getName() + " has class file version " + version);
                 }
             }

@@ -1,50 +1,13 @@
 package org.cellgauge.sampling;
 
-/** How many suggestions of one proposal were accepted and rejected; immutable. */
-public final class AcceptanceCount {
-    private final String proposal;
-    private final long accepted;
-    private final long rejected;
-
-    /**
-     * A count.
-     *
-     * @param proposal name of the proposal
-     * @param accepted suggestions accepted
-     * @param rejected suggestions rejected
-     */
-    public AcceptanceCount(String proposal, long accepted, long rejected) {
-        this.proposal = proposal;
-        this.accepted = accepted;
-        this.rejected = rejected;
-    }
-
-    /**
-     * Name of the proposal.
-     *
-     * @return unique within a chain
-     */
-    public String proposal() {
-        return proposal;
-    }
-
-    /**
-     * Suggestions accepted.
-     *
-     * @return not negative
-     */
-    public long accepted() {
-        return accepted;
-    }
-
-    /**
-     * Suggestions rejected.
-     *
-     * @return not negative
-     */
-    public long rejected() {
-        return rejected;
-    }
+/**
+ * How many suggestions of one proposal were accepted and rejected.
+ *
+ * @param proposal name of the proposal, unique within a chain
+ * @param accepted suggestions accepted, not negative
+ * @param rejected suggestions rejected, not negative
+ */
+public record AcceptanceCount(String proposal, long accepted, long rejected) {
 
     /**
      * Share of suggestions accepted.

@@ -2,30 +2,25 @@ package org.cellgauge.internal.overlay;
 
 import java.util.Collection;
 
-/** A box along the image's axes, in px; immutable. */
-public final class Box {
-    private final double left;
-    private final double top;
-    private final double right;
-    private final double bottom;
+/**
+ * A box along the image's axes.
+ *
+ * @param left smallest u, px
+ * @param top smallest v, px
+ * @param right largest u, px, at least left
+ * @param bottom largest v, px, at least top
+ */
+public record Box(double left, double top, double right, double bottom) {
 
     /**
      * A box.
      *
-     * @param left smallest u
-     * @param top smallest v
-     * @param right largest u, at least left
-     * @param bottom largest v, at least top
      * @throws IllegalArgumentException if the sides are out of order or not numbers
      */
-    public Box(double left, double top, double right, double bottom) {
+    public Box {
         if (!(left <= right && top <= bottom)) {
             throw new IllegalArgumentException("not a box: " + left + ", " + top + ", " + right + ", " + bottom);
         }
-        this.left = left;
-        this.top = top;
-        this.right = right;
-        this.bottom = bottom;
     }
 
     /**
@@ -48,42 +43,6 @@ public final class Box {
             }
         }
         return new Box(left, top, right, bottom);
-    }
-
-    /**
-     * Smallest u.
-     *
-     * @return px
-     */
-    public double left() {
-        return left;
-    }
-
-    /**
-     * Smallest v.
-     *
-     * @return px
-     */
-    public double top() {
-        return top;
-    }
-
-    /**
-     * Largest u.
-     *
-     * @return px
-     */
-    public double right() {
-        return right;
-    }
-
-    /**
-     * Largest v.
-     *
-     * @return px
-     */
-    public double bottom() {
-        return bottom;
     }
 
     /**
@@ -157,10 +116,5 @@ public final class Box {
         double du = Math.max(0, Math.max(other.left - right, left - other.right));
         double dv = Math.max(0, Math.max(other.top - bottom, top - other.bottom));
         return Math.hypot(du, dv);
-    }
-
-    @Override
-    public String toString() {
-        return "[" + left + ", " + right + "] x [" + top + ", " + bottom + "]";
     }
 }

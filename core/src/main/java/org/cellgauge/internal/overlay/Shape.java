@@ -7,7 +7,7 @@ import java.util.List;
  *
  * <p>Whatever a shape is, {@link #strokes()} has it as lines, so that a painter needs to know nothing else.
  */
-public abstract class Shape {
+public abstract sealed class Shape permits EllipseShape, MarkShape, PanelShape, Polyline, TextShape {
     private final Role role;
     private final Status status;
     private final double strokePx;

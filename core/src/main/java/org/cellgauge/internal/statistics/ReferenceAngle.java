@@ -6,30 +6,22 @@ package org.cellgauge.internal.statistics;
  * <p>Mean, covariance and chain diagnostics assume numbers on a line. Draws of an angle that cross the seam at pi jump
  * by 2 pi there although the direction hardly moves. Expressed as the reference plus the shortest turn from it, they
  * stay together as long as they lie within half a turn of the reference.
+ *
+ * @param referenceRad the direction about which angles are unrolled, usually the mean direction or the mode, in
+ *     (-pi, pi], rad
  */
-public final class ReferenceAngle {
-    private final double referenceRad;
+public record ReferenceAngle(double referenceRad) {
 
     /**
-     * Unrolls about a direction, usually the mean direction or the mode.
+     * Unrolls about a direction, given by any of its angles.
      *
-     * @param referenceRad the direction, rad
      * @throws IllegalArgumentException if it is not finite
      */
-    public ReferenceAngle(double referenceRad) {
+    public ReferenceAngle {
         if (!Double.isFinite(referenceRad)) {
             throw new IllegalArgumentException("the reference angle must be finite, was " + referenceRad);
         }
-        this.referenceRad = Angles.wrapToPi(referenceRad);
-    }
-
-    /**
-     * The direction about which angles are unrolled.
-     *
-     * @return the reference in (-pi, pi], rad
-     */
-    public double referenceRad() {
-        return referenceRad;
+        referenceRad = Angles.wrapToPi(referenceRad);
     }
 
     /**
