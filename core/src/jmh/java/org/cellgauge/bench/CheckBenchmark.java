@@ -4,13 +4,17 @@ import java.util.concurrent.TimeUnit;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.ThesisScene;
+import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.vision.Detections;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
@@ -24,19 +28,25 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 2)
 @Measurement(iterations = 5, time = 2)
 public class CheckBenchmark {
-    private BenchScene scene;
+    /** Three objects that lie in the plane, each with two poses. */
+    @Param({"none", "three"})
+    public String objects = "none";
+
+    private Detections detections;
     private Cell cell;
     private CheckSettings settings;
 
     @Setup
     public void prepare() {
-        scene = new BenchScene(false);
-        cell = scene.scene.cell();
-        settings = CheckSettings.builder().build();
+        ThesisScene scene = ThesisScene.inPlane(4).placement(1, 0.002).pixelStd(0.1);
+        scene = objects.equals("none") ? scene.noObjects() : scene.planeObjects();
+        cell = scene.cell();
+        detections = scene.detections(0.1, RandomStreams.of(3), 1, 0.002);
+        settings = CheckSettings.builder().threads(1).build();
     }
 
     @Benchmark
     public CheckResult wholeCheck() {
-        return CellCheck.run(cell, scene.detections, settings);
+        return CellCheck.run(cell, detections, settings);
     }
 }

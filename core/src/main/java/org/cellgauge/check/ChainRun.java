@@ -37,6 +37,10 @@ import org.jspecify.annotations.Nullable;
 /** One run of the chains of a photo, from its quick look to draws that suffice; for one subscription. */
 final class ChainRun {
     private static final int FIRST_ROUND = 1000;
+    /** The first round where the precision asked for needs fewer draws than convergence does. */
+    private static final int SHORT_ROUND = 400;
+    /** Precision of deviations that FIRST_ROUND is for; it needs draws with the square of what is asked for. */
+    private static final double USUAL_PRECISION = 0.02;
 
     private final QuickLook quickLook;
     private final Observed observed;
@@ -84,7 +88,7 @@ final class ChainRun {
         int cap = settings.sampling().iterations().orElse(settings.sampling().maxIterations());
         int warmup = settings.sampling().warmup(samplerUsed);
         RunLength length = new RunLength(warmup,
-                settings.sampling().iterations().isPresent() ? cap - warmup : FIRST_ROUND, cap);
+                settings.sampling().iterations().isPresent() ? cap - warmup : firstRound(), cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
                 draws -> {
                     Diagnostics found = diagnosed(draws, judged, threads.getAsInt());
@@ -101,6 +105,11 @@ final class ChainRun {
                     sampled(estimates, judged, ensemble.draws(), snapshot, threads.getAsInt()));
             return new CheckUpdate(CheckUpdate.Phase.RESULT, result.estimate(), snapshot.iterationsPerChain(), result);
         });
+    }
+
+    private int firstRound() {
+        double share = USUAL_PRECISION / settings.sampling().targetMcseStdRel();
+        return (int) Math.max(SHORT_ROUND, Math.min(FIRST_ROUND, FIRST_ROUND * share * share));
     }
 
     private SampledCell sampled(Estimates estimates, boolean[] judged, List<Draws> draws, EnsembleSnapshot last,

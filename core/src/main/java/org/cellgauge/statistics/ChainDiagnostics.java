@@ -1,15 +1,12 @@
 package org.cellgauge.statistics;
 
-import java.util.Arrays;
 import org.apache.commons.math3.distribution.BetaDistribution;
-import org.apache.commons.math3.special.Erf;
-import org.apache.commons.math3.transform.DftNormalization;
-import org.apache.commons.math3.transform.FastFourierTransformer;
-import org.apache.commons.math3.transform.TransformType;
+import org.cellgauge.internal.statistics.Autocovariance;
 import org.cellgauge.internal.statistics.ParetoTail;
 import org.cellgauge.internal.statistics.Quantiles;
-import org.cellgauge.internal.statistics.RunningMoments;
-import org.jspecify.annotations.Nullable;
+import org.cellgauge.internal.statistics.RadixSort;
+import org.cellgauge.internal.statistics.RankScores;
+import org.cellgauge.internal.statistics.Sums;
 
 /**
  * Convergence diagnostics of one scalar parameter over several Markov chains.
@@ -65,7 +62,10 @@ public final class ChainDiagnostics {
     }
 
     private final Status status;
-    private final double[][] chains;
+    private final int chainCount;
+    private final int drawsPerChain;
+    /** All draws, chain after chain. */
+    private final double[] draws;
     private final double[] sorted;
     private final double mean;
     private final double std;
@@ -80,22 +80,21 @@ public final class ChainDiagnostics {
     private final double mcseSd;
 
     private ChainDiagnostics(double[][] chains) {
-        this.chains = chains;
+        this.chainCount = chains.length;
+        this.drawsPerChain = chains[0].length;
+        this.draws = flatten(chains);
         this.status = statusOf(chains);
-        if (status == Status.NON_FINITE || chains[0].length == 0) {
+        int[] order;
+        if (status == Status.NON_FINITE || draws.length == 0) {
+            order = new int[0];
             this.sorted = new double[0];
             this.mean = Double.NaN;
             this.std = Double.NaN;
         } else {
-            double[] all = flatten(chains);
-            Arrays.sort(all);
-            this.sorted = all;
-            RunningMoments moments = new RunningMoments(1);
-            for (int i = 0; i < all.length; i++) {
-                moments.add(all, i);
-            }
-            this.mean = moments.mean(0);
-            this.std = moments.std(0);
+            this.sorted = new double[draws.length];
+            order = RadixSort.sort(draws, sorted);
+            this.mean = Sums.mean(sorted, 0, sorted.length);
+            this.std = Math.sqrt(Sums.variance(sorted, 0, sorted.length));
         }
         if (status != Status.OK) {
             this.rHatBulk = Double.NaN;
@@ -110,29 +109,41 @@ public final class ChainDiagnostics {
             return;
         }
         double median = Quantiles.medianOfSorted(sorted);
-        double[][] bulk = normalScores(split(chains));
+        int[] orderOfHalves = orderOfHalves(order);
+        double[] ascending = new double[orderOfHalves.length];
+        double[] halves = halves();
+        for (int i = 0; i < ascending.length; i++) {
+            ascending[i] = halves[orderOfHalves[i]];
+        }
+        RankScores scores = new RankScores(ascending.length);
+        double[] bulk = scores.of(ascending, orderOfHalves);
         this.rHatBulk = rHat(bulk);
-        this.rHatFolded = rHat(normalScores(split(deviations(chains, median, 1, false))));
         this.essBulk = effectiveSize(bulk);
+        this.rHatFolded = rHat(foldedScores(scores, ascending, orderOfHalves, median));
         this.essTail = Math.min(essBelow(0.05), essBelow(0.95));
         // Sizes do not depend on shift and scale; taking both out keeps squares of extreme draws from overflowing
         double scale = Math.max(sorted[sorted.length - 1] - mean, mean - sorted[0]);
-        double[][] absolute = deviations(chains, mean, scale, false);
-        double[][] squares = deviations(chains, mean, scale, true);
-        this.essMean = effectiveSize(split(chains, mean, scale));
-        this.essSd = effectiveSize(split(absolute));
-        this.essSquaredDeviation = effectiveSize(split(squares));
+        double[] absolute = new double[halves.length];
+        double[] squares = new double[halves.length];
+        for (int i = 0; i < halves.length; i++) {
+            double d = (halves[i] - mean) / scale;
+            halves[i] = d;
+            absolute[i] = Math.abs(d);
+            squares[i] = d * d;
+        }
+        this.essMean = effectiveSize(halves);
+        this.essSd = effectiveSize(absolute);
+        this.essSquaredDeviation = effectiveSize(squares);
         this.mcseMean = std / Math.sqrt(essMean);
         double second = 0;
         double fourth = 0;
-        for (double[] chain : squares) {
-            for (double s : chain) {
-                second += s;
-                fourth += s * s;
-            }
+        for (double x : draws) {
+            double d = (x - mean) / scale;
+            second += d * d;
+            fourth += d * d * (d * d);
         }
-        second /= sorted.length;
-        fourth /= sorted.length;
+        second /= draws.length;
+        fourth /= draws.length;
         double varianceOfVariance = Math.max(0, fourth - second * second) / essSquaredDeviation;
         this.mcseSd = scale * Math.sqrt(varianceOfVariance / second / 4);
     }
@@ -158,15 +169,13 @@ public final class ChainDiagnostics {
         if (chains.length == 0) {
             throw new IllegalArgumentException("at least one chain is needed");
         }
-        double[][] copy = new double[chains.length][];
         for (int c = 0; c < chains.length; c++) {
             if (chains[c].length != chains[0].length) {
                 throw new IllegalArgumentException("chains must have the same number of draws: chain 0 has "
                         + chains[0].length + ", chain " + c + " has " + chains[c].length);
             }
-            copy[c] = chains[c].clone();
         }
-        return new ChainDiagnostics(copy);
+        return new ChainDiagnostics(chains);
     }
 
     /**
@@ -184,7 +193,7 @@ public final class ChainDiagnostics {
      * @return the count, at least 1
      */
     public int chainCount() {
-        return chains.length;
+        return chainCount;
     }
 
     /**
@@ -193,7 +202,7 @@ public final class ChainDiagnostics {
      * @return the count
      */
     public int drawsPerChain() {
-        return chains[0].length;
+        return drawsPerChain;
     }
 
     /**
@@ -399,121 +408,95 @@ public final class ChainDiagnostics {
         return all;
     }
 
-    private static double[][] split(double[][] chains) {
-        int n = chains[0].length;
-        int half = n / 2;
-        double[][] halves = new double[2 * chains.length][];
-        for (int c = 0; c < chains.length; c++) {
-            halves[2 * c] = Arrays.copyOfRange(chains[c], 0, half);
-            halves[2 * c + 1] = Arrays.copyOfRange(chains[c], n - half, n);
+    /** Draws per half chain. */
+    private int half() {
+        return drawsPerChain / 2;
+    }
+
+    /** All halves one after the other, a copy: all draws but those in the middle of odd chains. */
+    private double[] halves() {
+        if (drawsPerChain % 2 == 0) {
+            return draws.clone();
+        }
+        double[] halves = new double[2 * half() * chainCount];
+        for (int c = 0; c < chainCount; c++) {
+            System.arraycopy(draws, c * drawsPerChain, halves, 2 * c * half(), half());
+            System.arraycopy(draws, c * drawsPerChain + half() + 1, halves, (2 * c + 1) * half(), half());
         }
         return halves;
     }
 
-    private static double[][] split(double[][] chains, double shift, double scale) {
-        double[][] halves = split(chains);
-        for (double[] half : halves) {
-            for (int i = 0; i < half.length; i++) {
-                half[i] = (half[i] - shift) / scale;
-            }
+    /** Where the draws of all halves stand in {@link #halves()}, ascending, from where they stand among all draws. */
+    private int[] orderOfHalves(int[] order) {
+        if (drawsPerChain % 2 == 0) {
+            return order;
         }
-        return halves;
-    }
-
-    private static double[][] deviations(double[][] chains, double centre, double scale, boolean squared) {
-        double[][] out = new double[chains.length][chains[0].length];
-        for (int c = 0; c < chains.length; c++) {
-            for (int i = 0; i < out[c].length; i++) {
-                double d = Math.abs(chains[c][i] - centre) / scale;
-                out[c][i] = squared ? d * d : d;
+        int[] out = new int[2 * half() * chainCount];
+        int size = 0;
+        for (int at : order) {
+            int chain = at / drawsPerChain;
+            int draw = at % drawsPerChain;
+            if (draw != half()) {
+                // every chain before this one lacks its middle draw, as does this one where the draw comes later
+                out[size++] = at - chain - (draw > half() ? 1 : 0);
             }
         }
         return out;
     }
 
-    /** Normal quantiles of the ranks over all halves together. */
-    private static double[][] normalScores(double[][] halves) {
-        double[] all = flatten(halves);
-        Arrays.sort(all);
-        double[] ofFirst = scoresOfSorted(all);
-        double[][] scores = new double[halves.length][halves[0].length];
-        for (int c = 0; c < halves.length; c++) {
-            for (int i = 0; i < scores[c].length; i++) {
-                scores[c][i] = ofFirst[lowerBound(all, halves[c][i])];
-            }
+    /**
+     * Scores of the distances from the median. Those above it are sorted as they are, those below it the other way
+     * round, so that merging is enough.
+     */
+    private static double[] foldedScores(RankScores scores, double[] ascending, int[] order, double median) {
+        int n = ascending.length;
+        double[] distances = new double[n];
+        int[] ofDistances = new int[n];
+        int above = 0;
+        while (above < n && ascending[above] < median) {
+            above++;
         }
-        return scores;
+        int below = above - 1;
+        for (int i = 0; i < n; i++) {
+            boolean fromAbove = below < 0
+                    || above < n && ascending[above] - median <= median - ascending[below];
+            int from = fromAbove ? above++ : below--;
+            distances[i] = Math.abs(ascending[from] - median);
+            ofDistances[i] = order[from];
+        }
+        return scores.of(distances, ofDistances);
     }
 
-    /** The score of each value of a sorted series, where the first of equal ones stands. */
-    private static double[] scoresOfSorted(double[] all) {
-        double[] scores = new double[all.length];
-        for (int first = 0, next; first < all.length; first = next) {
-            next = first + 1;
-            while (next < all.length && all[next] == all[first]) {
-                next++;
-            }
-            // Ranks first + 1..next, counted from 1, are shared by all that are equal
-            double rank = (first + 1 + next) / 2.0;
-            double p = (rank - 0.375) / (all.length + 0.25);
-            scores[first] = Math.sqrt(2) * Erf.erfInv(2 * p - 1);
-        }
-        return scores;
-    }
-
-    private static int lowerBound(double[] sorted, double x) {
-        int low = 0;
-        int high = sorted.length;
-        while (low < high) {
-            int middle = (low + high) >>> 1;
-            if (sorted[middle] < x) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
-    }
-
-    /** V section 3.1, over chains that are already split. NaN if no half moves and all stand at the same place. */
-    private static double rHat(double[][] halves) {
-        int n = halves[0].length;
-        RunningMoments means = new RunningMoments(1);
+    /** V section 3.1, over halves one after the other. NaN if no half moves and all stand at the same place. */
+    private double rHat(double[] halves) {
+        int n = half();
+        double[] means = new double[2 * chainCount];
         double within = 0;
-        double[] box = new double[1];
-        for (double[] half : halves) {
-            RunningMoments moments = new RunningMoments(1);
-            for (int i = 0; i < n; i++) {
-                moments.add(half, i);
-            }
-            moments.mean(box);
-            means.add(box);
-            within += moments.covariance(0, 0);
+        for (int h = 0; h < means.length; h++) {
+            means[h] = Sums.mean(halves, h * n, (h + 1) * n);
+            within += Sums.variance(halves, h * n, (h + 1) * n);
         }
-        within /= halves.length;
-        double betweenOverN = means.covariance(0, 0);
+        within /= means.length;
+        double betweenOverN = Sums.variance(means, 0, means.length);
         return Math.sqrt((n - 1.0) / n + betweenOverN / within);
     }
 
     private double essBelow(double probability) {
         double quantile = Quantiles.ofSorted(sorted, probability);
-        double[][] indicator = new double[chains.length][chains[0].length];
-        for (int c = 0; c < chains.length; c++) {
-            for (int i = 0; i < indicator[c].length; i++) {
-                indicator[c][i] = chains[c][i] <= quantile ? 1 : 0;
-            }
+        double[] indicator = halves();
+        for (int i = 0; i < indicator.length; i++) {
+            indicator[i] = indicator[i] <= quantile ? 1 : 0;
         }
-        return effectiveSize(split(indicator));
+        return effectiveSize(indicator);
     }
 
-    /** V section 3.2, over chains that are already split. */
-    private static double effectiveSize(double[][] halves) {
-        int n = halves[0].length;
-        int m = halves.length;
+    /** V section 3.2, over halves one after the other, which are changed. */
+    private double effectiveSize(double[] halves) {
+        int n = half();
         if (n < MIN_DRAWS_FOR_ESS / 2) {
             return Double.NaN;
         }
-        Autocovariance autocovariance = new Autocovariance(halves);
+        Autocovariance autocovariance = new Autocovariance(halves, n);
         double within = autocovariance.at(0) * n / (n - 1.0);
         double total = autocovariance.at(0) + autocovariance.varianceOfMeans();
         if (!(total > 0)) {
@@ -540,86 +523,11 @@ public final class ChainDiagnostics {
             tail = even > 0 || pair >= 0 ? even : 0;
         }
         double tau = -1 + 2 * sum + tail;
-        double draws = (double) m * n;
-        return draws / Math.max(tau, 1 / Math.log10(draws));
+        double size = (double) 2 * chainCount * n;
+        return size / Math.max(tau, 1 / Math.log10(size));
     }
 
     private static double rho(Autocovariance autocovariance, int lag, double within, double total) {
         return 1 - (within - autocovariance.at(lag)) / total;
-    }
-
-    /**
-     * Mean over the halves of their autocovariances (divisor n at every lag), lag by lag as they are asked for.
-     *
-     * <p>Chains that mix well need a dozen lags, for which summing products is far cheaper than a Fourier transform;
-     * chains that do not need thousands, for which it is the other way round.
-     */
-    private static final class Autocovariance {
-        private static final int DIRECT_LAGS = 96;
-
-        private final double[][] centred;
-        private final RunningMoments means = new RunningMoments(1);
-        private double @Nullable [] transformed;
-
-        Autocovariance(double[][] halves) {
-            centred = new double[halves.length][];
-            for (int h = 0; h < halves.length; h++) {
-                double mean = 0;
-                for (double x : halves[h]) {
-                    mean += x;
-                }
-                mean /= halves[h].length;
-                means.add(new double[] {mean});
-                centred[h] = halves[h].clone();
-                for (int i = 0; i < centred[h].length; i++) {
-                    centred[h][i] -= mean;
-                }
-            }
-        }
-
-        double varianceOfMeans() {
-            return means.covariance(0, 0);
-        }
-
-        double at(int lag) {
-            if (lag < DIRECT_LAGS && transformed == null) {
-                double sum = 0;
-                for (double[] x : centred) {
-                    for (int i = lag; i < x.length; i++) {
-                        sum += x[i] * x[i - lag];
-                    }
-                }
-                return sum / centred[0].length / centred.length;
-            }
-            if (transformed == null) {
-                transformed = transform();
-            }
-            return transformed[lag];
-        }
-
-        private double[] transform() {
-            int n = centred[0].length;
-            double[] out = new double[n];
-            // Padding to twice the length keeps the circular correlation of the transform from wrapping around
-            int size = Integer.highestOneBit(2 * n - 1) << 1;
-            double[][] data = new double[2][size];
-            for (double[] x : centred) {
-                Arrays.fill(data[0], 0);
-                Arrays.fill(data[1], 0);
-                System.arraycopy(x, 0, data[0], 0, n);
-                FastFourierTransformer.transformInPlace(data, DftNormalization.STANDARD, TransformType.FORWARD);
-                for (int k = 0; k < size; k++) {
-                    double re = data[0][k];
-                    double im = data[1][k];
-                    data[0][k] = re * re + im * im;
-                    data[1][k] = 0;
-                }
-                FastFourierTransformer.transformInPlace(data, DftNormalization.STANDARD, TransformType.INVERSE);
-                for (int t = 0; t < n; t++) {
-                    out[t] += data[0][t] / n / centred.length;
-                }
-            }
-            return out;
-        }
     }
 }

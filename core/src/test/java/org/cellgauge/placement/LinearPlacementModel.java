@@ -5,13 +5,13 @@ import java.util.Arrays;
 import java.util.List;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.apache.commons.math3.random.RandomGenerator;
-import org.apache.commons.math3.random.Well19937c;
 import org.apache.commons.math3.special.Erf;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
+import org.cellgauge.internal.sampling.RandomStreams;
 import org.ejml.simple.SimpleEVD;
 import org.ejml.simple.SimpleMatrix;
 
@@ -32,6 +32,12 @@ final class LinearPlacementModel {
 
     private final int references;
     private final SimpleMatrix covariance;
+    /** Sensitivities along x and y, reference by reference. */
+    private final double[] inPlane;
+    private final Tests tests;
+    /** Likelihood ratio of the likeliest reference and smallest p over weight of simulated cells as stated, ascending. */
+    private final double[] ratios = new double[CELLS];
+    private final double[] least = new double[CELLS];
 
     LinearPlacementModel(ThesisScene scene, double pixelStdPx) {
         List<Reference> all = scene.cell().references();
@@ -58,6 +64,21 @@ final class LinearPlacementModel {
         SimpleMatrix normal = byPose.transpose().mult(w).mult(byPose);
         SimpleMatrix left = w.minus(w.mult(byPose).mult(normal.invert()).mult(byPose.transpose()).mult(w));
         covariance = byPlacement.transpose().mult(left).mult(byPlacement);
+        inPlane = new double[2 * references];
+        for (int i = 0; i < inPlane.length; i++) {
+            inPlane[i] = sensitivity(i / 2, i % 2);
+        }
+        tests = new Tests();
+        RandomGenerator random = RandomStreams.of(1);
+        double[][] root = root(covariance);
+        double[] u = new double[6 * references];
+        for (int i = 0; i < CELLS; i++) {
+            draw(root, random, u);
+            ratios[i] = likelihoodRatio(likeliest(u), u);
+            least[i] = tests.leastOverWeight(u);
+        }
+        Arrays.sort(ratios);
+        Arrays.sort(least);
     }
 
     /** Corners of a reference when it (placement) or the camera (pose) is moved by h along or about a world axis. */
@@ -118,16 +139,9 @@ final class LinearPlacementModel {
      * and to which side.
      */
     double bound() {
-        double[] ratio = new double[CELLS];
-        RandomGenerator random = new Well19937c(1);
-        double[][] root = root(covariance);
+        RandomGenerator random = RandomStreams.of(2);
         double[] u = new double[6 * references];
-        for (int i = 0; i < CELLS; i++) {
-            draw(root, random, u);
-            ratio[i] = likelihoodRatio(likeliest(u), u);
-        }
-        Arrays.sort(ratio);
-        double limit = ratio[(int) (0.99 * CELLS)];
+        double limit = ratios[(int) (0.99 * CELLS)];
         int named = 0;
         for (int m = 0; m < references; m++) {
             for (int axis = 0; axis < 2; axis++) {
@@ -159,7 +173,7 @@ final class LinearPlacementModel {
     private double likelihoodRatio(int reference, double[] u) {
         double sum = 0;
         for (int axis = 0; axis < 2; axis++) {
-            double s = sensitivity(reference, axis);
+            double s = inPlane[2 * reference + axis];
             double t = u[6 * reference + axis] / s;
             double variance = 1 - s * s;
             for (int side = -1; side <= 1; side += 2) {
@@ -178,9 +192,8 @@ final class LinearPlacementModel {
         final List<Integer> of = new ArrayList<>();
         final List<Double> deviations = new ArrayList<>();
         final List<Double> weights = new ArrayList<>();
-        final double[] limits;
 
-        Tests(double level) {
+        Tests() {
             for (int m = 0; m < references; m++) {
                 for (int c = 0; c < 3; c++) {
                     add(m, 1, c, -1, 1);
@@ -189,27 +202,28 @@ final class LinearPlacementModel {
                     add(m, 1, 3 + c, -1, 0.05);
                 }
             }
-            // smallest p over weight of each simulated cell: its quantile is the scale of all levels
-            double[] least = new double[CELLS];
-            RandomGenerator random = new Well19937c(2);
-            double[][] root = root(covariance);
-            double[] u = new double[6 * references];
-            for (int i = 0; i < CELLS; i++) {
-                draw(root, random, u);
-                least[i] = 1;
-                for (int t = 0; t < of.size(); t++) {
-                    double size = Math.abs(statistic(t, u));
-                    if (size > 2.3) {
-                        least[i] = Math.min(least[i], Erf.erfc(size / Math.sqrt(2)) / weights.get(t));
-                    }
+        }
+
+        /** Smallest p over weight of all tests. */
+        double leastOverWeight(double[] u) {
+            double least = 1;
+            for (int t = 0; t < of.size(); t++) {
+                double size = Math.abs(statistic(t, u));
+                if (size > 2.3) {
+                    least = Math.min(least, Erf.erfc(size / Math.sqrt(2)) / weights.get(t));
                 }
             }
-            Arrays.sort(least);
+            return least;
+        }
+
+        /** Limits with a chance of any false alarm: its quantile of p over weight is the scale of all levels. */
+        double[] limits(double level) {
             double scale = least[(int) (level * CELLS)];
-            limits = new double[of.size()];
+            double[] limits = new double[of.size()];
             for (int t = 0; t < limits.length; t++) {
                 limits[t] = NORMAL.inverseCumulativeProbability(1 - scale * weights.get(t) / 2);
             }
+            return limits;
         }
 
         private void add(int m, int sign, int first, int second, double weight) {
@@ -241,7 +255,7 @@ final class LinearPlacementModel {
         }
 
         /** The reference named, or -1. */
-        int named(double[] u) {
+        int named(double[] u, double[] limits) {
             int named = -1;
             double most = Double.NEGATIVE_INFINITY;
             for (int t = 0; t < of.size(); t++) {
@@ -258,8 +272,8 @@ final class LinearPlacementModel {
 
     /** Share named of references off along x, y (each in turn) at a level of false alarms. */
     double namedAlongAxes(double level) {
-        Tests tests = new Tests(level);
-        RandomGenerator random = new Well19937c(3);
+        double[] limits = tests.limits(level);
+        RandomGenerator random = RandomStreams.of(3);
         double[] u = new double[6 * references];
         int named = 0;
         for (int m = 0; m < references; m++) {
@@ -267,7 +281,7 @@ final class LinearPlacementModel {
                 double[][] off = rootOff(6 * m + axis);
                 for (int i = 0; i < CELLS_PER_ALTERNATIVE; i++) {
                     drawOff(off, 6 * m + axis, random, u);
-                    named += tests.named(u) == m ? 1 : 0;
+                    named += tests.named(u, limits) == m ? 1 : 0;
                 }
             }
         }
@@ -276,8 +290,8 @@ final class LinearPlacementModel {
 
     /** Share named of references off in any direction, all alike, of the plane (2) or of space (3). */
     double namedInAnyDirection(double level, int dimensions) {
-        Tests tests = new Tests(level);
-        RandomGenerator random = new Well19937c(4);
+        double[] limits = tests.limits(level);
+        RandomGenerator random = RandomStreams.of(4);
         double[] u = new double[6 * references];
         int named = 0;
         for (int m = 0; m < references; m++) {
@@ -296,7 +310,7 @@ final class LinearPlacementModel {
                         u[j] += OFF * e[c] / Math.sqrt(squares) * columns.get(j, c);
                     }
                 }
-                named += tests.named(u) == m ? 1 : 0;
+                named += tests.named(u, limits) == m ? 1 : 0;
             }
         }
         return (double) named / (references * CELLS_PER_ALTERNATIVE);
@@ -316,6 +330,7 @@ final class LinearPlacementModel {
         }
     }
 
+    /** Root of a covariance, column by column. */
     private static double[][] root(SimpleMatrix matrix) {
         SimpleEVD<SimpleMatrix> eigen = matrix.plus(matrix.transpose()).scale(0.5).eig();
         int n = matrix.getNumRows();
@@ -324,7 +339,7 @@ final class LinearPlacementModel {
             double length = Math.sqrt(Math.max(0, eigen.getEigenvalue(k).getReal()));
             SimpleMatrix vector = eigen.getEigenVector(k);
             for (int i = 0; i < n; i++) {
-                root[i][k] = length * vector.get(i);
+                root[k][i] = length * vector.get(i);
             }
         }
         return root;
@@ -334,8 +349,9 @@ final class LinearPlacementModel {
         Arrays.fill(u, 0);
         for (int k = 0; k < u.length; k++) {
             double z = random.nextGaussian();
+            double[] column = root[k];
             for (int i = 0; i < u.length; i++) {
-                u[i] += root[i][k] * z;
+                u[i] += column[i] * z;
             }
         }
     }

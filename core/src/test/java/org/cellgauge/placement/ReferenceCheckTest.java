@@ -63,23 +63,35 @@ class ReferenceCheckTest {
 
     // ---- how often
 
-    @ParameterizedTest
-    @CsvSource({"2, 5", "3, 1", "3, 5", "4, 5", "6, 5", "6, 20"})
-    void cellsAsStatedRaiseAWarningLessThanOnceInAHundred(int references, double stdMm, TestReporter reporter) {
-        int cells = 500;
-        ThesisScene scene = scene(references, stdMm, 0.3);
-        Cell cell = scene.cell();
-        RandomGenerator random = RandomStreams.of(11, references, (long) stdMm);
-        int alarms = 0;
-        for (int c = 0; c < cells; c++) {
-            alarms += check(cell, scene.detections(0.3, random, stdMm, STD_RAD)).misplaced().isEmpty() ? 0 : 1;
+    /**
+     * Were the rate 3 % instead of below 1 %, all layouts together would raise too many 98 times in 100; were it 6 % in
+     * one of them, that one would 8 times in 10. If all is right, one bound or another is missed in 7 of 1000 seeds.
+     */
+    @Test
+    void cellsAsStatedRaiseAWarningLessThanOnceInAHundred(TestReporter reporter) {
+        int cells = 200;
+        int all = 0;
+        double[][] layouts = {{2, 5}, {3, 1}, {3, 5}, {4, 5}, {6, 5}, {6, 20}};
+        for (double[] layout : layouts) {
+            int references = (int) layout[0];
+            double stdMm = layout[1];
+            ThesisScene scene = scene(references, stdMm, 0.3);
+            Cell cell = scene.cell();
+            RandomGenerator random = RandomStreams.of(11, references, (long) stdMm);
+            int alarms = 0;
+            for (int c = 0; c < cells; c++) {
+                alarms += check(cell, scene.detections(0.3, random, stdMm, STD_RAD)).misplaced().isEmpty() ? 0 : 1;
+            }
+            reporter.publishEntry(String.format(Locale.ROOT, "references %d, sigma %.0f mm", references, stdMm),
+                    alarms + " false alarms in " + cells + " cells");
+            // a rate of 1 % gives more than this once in a thousand times
+            assertTrue(alarms <= BinomialBand.of(cells, 0.01, 0.998).upper(), alarms + " false alarms in " + cells);
+            all += alarms;
         }
-        reporter.publishEntry(String.format(Locale.ROOT, "references %d, sigma %.0f mm", references, stdMm),
-                alarms + " false alarms in " + cells + " cells");
-        // a rate of 1 % gives more than this once in a thousand cells of this test
-        assertTrue(alarms <= BinomialBand.of(cells, 0.01, 0.998).upper(), alarms + " false alarms in " + cells);
+        cells *= layouts.length;
+        assertTrue(all <= BinomialBand.of(cells, 0.01, 0.998).upper(), all + " false alarms in " + cells);
         // the level is used: a test that hardly ever speaks would find less than it could
-        assertTrue(alarms >= BinomialBand.of(cells, LEVEL, 0.998).lower() && alarms > 0, alarms + " alarms");
+        assertTrue(all >= BinomialBand.of(cells, LEVEL, 0.998).lower() && all > 0, all + " alarms in " + cells);
     }
 
     /** Named, of all cells in which each reference in turn was off along world x or y. */
@@ -131,9 +143,9 @@ class ReferenceCheckTest {
 
     @Test
     void sixReferencesOfFiveMillimetresNameTheOneThatIsOffInNineteenOfTwentyCells() {
-        int[] found = named(6, 5, 0.3, 80, 22);
-        // were the share 93 %, this would be met once in a thousand times
-        assertTrue(found[0] >= BinomialBand.of(found[1], 0.93, 0.998).upper(), found[0] + " of " + found[1]);
+        int[] found = named(6, 5, 0.3, 36, 22);
+        // of 432; were the share 90 %, this would be met once in a thousand times
+        assertTrue(found[0] >= BinomialBand.of(found[1], 0.90, 0.998).upper(), found[0] + " of " + found[1]);
     }
 
     /** What a user is told: off by the detectable size, a reference is noticed in 19 of 20 photos. */
@@ -145,7 +157,8 @@ class ReferenceCheckTest {
         double detectable = check(asStated.cell(), asStated.exactDetections()).fit(id).detectable()[axis];
         ThesisScene scene = asStated.shifted(id, axis, detectable);
         RandomGenerator random = RandomStreams.of(23, references);
-        int cells = 250;
+        // noticed as seldom as 8 times in 10, they would be too few in 95 of 100 seeds
+        int cells = 120;
         int noticed = 0;
         int told = 0;
         for (int c = 0; c < cells; c++) {

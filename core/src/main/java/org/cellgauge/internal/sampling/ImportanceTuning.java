@@ -162,21 +162,32 @@ public final class ImportanceTuning {
         weigh(density, mixture, new double[draws][n], null, logWeights, random);
         double limit = logMean(logWeights) + THIN;
         StudentTMixture covering = mixture;
+        double[] logMixture = new double[points.length];
+        for (int i = 0; i < points.length; i++) {
+            logMixture[i] = mixture.logDensity(points[i]);
+        }
         for (int added = 0; added < MOST_TAIL_COMPONENTS; added++) {
             int worst = 0;
             double most = Double.NEGATIVE_INFINITY;
             for (int i = 0; i < points.length; i++) {
-                double logRatio = logTarget[i] - covering.logDensity(points[i]);
+                double logRatio = logTarget[i] - logMixture[i];
                 if (logRatio > most) {
                     most = logRatio;
                     worst = i;
                 }
             }
-            StudentTMixture wider = most > limit ? with(covering, points[worst], points) : null;
-            if (wider == null) {
+            double[] covariance = most > limit ? covarianceAbout(points[worst], points, covering) : null;
+            if (covariance == null) {
                 break;
             }
-            covering = wider;
+            covering = with(covering, points[worst], covariance);
+            StudentTMixture alone = new StudentTMixture(new double[][] {points[worst]}, new double[][] {covariance},
+                    new double[] {1});
+            for (int i = 0; i < points.length; i++) {
+                double before = logMixture[i] + Math.log(1 - TAIL_WEIGHT);
+                double more = alone.logDensity(points[i]) + Math.log(TAIL_WEIGHT);
+                logMixture[i] = Math.max(before, more) + Math.log1p(Math.exp(-Math.abs(before - more)));
+            }
         }
         return covering;
     }
@@ -194,8 +205,8 @@ public final class ImportanceTuning {
         return largest + Math.log(sum / logWeights.length);
     }
 
-    /** The mixture and one more component about a point; null if the points about it span no volume. */
-    private static @Nullable StudentTMixture with(StudentTMixture mixture, double[] at, double[][] points) {
+    /** Covariance of the points about one of them; null if they span no volume. */
+    private static double @Nullable [] covarianceAbout(double[] at, double[][] points, StudentTMixture mixture) {
         int n = at.length;
         double[] distances = squaredDistances(mixture.scale(mixture.heaviest()), at, points);
         double[] sorted = distances.clone();
@@ -216,9 +227,11 @@ public final class ImportanceTuning {
         for (int a = 0; a < covariance.length; a++) {
             covariance[a] /= count;
         }
-        if (!Cholesky.factor(covariance.clone(), n)) {
-            return null;
-        }
+        return Cholesky.factor(covariance.clone(), n) ? covariance : null;
+    }
+
+    /** The mixture and one more component about a point. */
+    private static StudentTMixture with(StudentTMixture mixture, double[] at, double[] covariance) {
         int k = mixture.components();
         double[][] means = new double[k + 1][];
         double[][] covariances = new double[k + 1][];
@@ -343,6 +356,7 @@ public final class ImportanceTuning {
         double[][] means = new double[components][n];
         double[][] covariances = new double[components][n * n];
         double[] componentWeights = new double[components];
+        double[] off = new double[n];
         for (int k = 0; k < components; k++) {
             double total = 0;
             double squares = 0;
@@ -364,11 +378,16 @@ public final class ImportanceTuning {
             for (int d = 0; d < n; d++) {
                 means[k][d] /= total;
             }
+            double[] mean = means[k];
+            double[] covariance = covariances[k];
             for (int i = 0; i < draws.length; i++) {
                 double w = weights[i] * shares[i][k] / total;
+                double[] draw = draws[i];
                 for (int a = 0; a < n; a++) {
+                    off[a] = draw[a] - mean[a];
+                    double weighted = w * off[a];
                     for (int b = 0; b <= a; b++) {
-                        covariances[k][a * n + b] += w * (draws[i][a] - means[k][a]) * (draws[i][b] - means[k][b]);
+                        covariance[a * n + b] += weighted * off[b];
                     }
                 }
             }

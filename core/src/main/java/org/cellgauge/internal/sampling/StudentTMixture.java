@@ -1,5 +1,6 @@
 package org.cellgauge.internal.sampling;
 
+import java.util.Arrays;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.internal.geometry.Cholesky;
 
@@ -13,14 +14,26 @@ import org.cellgauge.internal.geometry.Cholesky;
 public final class StudentTMixture implements Proposal {
     /** Degrees of freedom. */
     public static final int DEGREES_OF_FREEDOM = 5;
+    /** Densities below, in units of the largest scale, are computed by their logarithms. */
+    private static final double SMALLEST_SUM = 1e-280;
 
     private final int dimension;
     private final double[][] means;
     private final double[][] factors;
     private final double[] cumulativeWeights;
+    /** Inverses of the factors, lower triangles row by row: no division per point. */
+    private final double[][] whiteners;
     private final double[] logScales;
+    private final double largestLogScale;
+    /** Scales over the largest. */
+    private final double[] scales;
     private final double[] whitened;
-    private final double[] logTerms;
+    /** Of each component at the point of the last density, in proportion. */
+    private final double[] terms;
+    private final double[] lastFrom;
+    private final double[] lastTo;
+    private double logDensityOfFrom;
+    private double logDensityOfTo;
 
     /**
      * A mixture.
@@ -36,13 +49,18 @@ public final class StudentTMixture implements Proposal {
         factors = new double[means.length][];
         cumulativeWeights = new double[means.length];
         logScales = new double[means.length];
-        logTerms = new double[means.length];
+        whiteners = new double[means.length][];
+        scales = new double[means.length];
+        terms = new double[means.length];
         whitened = new double[dimension];
+        lastFrom = unknown();
+        lastTo = unknown();
         double total = 0;
         for (double w : weights) {
             total += w;
         }
         double running = 0;
+        double largest = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < means.length; k++) {
             this.means[k] = means[k].clone();
             factors[k] = covariances[k].clone();
@@ -52,7 +70,35 @@ public final class StudentTMixture implements Proposal {
             running += weights[k] / total;
             cumulativeWeights[k] = running;
             logScales[k] = Math.log(weights[k] / total) - Cholesky.halfLogDeterminant(factors[k], dimension);
+            largest = Math.max(largest, logScales[k]);
+            whiteners[k] = inverse(factors[k]);
         }
+        largestLogScale = largest;
+        for (int k = 0; k < scales.length; k++) {
+            scales[k] = Math.exp(logScales[k] - largest);
+        }
+    }
+
+    /** Lower triangle of the inverse of a factor, row by row without what is above the diagonal. */
+    private double[] inverse(double[] factor) {
+        double[] out = new double[dimension * (dimension + 1) / 2];
+        double[] column = new double[dimension];
+        for (int j = 0; j < dimension; j++) {
+            Arrays.fill(column, 0);
+            column[j] = 1;
+            Cholesky.solveLower(factor, dimension, column);
+            for (int i = j; i < dimension; i++) {
+                out[i * (i + 1) / 2 + j] = column[i];
+            }
+        }
+        return out;
+    }
+
+    /** A point that equals no other. */
+    private double[] unknown() {
+        double[] point = new double[dimension];
+        Arrays.fill(point, Double.NaN);
+        return point;
     }
 
     private StudentTMixture(StudentTMixture other) {
@@ -60,9 +106,14 @@ public final class StudentTMixture implements Proposal {
         means = other.means;
         factors = other.factors;
         cumulativeWeights = other.cumulativeWeights;
+        whiteners = other.whiteners;
         logScales = other.logScales;
+        largestLogScale = other.largestLogScale;
+        scales = other.scales;
         whitened = new double[dimension];
-        logTerms = new double[means.length];
+        terms = new double[means.length];
+        lastFrom = unknown();
+        lastTo = unknown();
     }
 
     /**
@@ -178,52 +229,100 @@ public final class StudentTMixture implements Proposal {
      * @return finite
      */
     public double logDensity(double[] x) {
-        double largest = Double.NEGATIVE_INFINITY;
-        for (int k = 0; k < means.length; k++) {
-            double[] l = factors[k];
-            double squared = 0;
-            for (int i = 0; i < dimension; i++) {
-                double s = x[i] - means[k][i];
-                for (int j = 0; j < i; j++) {
-                    s -= l[i * dimension + j] * whitened[j];
-                }
-                s /= l[i * dimension + i];
-                whitened[i] = s;
-                squared += s * s;
-            }
-            logTerms[k] = logScales[k]
-                    - 0.5 * (DEGREES_OF_FREEDOM + dimension) * Math.log1p(squared / DEGREES_OF_FREEDOM);
-            largest = Math.max(largest, logTerms[k]);
-        }
         if (means.length == 1) {
-            return largest;
+            terms[0] = 1;
+            return logScales[0]
+                    - 0.5 * (DEGREES_OF_FREEDOM + dimension) * Math.log(1 + squared(0, x) / DEGREES_OF_FREEDOM);
         }
         double sum = 0;
         for (int k = 0; k < means.length; k++) {
-            sum += Math.exp(logTerms[k] - largest);
+            terms[k] = scales[k] / power(1 + squared(k, x) / DEGREES_OF_FREEDOM);
+            sum += terms[k];
+        }
+        return sum > SMALLEST_SUM ? largestLogScale + Math.log(sum) : logDensityFarOff(x);
+    }
+
+    /** Where no component has a density that is a normal number. */
+    private double logDensityFarOff(double[] x) {
+        double largest = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < means.length; k++) {
+            terms[k] = logScales[k]
+                    - 0.5 * (DEGREES_OF_FREEDOM + dimension) * Math.log(1 + squared(k, x) / DEGREES_OF_FREEDOM);
+            largest = Math.max(largest, terms[k]);
+        }
+        double sum = 0;
+        for (int k = 0; k < means.length; k++) {
+            terms[k] = Math.exp(terms[k] - largest);
+            sum += terms[k];
         }
         return largest + Math.log(sum);
     }
 
+    /** Squared distance from the location of a component, in its scale. */
+    private double squared(int component, double[] x) {
+        double[] mean = means[component];
+        double[] whitener = whiteners[component];
+        for (int i = 0; i < dimension; i++) {
+            whitened[i] = x[i] - mean[i];
+        }
+        double squared = 0;
+        int at = 0;
+        for (int i = 0; i < dimension; i++) {
+            double s = 0;
+            for (int j = 0; j <= i; j++) {
+                s += whitener[at++] * whitened[j];
+            }
+            squared += s * s;
+        }
+        return squared;
+    }
+
+    /** Raises to half the sum of degrees of freedom and dimension. */
+    private double power(double base) {
+        int twice = DEGREES_OF_FREEDOM + dimension;
+        double power = twice % 2 == 0 ? 1 : Math.sqrt(base);
+        double square = base;
+        for (int rest = twice / 2; rest > 0; rest >>= 1) {
+            if ((rest & 1) != 0) {
+                power *= square;
+            }
+            square *= square;
+        }
+        return power;
+    }
+
     /** Share of each component in the density at the point of the last call of {@link #logDensity}. */
     void responsibilities(double[] out) {
-        double largest = Double.NEGATIVE_INFINITY;
-        for (double t : logTerms) {
-            largest = Math.max(largest, t);
-        }
         double sum = 0;
-        for (int k = 0; k < logTerms.length; k++) {
-            out[k] = Math.exp(logTerms[k] - largest);
-            sum += out[k];
+        for (double t : terms) {
+            sum += t;
         }
-        for (int k = 0; k < logTerms.length; k++) {
-            out[k] /= sum;
+        for (int k = 0; k < terms.length; k++) {
+            out[k] = terms[k] / sum;
         }
     }
 
+    /** The chain is where it was or where it was last proposed to go, so that its density is known. */
     @Override
     public double propose(double[] from, double[] to, RandomGenerator random) {
+        if (same(from, lastTo)) {
+            logDensityOfFrom = logDensityOfTo;
+        } else if (!same(from, lastFrom)) {
+            logDensityOfFrom = logDensity(from);
+        }
+        System.arraycopy(from, 0, lastFrom, 0, dimension);
         draw(to, random);
-        return logDensity(from) - logDensity(to);
+        logDensityOfTo = logDensity(to);
+        System.arraycopy(to, 0, lastTo, 0, dimension);
+        return logDensityOfFrom - logDensityOfTo;
+    }
+
+    private boolean same(double[] a, double[] b) {
+        for (int i = 0; i < dimension; i++) {
+            if (a[i] != b[i]) {
+                return false;
+            }
+        }
+        return true;
     }
 }

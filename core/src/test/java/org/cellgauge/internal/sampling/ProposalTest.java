@@ -51,6 +51,9 @@ class ProposalTest {
             assertEquals(0.75 * t5(x, MEAN_A, SCALE_A) / Math.exp(expected), shares[0], 1e-11);
             assertEquals(1, shares[0] + shares[1], 1e-12);
         }
+        // so far off that no density is a number: falls with the power of the distance, 5 degrees of freedom + 3
+        double far = mixture.logDensity(new double[] {1e70, 0, 0});
+        assertEquals(-8 * Math.log(10), mixture.logDensity(new double[] {1e71, 0, 0}) - far, 1e-9);
         assertEquals(0.75, mixture.weight(0), 1e-15);
         assertEquals(0.25, mixture.weight(1), 1e-15);
         assertArrayEquals(SCALE_A, mixture.scale(0), 1e-14);
@@ -72,6 +75,13 @@ class ProposalTest {
             assertEquals(expected, correction, 1e-10);
         }
         assertArrayEquals(new double[] {0, 1, 28}, from, 0);
+        // where the chain went on, stayed, or was put somewhere else
+        for (int i = 0; i < 60; i++) {
+            double[] at = i % 3 == 0 ? to.clone() : i % 3 == 1 ? from : new double[] {1, i, 20};
+            System.arraycopy(at, 0, from, 0, 3);
+            double correction = mixture.propose(from, to, random);
+            assertEquals(two().logDensity(from) - two().logDensity(to), correction, 1e-12, "step " + i);
+        }
         double[] other = new double[3];
         mixture.copy().propose(new double[3], other, RandomStreams.of(3));
         mixture.propose(from, to, RandomStreams.of(3));
