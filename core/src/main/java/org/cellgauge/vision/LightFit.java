@@ -50,6 +50,8 @@ final class LightFit {
     /** A power this near to the one that the file says bears it out. */
     private static final double CONFIRMED_POWER = 0.35;
     private static final int MOST_MARKERS = 5;
+    /** Markers by which the curve is looked for first: a start within the reach of Gauss-Newton is enough. */
+    private static final int MOST_SCANNED = 3;
     private static final int MAX_ROUNDS = 6;
     /** A change of the power that moves edges by less is none, px. */
     private static final double SETTLED_PX = 0.002;
@@ -87,6 +89,9 @@ final class LightFit {
     private static final double BLUE_CORRELATION = 0.03;
     private static final double BLUE_DEVIATIONS = 2;
     private static final double NOISE_AMOUNT_STD = 0.15;
+    /** Markers that a mask is undone about first, and by how much their noise must speak against it to end the search. */
+    private static final int MOST_TRIED = 2;
+    private static final double RULED_OUT = -3;
     /** How much alike the leverages of neighbours are. */
     private static final double NEIGHBOURS_SHARE = 0.7;
     /** Logarithm of a ratio of likelihoods by which noise bears a mask out. */
@@ -322,10 +327,12 @@ final class LightFit {
             }
             maskAmount = nextAmount;
             maskRadiusPx = nextRadius;
-            for (int m = 0; m < some.size(); m++) {
-                some.get(m).unsharpen(image, maskAmount, maskRadiusPx);
-                some.get(m).refit(image, scale, patterns.get(m));
+            int tried = round == 0 ? Math.min(MOST_TRIED, some.size()) : 0;
+            if (tried > 0 && isRuledOut(image, some.subList(0, tried), patterns)) {
+                maskAmount = 0;
+                break;
             }
+            undoMask(image, some.subList(tried, some.size()), patterns.subList(tried, some.size()));
         }
         if (covariance == null || maskAmount < LEAST_AMOUNT) {
             maskAmount = 0;
@@ -340,6 +347,26 @@ final class LightFit {
         }
         maskOvershoot = median(overshoot);
         return Math.sqrt(Math.max(0, quadratic(covariance, offsetBy)));
+    }
+
+    private void undoMask(GreyImage image, List<MarkerEdges> of, List<boolean[]> patterns) {
+        for (int m = 0; m < of.size(); m++) {
+            of.get(m).unsharpen(image, maskAmount, maskRadiusPx);
+            of.get(m).refit(image, scale, patterns.get(m));
+        }
+    }
+
+    /** Undoes a mask that edges hint at about a few markers, and asks whether their noise speaks clearly against it. */
+    private boolean isRuledOut(GreyImage image, List<MarkerEdges> few, List<boolean[]> patterns) {
+        setNoise(few);
+        double sharpNoise = noiseGrey;
+        undoMask(image, few, patterns);
+        for (MarkerEdges marker : few) {
+            marker.measureShift(image, scale);
+            marker.conclude(scale, false);
+        }
+        setNoise(few);
+        return byNoise(sharpNoise) < RULED_OUT;
     }
 
     private static double quadratic(double[] matrix, double[] by) {
@@ -484,14 +511,14 @@ final class LightFit {
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
         ToneCurve best = curve;
         double least = Double.POSITIVE_INFINITY;
+        List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
         for (double power : SCANNED) {
             scale.set(curve.withPower(power));
-            for (int m = 0; m < some.size(); m++) {
-                some.get(m).refit(image, scale, patterns.get(m));
-                some.get(m).measureShift(image, scale);
-                some.get(m).conclude(scale, false);
+            for (MarkerEdges marker : few) {
+                marker.refitSamePixels(scale);
+                marker.conclude(scale, false);
             }
-            setNoise(some);
+            setNoise(few);
             if (noiseGrey < least) {
                 least = noiseGrey;
                 best = scale.curve();

@@ -72,6 +72,9 @@ final class MarkerEdges {
     private static final int BY_BRIGHT = 3;
 
     private static final double WHITE = 255;
+    /** About a marker, what its sides' bands reach; and the most pixels whose places are kept, of 16 bytes each. */
+    private static final int CACHE_MARGIN_PX = 8;
+    private static final int MOST_CACHED = 1 << 16;
     /** About a marker, where the edge of the paper is looked for, and what a sharpened pixel sees beyond. */
     private static final int SURROUNDINGS_PX = 15;
     private static final int SURROUNDINGS_RADII = 5;
@@ -134,6 +137,14 @@ final class MarkerEdges {
     private int firstY;
     private int lastY;
 
+    // undistorted places of the pixels about the marker, NaN where nobody has asked yet: bending them back takes as long
+    // as all that is then done with them
+    private int cachedX;
+    private int cachedY;
+    private int cachedWidth;
+    private int cachedHeight;
+    private double[] cached = new double[0];
+
     private double shiftPx;
     private double shiftInformation;
     private final double[] shiftByLine = new double[2 * CORNERS];
@@ -186,6 +197,9 @@ final class MarkerEdges {
         shiftPx = 0;
         unsharpened = false;
         clearLamp();
+        if (distorted) {
+            clearCache(cornersPx);
+        }
         return passes(image, scale, MAX_PASSES, FIRST_BAND_STILL_GOOD_PX);
     }
 
@@ -473,6 +487,53 @@ final class MarkerEdges {
         out[at] = intrinsics[PinholeCamera.FX] * ray[0] + intrinsics[PinholeCamera.SKEW] * ray[1]
                 + intrinsics[PinholeCamera.CX];
         out[at + 1] = intrinsics[PinholeCamera.FY] * ray[1] + intrinsics[PinholeCamera.CY];
+        return true;
+    }
+
+    /** Forgets undistorted places; those of pixels about the corners will be kept. */
+    private void clearCache(double[] cornersPx) {
+        double lowU = Double.POSITIVE_INFINITY;
+        double highU = Double.NEGATIVE_INFINITY;
+        double lowV = Double.POSITIVE_INFINITY;
+        double highV = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < CORNERS; i++) {
+            lowU = Math.min(lowU, cornersPx[2 * i]);
+            highU = Math.max(highU, cornersPx[2 * i]);
+            lowV = Math.min(lowV, cornersPx[2 * i + 1]);
+            highV = Math.max(highV, cornersPx[2 * i + 1]);
+        }
+        cachedX = (int) lowU - CACHE_MARGIN_PX;
+        cachedY = (int) lowV - CACHE_MARGIN_PX;
+        cachedWidth = (int) highU + CACHE_MARGIN_PX - cachedX;
+        cachedHeight = (int) highV + CACHE_MARGIN_PX - cachedY;
+        if ((long) cachedWidth * cachedHeight > MOST_CACHED) {
+            cachedWidth = 0;
+            cachedHeight = 0;
+        }
+        int size = 2 * cachedWidth * cachedHeight;
+        if (cached.length < size) {
+            cached = new double[size];
+        }
+        Arrays.fill(cached, 0, size, Double.NaN);
+    }
+
+    /** The undistorted place of a pixel's centre, into {@link #point}. */
+    private boolean toIdealCached(int x, int y) {
+        int column = x - cachedX;
+        int row = y - cachedY;
+        if (column < 0 || row < 0 || column >= cachedWidth || row >= cachedHeight) {
+            return toIdeal(x + 0.5, y + 0.5, point, 0);
+        }
+        int at = 2 * (row * cachedWidth + column);
+        if (Double.isNaN(cached[at])) {
+            if (!toIdeal(x + 0.5, y + 0.5, point, 0)) {
+                return false;
+            }
+            cached[at] = point[0];
+            cached[at + 1] = point[1];
+        }
+        point[0] = cached[at];
+        point[1] = cached[at + 1];
         return true;
     }
 
@@ -904,7 +965,7 @@ final class MarkerEdges {
         double px = x + 0.5;
         double py = y + 0.5;
         if (distorted) {
-            if (!toIdeal(px, py, point, 0)) {
+            if (!toIdealCached(x, y)) {
                 return false;
             }
             px = point[0];
