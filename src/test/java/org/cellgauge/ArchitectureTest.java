@@ -14,6 +14,7 @@ import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaMethodCall;
+import com.tngtech.archunit.core.domain.JavaPackage;
 import com.tngtech.archunit.core.domain.Source;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
@@ -61,6 +62,10 @@ class ArchitectureTest {
             "parallelSetAll", "parallelPrefix", "supplyAsync", "runAsync");
 
     private static final int JAVA_17_CLASS_FILE = 61;
+
+    /** Where nulls are not said yet; nothing is to come to it. */
+    private static final List<String> NOT_YET_MARKED = List.of(BASE + "placement", BASE + "output",
+            BASE + "internal.output", BASE + "internal.overlay");
 
     private static JavaClasses product;
     private static JavaClasses core;
@@ -131,6 +136,15 @@ class ArchitectureTest {
         }
         assertTrue(read > 100, read + " files were read");
         assertEquals(List.of(), named);
+    }
+
+    /** NullAway looks at packages that are marked, and at no others. */
+    @Test
+    void everyPackageOfCoreSaysWhatMayBeNull() {
+        List<String> unmarked = core.stream().map(JavaClass::getPackage)
+                .filter(name -> !name.isAnnotatedWith("org.jspecify.annotations.NullMarked"))
+                .map(JavaPackage::getName).filter(name -> !NOT_YET_MARKED.contains(name)).distinct().sorted().toList();
+        assertEquals(List.of(), unmarked);
     }
 
     /** A program without a command line can use the module desktop. */

@@ -19,7 +19,6 @@ public final class FamilyPatterns {
     private static final int BINARY_CELLS = 8;
     private static final int BINARY_CODE_CELLS = 4;
 
-    private final MarkerFamily family;
     /** Null for families of BoofCV's that have no table. */
     private final @Nullable ConfigHammingMarker dictionary;
     private final int cells;
@@ -30,7 +29,6 @@ public final class FamilyPatterns {
      * @param family any family
      */
     public FamilyPatterns(MarkerFamily family) {
-        this.family = family;
         if (family.isSquareBinary()) {
             dictionary = null;
             cells = BINARY_CELLS;
