@@ -8,7 +8,6 @@ import java.util.List;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.internal.laplace.CameraFit;
 import org.cellgauge.internal.pose.CameraState;
 import org.cellgauge.internal.pose.InitialPose;
@@ -43,7 +42,6 @@ final class CauseSearch {
     private static final double AGREEMENT_STDS = 0.05;
     /** Discrete causes that are followed beyond a first estimate. */
     private static final int FOLLOWED = 6;
-    private static final double OUTLIER_PX = 30;
     /** Units of length that drawings have, mm. */
     private static final double[] UNITS_MM = {10, 25.4, 1000};
     private static final double NEAR_UNIT = 0.25;
@@ -58,17 +56,19 @@ final class CauseSearch {
     private final int degrees;
     private final List<Explanation> found = new ArrayList<>();
     private final List<Trial> trials = new ArrayList<>();
+    /** The one or two poses of each reference in the camera frame, by its corners alone. */
+    private final List<List<RigidTransform>> alone = new ArrayList<>();
 
     /** A cause that is or is not, with the first estimate of the camera if it is. */
     private static final class Trial {
         final Explanation cause;
         final List<Reference> references;
-        final double costPx2;
+        final InitialPose.Estimate start;
 
-        Trial(Explanation cause, List<Reference> references, double costPx2) {
+        Trial(Explanation cause, List<Reference> references, InitialPose.Estimate start) {
             this.cause = cause;
             this.references = references;
-            this.costPx2 = costPx2;
+            this.start = start;
         }
     }
 
@@ -76,6 +76,15 @@ final class CauseSearch {
         this.stated = stated;
         degrees = 8 * stated.view.size() - 6;
         misfit = 2 * stated.mode().halfChiSquare() - degrees;
+        double[] observed = stated.view.observedPx();
+        for (int m = 0; m < stated.view.size(); m++) {
+            List<RigidTransform> poses = new ArrayList<>();
+            for (PoseMode mode : MarkerPoseFinder.modes(Arrays.copyOfRange(observed, 8 * m, 8 * m + 8),
+                    stated.view.references().get(m).sizeMm(), stated.lens, 1)) {
+                poses.add(mode.state().cameraFromSet());
+            }
+            alone.add(poses);
+        }
     }
 
     /** Whether a fit is so bad that causes must be tried outright. */
@@ -143,9 +152,10 @@ final class CauseSearch {
         }
         radians(as);
         units(as);
-        trials.sort(Comparator.comparingDouble(t -> t.costPx2));
+        trials.sort(Comparator.comparingDouble(t -> t.start.costPx2()));
         for (Trial trial : trials.subList(0, Math.min(FOLLOWED, trials.size()))) {
-            CameraFit fit = fit(trial.references, stated.lens, stated.view.observedPx());
+            CameraFit fit = fit(trial.references, stated.lens, stated.view.observedPx(),
+                    trial.start.worldFromCamera());
             if (explains(fit)) {
                 found.add(Explanation.outright(trial.cause.cause(), trial.cause.references(), trial.cause.axis(),
                         trial.cause.size()[0], trial.cause.evidence() - 2 * fit.mode().halfChiSquare()));
@@ -190,17 +200,11 @@ final class CauseSearch {
     /** How many times farther apart markers are, by their own poses, than stated: the median over all pairs. */
     private double scale() {
         List<Reference> as = stated.view.references();
-        double[] observed = stated.view.observedPx();
-        List<RigidTransform> poses = new ArrayList<>();
-        for (int m = 0; m < as.size(); m++) {
-            poses.add(MarkerPoseFinder.best(Arrays.copyOfRange(observed, 8 * m, 8 * m + 8), as.get(m).sizeMm(),
-                    stated.lens));
-        }
         List<Double> ratios = new ArrayList<>();
         for (int a = 0; a < as.size(); a++) {
             for (int b = 0; b < a; b++) {
-                if (poses.get(a) != null && poses.get(b) != null) {
-                    ratios.add(distance(poses.get(a), poses.get(b))
+                if (!alone.get(a).isEmpty() && !alone.get(b).isEmpty()) {
+                    ratios.add(distance(alone.get(a).get(0), alone.get(b).get(0))
                             / distance(as.get(a).worldFromMarker(), as.get(b).worldFromMarker()));
                 }
             }
@@ -219,26 +223,29 @@ final class CauseSearch {
     private void add(Cause cause, List<Integer> references, int axis, double size, int likes,
             List<Reference> changed) {
         ReferenceView view = view(changed, stated.view.observedPx());
-        RigidTransform pose = InitialPose.PNP.estimate(view, stated.lens);
-        if (pose != null) {
+        InitialPose.Estimate start = InitialPose.best(view, stated.lens, candidates(changed));
+        if (start != null) {
             trials.add(new Trial(Explanation.outright(cause, references, axis, size, -2 * Math.log(likes)), changed,
-                    costPx2(view, pose)));
+                    start));
         }
     }
 
-    private double costPx2(ReferenceView view, RigidTransform worldFromCamera) {
-        double[] observed = view.observedPx();
-        double sum = 0;
-        for (int m = 0; m < view.size(); m++) {
-            Reference r = view.references().get(m);
-            double[] px = MarkerGeometry.cornersPx(stated.lens,
-                    worldFromCamera.inverse().compose(r.worldFromMarker()), r.sizeMm());
-            for (int k = 0; k < 8; k++) {
-                double d = px == null ? OUTLIER_PX : px[k] - observed[8 * m + k];
-                sum += Math.min(d * d, OUTLIER_PX * OUTLIER_PX);
+    /** Poses of the camera that one reference each speaks for, if they stand as in a changed cell. */
+    private List<RigidTransform> candidates(List<Reference> changed) {
+        List<RigidTransform> out = new ArrayList<>();
+        for (int m = 0; m < changed.size(); m++) {
+            Reference r = changed.get(m);
+            // a marker of another size is seen along the same line, so much farther away
+            double factor = r.sizeMm() / stated.view.references().get(m).sizeMm();
+            for (RigidTransform pose : alone.get(m)) {
+                double[] t = pose.translationMm();
+                for (int i = 0; i < 3; i++) {
+                    t[i] *= factor;
+                }
+                out.add(r.worldFromMarker().compose(RigidTransform.of(pose.rotation(), t).inverse()));
             }
         }
-        return sum;
+        return out;
     }
 
     // ---- causes that have a size
@@ -260,12 +267,14 @@ final class CauseSearch {
     private void follow(CausePattern pattern, double[] start) {
         double[] size = start.clone();
         CameraFit fit = null;
+        RigidTransform from = null;
         double std = Double.NaN;
         for (int step = 0; step < MOST_STEPS; step++) {
-            fit = changed(pattern, size);
+            fit = changed(pattern, size, from);
             if (fit == null) {
                 return;
             }
+            from = fit.worldFromCamera();
             List<CausePattern> patterns = CausePattern.of(fit, fit.mode());
             PlacementScores scores = new PlacementScores(fit.view, fit.mode(), patterns);
             int first = scores.firstOfCauses();
@@ -296,7 +305,7 @@ final class CauseSearch {
                 break;
             }
         }
-        fit = changed(pattern, size);
+        fit = changed(pattern, size, from);
         if (explains(fit)) {
             double finer = Math.max(1, pattern.typical / std);
             double evidence = -2 * fit.mode().halfChiSquare() - 2 * size.length * Math.log(finer)
@@ -335,8 +344,8 @@ final class CauseSearch {
         return Math.sqrt(sum);
     }
 
-    /** The camera as if a cause had a size; null where that is no cell or leads to no pose. */
-    private @Nullable CameraFit changed(CausePattern pattern, double[] size) {
+    /** The camera as if a cause had a size, from a start if there is one; null where that is no cell or leads to no pose. */
+    private @Nullable CameraFit changed(CausePattern pattern, double[] size, @Nullable RigidTransform from) {
         List<Reference> references = new ArrayList<>();
         double[] observed = stated.view.observedPx();
         double[] intrinsics = stated.lens.intrinsics();
@@ -376,7 +385,11 @@ final class CauseSearch {
                 references.add(r);
             }
         }
-        return fit(references, stated.lens.withIntrinsics(intrinsics), observed);
+        PinholeCamera lens = stated.lens.withIntrinsics(intrinsics);
+        InitialPose.Estimate start = from != null ? null
+                : InitialPose.best(view(references, observed), lens, candidates(references));
+        return from == null && start == null ? null
+                : fit(references, lens, observed, from != null ? from : start.worldFromCamera());
     }
 
     // ---- one reference that is somewhere else
@@ -411,18 +424,15 @@ final class CauseSearch {
         return ReferenceView.of(references, stated.errors).withObservations(observedPx);
     }
 
-    private @Nullable CameraFit fit(List<Reference> references, PinholeCamera lens, double[] observedPx) {
+    private @Nullable CameraFit fit(List<Reference> references, PinholeCamera lens, double[] observedPx,
+            RigidTransform start) {
         ReferenceView view = view(references, observedPx);
-        RigidTransform initial = InitialPose.PNP.estimate(view, lens);
-        if (initial == null) {
-            return null;
-        }
         PosePrior prior = stated.posePrior == null ? null
-                : PosePrior.weak(CameraState.of(view.cameraFromSet(initial), lens));
+                : PosePrior.weak(CameraState.of(view.cameraFromSet(start), lens));
         CameraFit fit = new CameraFit(lens, stated.settings, view, stated.intrinsicsPrior, prior, stated.errors,
                 stated.noiseLevel);
-        List<PoseMode> modes = fit.finder(view).modes(initial);
-        return modes.isEmpty() ? null : fit.at(modes, initial);
+        PoseMode mode = fit.finder(view).mode(start);
+        return mode == null ? null : fit.at(Collections.singletonList(mode), start);
     }
 
     private static Reference at(Reference r, RigidTransform worldFromMarker) {

@@ -9,6 +9,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Modes of the camera's pose, or of its poses in several views, given all references: damped Gauss-Newton with the
@@ -127,6 +128,16 @@ public final class CameraModeFinder {
             }
         }
         return modes;
+    }
+
+    /**
+     * The mode that one start leads to, and no other.
+     *
+     * @param worldFromCamera start, of the only view
+     * @return null where it leads to none
+     */
+    public @Nullable PoseMode mode(RigidTransform worldFromCamera) {
+        return fitFrom(Collections.singletonList(view.cameraFromSet(worldFromCamera)), Collections.emptyList());
     }
 
     /**

@@ -119,7 +119,7 @@ public final class CauseStudy {
      *
      * @param source cells as they really are, and as they would rightly be stated
      * @param cause what is wrong with each; null: nothing
-     * @param stds size of a cause that has one, in its standard deviations
+     * @param stds least size of a cause that has one, in its standard deviations; sizes are uniform up to twice that
      * @param apart whether these are of a size that the photo tells from any other one cause
      * @param settings of the check
      */
@@ -162,21 +162,22 @@ public final class CauseStudy {
         long seed = settings.sampling().seed();
         Outcome outcome = new Outcome();
         RandomGenerator random = RandomStreams.of(seed, STREAM_CAUSE, index);
-        SimulatedCell real;
-        Detections detections;
-        Wrong wrong;
+        Wrong wrong = null;
+        ReferenceCheck check = null;
         try {
-            real = source.cell(seed, index);
-            detections = DrawnCorners.asStated().detect(real, RandomStreams.of(seed, STREAM_NOISE, index));
+            SimulatedCell real = source.cell(seed, index);
+            Detections detections = DrawnCorners.asStated().detect(real, RandomStreams.of(seed, STREAM_NOISE, index));
             wrong = cause == null ? new Wrong(real.cell(), detections) : wrong(real.cell(), detections, random);
+            check = wrong == null ? null
+                    : CellCheck.quickLook(wrong.cell, wrong.detections, settings, null).referenceCheck();
         } catch (InputRefusedException e) {
+            // a photo that shows no pose of a marker is no matter of causes
             wrong = null;
         }
-        if (wrong == null) {
+        if (wrong == null || check == null) {
             outcome.skipped = true;
             return outcome;
         }
-        ReferenceCheck check = CellCheck.quickLook(wrong.cell, wrong.detections, settings, null).referenceCheck();
         outcome.alarm = !check.causes().isEmpty() || !check.misplaced().isEmpty() || check.contradictory()
                 || !check.noise().holds();
         if (!check.causes().isEmpty() && !(cause == Cause.REFERENCE_OFF && !check.misplaced().isEmpty())) {
@@ -312,7 +313,7 @@ public final class CauseStudy {
             return null;
         }
         CauseFit fit = fits.get(random.nextInt(fits.size()));
-        double size = sign * stds * (apart ? fit.apartStd() : fit.std());
+        double size = sign * stds * (1 + random.nextDouble()) * (apart ? fit.apartStd() : fit.std());
         if (!(Math.abs(size) < largest())) {
             return null;
         }
