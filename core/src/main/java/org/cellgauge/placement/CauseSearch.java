@@ -37,7 +37,11 @@ final class CauseSearch {
     private static final double LEFT_OVER = 0.05;
     /** What a reference that may stand anywhere costs: six unknowns, each told some 300 times finer than usual. */
     private static final double ANYWHERE = 12 * Math.log(300);
+    /** A fit is not followed to its end where its chi-square is this far beyond what is allowed. */
+    private static final double MARGIN = 100;
     private static final int MOST_STEPS = 8;
+    /** Steps after which a size must have taken most of the misfit away to be followed further. */
+    private static final int PATIENCE = 3;
     private static final double LARGEST_STEP = 0.5;
     private static final double AGREEMENT_STDS = 0.05;
     /** Discrete causes that are followed beyond a first estimate. */
@@ -54,6 +58,8 @@ final class CauseSearch {
     private final CameraFit stated;
     private final double misfit;
     private final int degrees;
+    /** Whether something leaves nothing to explain. */
+    private boolean settled;
     private final List<Explanation> found = new ArrayList<>();
     private final List<Trial> trials = new ArrayList<>();
     /** The one or two poses of each reference in the camera frame, by its corners alone. */
@@ -102,8 +108,13 @@ final class CauseSearch {
     static @Nullable Explanation of(CameraFit stated) {
         CauseSearch search = new CauseSearch(stated);
         search.discrete();
-        search.sizes();
-        search.oneElsewhere();
+        // what has nothing to fit and leaves nothing to explain is beaten by nothing that has
+        if (!search.settled) {
+            search.sizes();
+        }
+        if (!search.settled) {
+            search.oneElsewhere();
+        }
         search.found.sort(Comparator.comparingDouble(e -> -e.evidence()));
         if (search.found.isEmpty()) {
             return null;
@@ -155,7 +166,7 @@ final class CauseSearch {
         trials.sort(Comparator.comparingDouble(t -> t.start.costPx2()));
         for (Trial trial : trials.subList(0, Math.min(FOLLOWED, trials.size()))) {
             CameraFit fit = fit(trial.references, stated.lens, stated.view.observedPx(),
-                    trial.start.worldFromCamera());
+                    trial.start.worldFromCamera(), allowed(degrees) + MARGIN);
             if (explains(fit)) {
                 found.add(Explanation.outright(trial.cause.cause(), trial.cause.references(), trial.cause.axis(),
                         trial.cause.size()[0], trial.cause.evidence() - 2 * fit.mode().halfChiSquare()));
@@ -255,11 +266,10 @@ final class CauseSearch {
         for (CausePattern pattern : CausePattern.of(stated, stated.mode())) {
             int unknowns = pattern.columnsPx.length;
             double[] start = new double[unknowns];
-            follow(pattern, start);
             if (pattern.cause == Cause.MARKER_SIZE && Math.abs(logScale) > MOST_OF_A_PRINTER) {
                 start[0] = -logScale;
-                follow(pattern, start);
             }
+            follow(pattern, start);
         }
     }
 
@@ -275,6 +285,10 @@ final class CauseSearch {
                 return;
             }
             from = fit.worldFromCamera();
+            double left = 2 * fit.mode().halfChiSquare() - degrees;
+            if (step >= PATIENCE && left > misfit / 2) {
+                return;
+            }
             List<CausePattern> patterns = CausePattern.of(fit, fit.mode());
             PlacementScores scores = new PlacementScores(fit.view, fit.mode(), patterns);
             int first = scores.firstOfCauses();
@@ -389,7 +403,8 @@ final class CauseSearch {
         InitialPose.Estimate start = from != null ? null
                 : InitialPose.best(view(references, observed), lens, candidates(references));
         return from == null && start == null ? null
-                : fit(references, lens, observed, from != null ? from : start.worldFromCamera());
+                : fit(references, lens, observed, from != null ? from : start.worldFromCamera(),
+                        Double.POSITIVE_INFINITY);
     }
 
     // ---- one reference that is somewhere else
@@ -416,8 +431,13 @@ final class CauseSearch {
         return fit != null && isExplained(2 * fit.mode().halfChiSquare(), degrees);
     }
 
+    private double allowed(int of) {
+        return Math.max(CoverageRegion.chiSquareQuantile(EXPLAINED, of), of + LEFT_OVER * misfit);
+    }
+
     private boolean isExplained(double chiSquare, int of) {
-        return chiSquare < Math.max(CoverageRegion.chiSquareQuantile(EXPLAINED, of), of + LEFT_OVER * misfit);
+        settled |= chiSquare < CoverageRegion.chiSquareQuantile(EXPLAINED, of);
+        return chiSquare < allowed(of);
     }
 
     private ReferenceView view(List<Reference> references, double[] observedPx) {
@@ -425,13 +445,13 @@ final class CauseSearch {
     }
 
     private @Nullable CameraFit fit(List<Reference> references, PinholeCamera lens, double[] observedPx,
-            RigidTransform start) {
+            RigidTransform start, double hopeless) {
         ReferenceView view = view(references, observedPx);
         PosePrior prior = stated.posePrior == null ? null
                 : PosePrior.weak(CameraState.of(view.cameraFromSet(start), lens));
         CameraFit fit = new CameraFit(lens, stated.settings, view, stated.intrinsicsPrior, prior, stated.errors,
                 stated.noiseLevel);
-        PoseMode mode = fit.finder(view).mode(start);
+        PoseMode mode = fit.finder(view).mode(start, hopeless / 2);
         return mode == null ? null : fit.at(Collections.singletonList(mode), start);
     }
 

@@ -481,7 +481,7 @@ public final class ReferenceCheck {
         if (!misplaced.isEmpty()) {
             warnings.add(whatRestsOnThem());
         }
-        if (!fitTogether()) {
+        if (contradiction == null && !fitTogether()) {
             warnings.add(Warning.of(CheckWarning.REFERENCES_DO_NOT_FIT, Decimal.of(timesWorse(), 1),
                     Decimal.of(chiSquare, 0), degreesOfFreedom));
         }

@@ -134,10 +134,12 @@ public final class CameraModeFinder {
      * The mode that one start leads to, and no other.
      *
      * @param worldFromCamera start, of the only view
+     * @param hopeless half the chi-square beyond which it is not followed to its end
      * @return null where it leads to none
      */
-    public @Nullable PoseMode mode(RigidTransform worldFromCamera) {
-        return fitFrom(Collections.singletonList(view.cameraFromSet(worldFromCamera)), Collections.emptyList());
+    public @Nullable PoseMode mode(RigidTransform worldFromCamera, double hopeless) {
+        return converged(state(Collections.singletonList(view.cameraFromSet(worldFromCamera))),
+                new Linearisation(PlacedReferences.nominal(view)), Collections.emptyList(), hopeless);
     }
 
     /**

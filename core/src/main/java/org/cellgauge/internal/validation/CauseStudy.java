@@ -38,6 +38,8 @@ public final class CauseStudy {
     private static final double[] UNITS_MM = {10, 25.4, 1000};
     /** Shares and shifts beyond these are no error but another world. */
     private static final double LARGEST_SHARE = 0.3;
+    /** A size beyond this is said to be the scale of positions, which is one and the same to every photo. */
+    private static final double LARGEST_SIZE_SHARE = 0.14;
     private static final double LARGEST_EDGE_PX = 3;
     private static final double LARGEST_SHIFT_PX = 300;
     private static final double LARGEST_BEND = 0.3;
@@ -355,7 +357,8 @@ public final class CauseStudy {
     }
 
     private double largest() {
-        return cause == Cause.EDGE_SHIFT ? LARGEST_EDGE_PX : cause == Cause.PRINCIPAL_POINT ? LARGEST_SHIFT_PX
+        return cause == Cause.MARKER_SIZE ? LARGEST_SIZE_SHARE : cause == Cause.EDGE_SHIFT ? LARGEST_EDGE_PX
+                : cause == Cause.PRINCIPAL_POINT ? LARGEST_SHIFT_PX
                 : cause == Cause.DISTORTION ? LARGEST_BEND : LARGEST_SHARE;
     }
 
