@@ -207,8 +207,8 @@ public final class ResultView {
     /**
      * Whether figures are to be trusted.
      *
-     * @return false where the chains have not converged, two poses explain the photo, references contradict each other, or
-     *     nothing is judged yet
+     * @return false where the chains have not converged, two poses explain the photo, references contradict each
+     *     other, or nothing is judged yet
      */
     public boolean trusted() {
         return verdict != null && isTrusted(verdict);

@@ -3,8 +3,8 @@ package org.cellgauge.placement;
 import java.util.List;
 
 /**
- * What one photo says of one cause that moves the corners of all references, whether or not it is named, and how well it
- * would show; immutable.
+ * What one photo says of one cause that moves the corners of all references, whether or not it is named, and how well
+ * it would show; immutable.
  */
 public final class CauseFit {
     private final Explanation explanation;

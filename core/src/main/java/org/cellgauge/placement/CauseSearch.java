@@ -24,9 +24,9 @@ import org.jspecify.annotations.Nullable;
  * is found again as if the cell were built, or its file written, with each of them, and what is left of the misfit is
  * compared.
  *
- * <p>Evidence is chi-square at the mode and, as in Schwarz's criterion ("Estimating the dimension of a model", Annals of
- * Statistics 1978), twice the logarithm of how many likes a cause has, or of how much finer than what is usual the photo
- * tells its size.
+ * <p>Evidence is chi-square at the mode and, as in Schwarz's criterion ("Estimating the dimension of a model", Annals
+ * of Statistics 1978), twice the logarithm of how many likes a cause has, or of how much finer than what is usual the
+ * photo tells its size.
  */
 final class CauseSearch {
     /** Quantile of chi-square beyond which references as stated fit so badly that causes are tried outright. */
@@ -358,7 +358,7 @@ final class CauseSearch {
         return Math.sqrt(sum);
     }
 
-    /** The camera as if a cause had a size, from a start if there is one; null where that is no cell or leads to no pose. */
+    /** The camera as if a cause had a size, from a start if there is one; null where that leads to no pose. */
     private @Nullable CameraFit changed(CausePattern pattern, double[] size, @Nullable RigidTransform from) {
         List<Reference> references = new ArrayList<>();
         double[] observed = stated.view.observedPx();

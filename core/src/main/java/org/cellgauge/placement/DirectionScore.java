@@ -14,16 +14,16 @@ import org.cellgauge.internal.statistics.SharedLevel;
  * The test of one direction of one reference's placement: is the reference off along it by more than its stated
  * precision allows? Or of one cause that moves the corners of all references. Immutable.
  *
- * <p>Tried of a reference are shifts along each world axis, shifts half-way between two axes, and turns about each axis. The limits
- * are such that a cell as stated raises any alarm with the chance {@link #LEVEL}. The level is shared by the chance
+ * <p>Tried of a reference are shifts along each world axis, shifts half-way between two axes, and turns about each
+ * axis. The limits are such that a cell as stated raises any alarm with the chance {@link #LEVEL}. The level is shared by the chance
  * that each test would find what it looks for, five stated deviations along its direction (weights fixed by the layout
  * alone keep the level: Genovese, Roeder and Wasserman, "False discovery control with p-value weighting", Biometrika
  * 2006): a test of what the pose absorbs anyway must not cost the others their sharpness.
  * Causes share it by the chance of finding the size that their {@link CausePattern} calls typical.
  */
 final class DirectionScore {
-    /** Chance of a false alarm per cell by the linear model; 1 in 100 less what large placement errors may add. */
-    static final double LEVEL = 0.0075;
+    /** Chance of a false alarm per cell by the linear model; with those of noise and of all together below 1 in 100. */
+    static final double LEVEL = 0.006;
     /** Chance of being found that {@link #detectable()} is about. */
     static final double POWER = 0.95;
     /** How far off a reference is, in stated deviations, that the tests are made to find. */

@@ -131,7 +131,8 @@ public final class Explanation {
         Object or = or(orInstead);
         switch (cause) {
             case MARKER_SIZE:
-                return Warning.of(CheckWarning.AS_IF_MARKERS, percent(), size[0] < 0 ? CheckPhrase.SMALLER : CheckPhrase.LARGER, mm(), percentStd(), or);
+                return Warning.of(CheckWarning.AS_IF_MARKERS, percent(),
+                        size[0] < 0 ? CheckPhrase.SMALLER : CheckPhrase.LARGER, mm(), percentStd(), or);
             case SIZE_OF_SOME:
                 return Warning.of(CheckWarning.AS_IF_SOME_MARKERS, Listing.and(references), percent(),
                         size[0] < 0 ? CheckPhrase.SMALLER : CheckPhrase.LARGER, mm(), percentStd(), or);
@@ -139,7 +140,8 @@ public final class Explanation {
                 return Warning.of(CheckWarning.AS_IF_EDGES, Decimal.of(Math.abs(size[0]), 2), Decimal.of(std, 2),
                         size[0] < 0 ? CheckPhrase.OUTWARDS : CheckPhrase.INWARDS, or);
             case FOCAL_LENGTH:
-                return Warning.of(CheckWarning.AS_IF_FOCAL_LENGTH, percent(), size[0] < 0 ? CheckPhrase.SHORTER : CheckPhrase.LONGER, percentStd(), or);
+                return Warning.of(CheckWarning.AS_IF_FOCAL_LENGTH, percent(),
+                        size[0] < 0 ? CheckPhrase.SHORTER : CheckPhrase.LONGER, percentStd(), or);
             case PRINCIPAL_POINT:
                 return Warning.of(CheckWarning.AS_IF_PRINCIPAL_POINT, Decimal.of(size[0], 1), Decimal.of(size[1], 1),
                         Decimal.of(std, 1), or);

@@ -139,8 +139,8 @@ public final class Misfit {
             case CAUSE:
                 return "references do not fit together: " + cause.warning() + ".";
             case REFERENCES:
-                return String.format(Locale.ROOT, "the references together fit %.1f times worse than stated, and no single "
-                        + "cause explains it: measure their positions again.", times);
+                return String.format(Locale.ROOT, "the references together fit %.1f times worse than stated, and no "
+                        + "single cause explains it: measure their positions again.", times);
             default:
                 return Warning.of(CheckWarning.REFERENCES_CONTRADICT) + ".";
         }

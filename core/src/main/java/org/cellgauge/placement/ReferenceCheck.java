@@ -27,8 +27,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Every direction of every reference has its {@link DirectionScore} (a mean-shift outlier test; data snooping in
  * photogrammetry: Baarda, "A testing procedure for use in geodetic networks", 1968). So has
  * every {@link Cause} that moves the corners of all references in a pattern of its own. That for which most speaks is
- * named: a reference is left out and the pose fitted again, the size of a cause is taken as unknown; and the rest tested
- * anew, until nothing raises an alarm.
+ * named: a reference is left out and the pose fitted again, the size of a cause is taken as unknown; and the rest is
+ * tested anew, until nothing raises an alarm.
  *
  * <p>What the camera pose can absorb cannot be noticed: two references, or three in a plane, determine it with next to
  * nothing to spare.
@@ -55,8 +55,8 @@ public final class ReferenceCheck {
     private final List<Explanation> causes;
     private final Contradiction contradiction;
 
-    private ReferenceCheck(List<ReferenceFit> fits, List<CauseFit> causeFits, List<MisplacedReference> misplaced, List<Explanation> causes,
-            WithoutMisplaced without, double chiSquare, int degreesOfFreedom, NoiseFit noise,
+    private ReferenceCheck(List<ReferenceFit> fits, List<CauseFit> causeFits, List<MisplacedReference> misplaced,
+            List<Explanation> causes, WithoutMisplaced without, double chiSquare, int degreesOfFreedom, NoiseFit noise,
             Contradiction contradiction) {
         this.noise = noise;
         this.causeFits = Collections.unmodifiableList(causeFits);
@@ -75,7 +75,7 @@ public final class ReferenceCheck {
      * @param camera the camera from all of them, at a corner noise that the photo does not contradict
      * @param objects the objects seen
      * @param noise whether corners are as precise as stated
-     * @param contradiction what was found of references of which the camera makes no sense as stated; null where it does
+     * @param contradiction what was found where no camera makes sense of the references as stated; null where one does
      */
     public static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise,
             @Nullable Contradiction contradiction) {

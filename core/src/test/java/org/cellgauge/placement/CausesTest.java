@@ -104,9 +104,9 @@ class CausesTest {
 
     @Test
     void aFocalLengthThatIsOffIsToldByHowMuch() {
-        Cell stated = scene().cell().withCamera(ThesisScene.CAMERA.withFocal(560, 560));
+        Cell stated = scene().cell().withCamera(ThesisScene.CAMERA.withFocal(520, 520));
         Explanation best = named(stated, Cause.FOCAL_LENGTH);
-        assertEquals(581 / 560.0 - 1, best.size()[0], Math.max(3 * best.std(), 0.004));
+        assertEquals(581 / 520.0 - 1, best.size()[0], Math.max(3 * best.std(), 0.004));
     }
 
     @Test

@@ -42,7 +42,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ReferenceCheckTest {
     private static final double STD_RAD = 0.01;
     private static final double OFF = LinearPlacementModel.OFF;
-    private static final double LEVEL = 0.0075;
+    private static final double LEVEL = 0.006;
 
     private static ReferenceCheck check(Cell cell, Detections detections) {
         CornerErrors errors = CornerErrors.of(cell, detections);

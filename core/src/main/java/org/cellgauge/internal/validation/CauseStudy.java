@@ -285,7 +285,7 @@ public final class CauseStudy {
         }
     }
 
-    /** A cell stated wrong by a cause of so many deviations; null where no size that makes sense would show so clearly. */
+    /** A cell stated wrong by a cause of so many deviations; null where no size that makes sense shows so clearly. */
     private @Nullable Wrong ofSize(Cell cell, Detections seen, int m, RandomGenerator random) {
         ReferenceCheck asStated = CellCheck.quickLook(cell, seen, settings, null).referenceCheck();
         Reference reference = cell.references().get(m);
