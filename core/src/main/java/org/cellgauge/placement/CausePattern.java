@@ -108,19 +108,19 @@ final class CausePattern {
         List<CausePattern> patterns = new ArrayList<>();
         List<Integer> all = Collections.emptyList();
         patterns.add(new CausePattern(Cause.MARKER_SIZE, all, -1,
-                bySizes.size() > 1 ? Double.NaN : bySizes.firstKey(), SIZE_SHARE, 1,
+                bySizes.size() > 1 ? Double.NaN : bySizes.firstKey(), SIZE_SHARE, 0.3,
                 bySize));
         if (bySizes.size() > 1) {
             bySizes.forEach((size, markers) -> patterns.add(ofOneSize(view, size, markers, bySize)));
         }
-        patterns.add(new CausePattern(Cause.EDGE_SHIFT, all, -1, Double.NaN, EDGE_PX, 0.5, byEdge));
-        patterns.add(new CausePattern(Cause.FOCAL_LENGTH, all, -1, Double.NaN, FOCAL_SHARE, 0.5, byLens[0]));
-        patterns.add(new CausePattern(Cause.PRINCIPAL_POINT, all, -1, Double.NaN, PRINCIPAL_POINT_PX, 0.2, byLens[1],
+        patterns.add(new CausePattern(Cause.EDGE_SHIFT, all, -1, Double.NaN, EDGE_PX, 0.1, byEdge));
+        patterns.add(new CausePattern(Cause.FOCAL_LENGTH, all, -1, Double.NaN, FOCAL_SHARE, 0.1, byLens[0]));
+        patterns.add(new CausePattern(Cause.PRINCIPAL_POINT, all, -1, Double.NaN, PRINCIPAL_POINT_PX, 0.05, byLens[1],
                 byLens[2]));
-        patterns.add(new CausePattern(Cause.DISTORTION, all, -1, Double.NaN, lens.bend, 0.3, byLens[3]));
+        patterns.add(new CausePattern(Cause.DISTORTION, all, -1, Double.NaN, lens.bend, 0.1, byLens[3]));
         for (int axis = 0; axis < 3; axis++) {
             if (spread[axis] > NO_SPREAD_MM) {
-                patterns.add(new CausePattern(Cause.STRETCH, all, axis, Double.NaN, STRETCH_SHARE, 0.3,
+                patterns.add(new CausePattern(Cause.STRETCH, all, axis, Double.NaN, STRETCH_SHARE, 0.1,
                         byStretch[axis]));
             }
         }
@@ -134,7 +134,7 @@ final class CausePattern {
             System.arraycopy(bySize, 8 * m, column, 8 * m, 8);
             ids.add(view.references().get(m).id());
         }
-        return new CausePattern(Cause.SIZE_OF_SOME, ids, -1, sizeMm, SIZE_SHARE, 0.3, column);
+        return new CausePattern(Cause.SIZE_OF_SOME, ids, -1, sizeMm, SIZE_SHARE, 0.1, column);
     }
 
     /** What this cause comes to in a direction of its columns, of so many times its typical size. */

@@ -23,7 +23,7 @@ import org.cellgauge.internal.statistics.SharedLevel;
  */
 final class DirectionScore {
     /** Chance of a false alarm per cell by the linear model; with those of noise and of all together below 1 in 100. */
-    static final double LEVEL = 0.006;
+    static final double LEVEL = 0.0065;
     /** Chance of being found that {@link #detectable()} is about. */
     static final double POWER = 0.95;
     /** How far off a reference is, in stated deviations, that the tests are made to find. */

@@ -102,11 +102,12 @@ class CausesTest {
         }
     }
 
+    /** One raised reference alone tells a focal length, and its own height looks nearly alike: both are said. */
     @Test
-    void aFocalLengthThatIsOffIsToldByHowMuch() {
-        Cell stated = scene().cell().withCamera(ThesisScene.CAMERA.withFocal(520, 520));
-        Explanation best = named(stated, Cause.FOCAL_LENGTH);
-        assertEquals(581 / 520.0 - 1, best.size()[0], Math.max(3 * best.std(), 0.004));
+    void aFocalLengthThatIsOffIsAmongWhatIsSaid() {
+        String first = check(scene().cell().withCamera(ThesisScene.CAMERA.withFocal(520, 520))).warnings().get(0)
+                .toString();
+        assertTrue(first.contains("focal length"), first);
     }
 
     @Test
