@@ -28,6 +28,9 @@ import org.cellgauge.internal.statistics.CoverageRegion;
 import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.placement.Cause;
+import org.cellgauge.placement.Contradiction;
+import org.cellgauge.placement.Explanation;
 import org.cellgauge.placement.NoiseFit;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.settings.CheckSettings;
@@ -76,9 +79,13 @@ final class CellModes {
     final List<ObjectFit> objects;
     /** All warnings so far. */
     final List<Warning> warnings;
+    /** What was found where no pose makes sense of the references as stated; null where one does. */
+    private final @Nullable Contradiction contradiction;
 
-    private CellModes(Observed observed, CameraFit camera, List<ObjectFit> objects, List<Warning> warnings) {
+    private CellModes(Observed observed, CameraFit camera, List<ObjectFit> objects, List<Warning> warnings,
+            @Nullable Contradiction contradiction) {
         this.observed = observed;
+        this.contradiction = contradiction;
         this.camera = camera;
         this.noise = camera.noise(camera.view, camera.noiseLevel);
         this.objects = Collections.unmodifiableList(objects);
@@ -114,11 +121,11 @@ final class CellModes {
 
     /** Tests whether references and corners are as stated; no chains are needed for it. */
     ReferenceCheck references() {
-        NoiseFit noiseFit = noiseFit();
-        return ReferenceCheck.of(atNoise(noiseFit.inflation()), objects, noiseFit);
+        NoiseFit noiseFit = noiseFit(observed, camera.intrinsicsPrior);
+        return ReferenceCheck.of(atNoise(camera, observed, noiseFit), objects, noiseFit, contradiction);
     }
 
-    private NoiseFit noiseFit() {
+    private static NoiseFit noiseFit(Observed observed, IntrinsicsPrior intrinsics) {
         CheckSettings settings = observed.settings;
         Cell cell = observed.cell;
         CornerErrors errors = observed.errors;
@@ -128,12 +135,13 @@ final class CellModes {
             return NoiseFit.untested();
         }
         return settings.model().estimate() == Estimate.FOCAL
-                ? NoiseFit.ofUnknownFocal(cell, errors, camera.intrinsicsPrior)
+                ? NoiseFit.ofUnknownFocal(cell, errors, intrinsics)
                 : NoiseFit.of(cell, errors, cell.camera());
     }
 
     /** The camera as it is fitted where corners are noisier than stated, so that no reference is accused for them. */
-    private CameraFit atNoise(Map<Integer, Double> inflation) {
+    private static CameraFit atNoise(CameraFit camera, Observed observed, NoiseFit noiseFit) {
+        Map<Integer, Double> inflation = noiseFit.inflation();
         if (inflation.isEmpty() || observed.settings.model().likelihood() != LikelihoodModel.RIGID_MARKER) {
             return camera;
         }
@@ -173,6 +181,7 @@ final class CellModes {
         private final CornerErrors errors;
         private final @Nullable RigidTransform worldFromCameraStart;
         private final List<Warning> warnings;
+        private @Nullable Contradiction contradiction;
 
         Search(Observed observed, @Nullable RigidTransform worldFromCameraStart) {
             this.observed = observed;
@@ -202,7 +211,7 @@ final class CellModes {
             }
             warnOfSmallMarkers();
             warnOfLooseTurns(camera);
-            return new CellModes(observed, camera, objects, warnings);
+            return new CellModes(observed, camera, objects, warnings, contradiction);
         }
 
         /** One warning for all markers of the cell that the image shows too small. */
@@ -311,22 +320,57 @@ final class CellModes {
         }
 
         private CameraFit cameraFit(ReferenceView all, IntrinsicsPrior intrinsics) {
-            ReferenceView view = all;
-            while (true) {
-                CameraFit fit = cameraFitOf(view, intrinsics);
-                int foreign = foreignReference(fit);
-                if (foreign < 0 || view.size() < 3) {
+            CameraFit fit = cameraFitOf(all, intrinsics);
+            boolean foreign = foreignReference(fit) >= 0;
+            if (settings.model().likelihood() == LikelihoodModel.RIGID_MARKER && Contradiction.isSuspected(fit)) {
+                Contradiction found = Contradiction.of(atNoise(fit, observed, noiseFit(observed, intrinsics)));
+                Explanation best = found == null ? null : found.explanation();
+                if (best != null && best.cause() == Cause.REFERENCE_ELSEWHERE && best.orInstead().isEmpty()) {
+                    return foreign ? cameraFitOf(without(all, indexOf(all, best.references().get(0))), intrinsics)
+                            : fit;
+                }
+                if (best != null && (foreign || best.cause().isOutright())) {
+                    contradiction = found;
                     return fit;
                 }
-                warnings.add(Warning.of(CheckWarning.REFERENCE_LEFT_OUT, view.references().get(foreign).id()));
-                List<Integer> kept = new ArrayList<>();
-                for (int m = 0; m < view.size(); m++) {
-                    if (m != foreign) {
-                        kept.add(m);
-                    }
-                }
-                view = view.only(kept);
             }
+            return foreign ? withoutForeign(fit, intrinsics) : fit;
+        }
+
+        /** Leaves out what lies far off, one reference after another, while most of them stay. */
+        private CameraFit withoutForeign(CameraFit all, IntrinsicsPrior intrinsics) {
+            CameraFit fit = all;
+            int foreign = foreignReference(fit);
+            while (foreign >= 0) {
+                if (fit.view.size() < 3 || 2 * (fit.view.size() - 1) <= all.view.size()) {
+                    contradiction = settings.model().likelihood() == LikelihoodModel.RIGID_MARKER
+                            ? Contradiction.UNEXPLAINED : null;
+                    return fit;
+                }
+                fit = cameraFitOf(without(fit.view, foreign), intrinsics);
+                foreign = foreignReference(fit);
+            }
+            return fit;
+        }
+
+        private static int indexOf(ReferenceView view, int id) {
+            int m = 0;
+            while (view.references().get(m).id() != id) {
+                m++;
+            }
+            return m;
+        }
+
+        /** The references but for one that is said to be left out. */
+        private ReferenceView without(ReferenceView view, int leftOut) {
+            warnings.add(Warning.of(CheckWarning.REFERENCE_LEFT_OUT, view.references().get(leftOut).id()));
+            List<Integer> kept = new ArrayList<>();
+            for (int m = 0; m < view.size(); m++) {
+                if (m != leftOut) {
+                    kept.add(m);
+                }
+            }
+            return view.only(kept);
         }
 
         private CameraFit cameraFitOf(ReferenceView view, IntrinsicsPrior intrinsics) {

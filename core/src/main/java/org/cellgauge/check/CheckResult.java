@@ -64,9 +64,10 @@ public final class CheckResult {
         CellModes modes = sampled.quickLook.modes;
         CheckSettings settings = modes.observed.settings;
         Diagnostics diagnostics = sampled.diagnostics;
-        List<Warning> warnings = new ArrayList<>(sampled.warnings);
         ReferenceCheck referenceCheck = modes.references();
-        warnings.addAll(referenceCheck.warnings());
+        // what is wrong with the references comes before what is told of the rest
+        List<Warning> warnings = new ArrayList<>(referenceCheck.warnings());
+        warnings.addAll(sampled.warnings);
         Warning open = modes.directionOpen();
         if (open != null) {
             warnings.add(open);
@@ -286,6 +287,24 @@ public final class CheckResult {
      */
     public List<Warning> warnings() {
         return warnings;
+    }
+
+    /**
+     * What to do first where something does not fit: what an overview of many photos has room for.
+     *
+     * @return one of the warnings, or null where nothing is to be done about the references
+     */
+    public @Nullable Warning action() {
+        List<Warning> ofReferences = referenceCheck.warnings();
+        if (!ofReferences.isEmpty()) {
+            return ofReferences.get(0);
+        }
+        for (Warning warning : warnings) {
+            if (warning.kind() == CheckWarning.REFERENCE_LEFT_OUT) {
+                return warning;
+            }
+        }
+        return null;
     }
 
     /**

@@ -60,18 +60,27 @@ final class Judgement {
 
     /** The verdict on all objects of the cell. */
     Verdict verdict() {
-        Verdict verdict = verdict(estimate.objects());
-        return verdict == Verdict.PASS && !missing.isEmpty() ? Verdict.FAIL : verdict;
+        return notSeen(verdict(estimate.objects()), missing);
     }
 
     /** The verdict on one object; an object that was not seen misses its target. */
     Verdict verdict(int objectId) {
         ObjectEstimate object = estimate.object(objectId);
-        Verdict verdict = verdict(only(object));
-        return verdict == Verdict.PASS && object == null ? Verdict.FAIL : verdict;
+        return notSeen(verdict(only(object)), object == null ? Collections.singletonList(objectId)
+                : Collections.emptyList());
+    }
+
+    /** An object that was not seen misses its target, and there is none to miss where the cell has no object. */
+    private Verdict notSeen(Verdict ofSeen, List<Integer> notSeen) {
+        boolean met = ofSeen == Verdict.PASS || (ofSeen == Verdict.NO_TARGET && targetStdMm.isPresent());
+        return met && !notSeen.isEmpty() ? Verdict.FAIL : ofSeen;
     }
 
     private Verdict verdict(List<ObjectEstimate> objects) {
+        // whatever the chains do, they rest on what cannot be true
+        if (references.contradictory()) {
+            return Verdict.CONTRADICTED;
+        }
         if (!diagnostics.converged()) {
             return Verdict.NOT_CONVERGED;
         }
@@ -83,7 +92,7 @@ final class Judgement {
                 return Verdict.AMBIGUOUS;
             }
         }
-        if (!targetStdMm.isPresent()) {
+        if (!targetStdMm.isPresent() || objects.isEmpty()) {
             return Verdict.NO_TARGET;
         }
         // deviations rest on what the photo contradicts, and no figure says what they are instead
@@ -201,6 +210,9 @@ final class Judgement {
     }
 
     private Reason finding(Verdict verdict, List<ObjectEstimate> objects, List<Integer> notSeen) {
+        if (verdict == Verdict.CONTRADICTED) {
+            return Reason.contradicted(misfit);
+        }
         if (verdict == Verdict.NOT_CONVERGED) {
             return Reason.notConverged(diagnostics);
         }

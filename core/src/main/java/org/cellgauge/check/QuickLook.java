@@ -17,6 +17,7 @@ import org.cellgauge.internal.laplace.LinearModel;
 import org.cellgauge.internal.laplace.ObjectFit;
 import org.cellgauge.internal.pose.CameraState;
 import org.cellgauge.internal.pose.PoseMode;
+import org.cellgauge.placement.ReferenceCheck;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -62,6 +63,15 @@ public final class QuickLook {
      */
     public double pixelStdPx() {
         return modes.observed.errors.usualStdPx(modes.camera.noiseLevel);
+    }
+
+    /**
+     * Whether the references fit together, and what explains it where they do not: no chain is needed for it.
+     *
+     * @return the same as that of the result
+     */
+    public ReferenceCheck referenceCheck() {
+        return modes.references();
     }
 
     /**

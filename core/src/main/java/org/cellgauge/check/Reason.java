@@ -40,6 +40,8 @@ public final class Reason {
         NON_FINITE,
         /** Chains of fewer than {@link ChainDiagnostics#MIN_DRAWS} draws. */
         TOO_SHORT,
+        /** The references contradict each other: {@link #misfit()}. */
+        CONTRADICTED,
         /** Two camera poses explain the references: {@link #share()} is the second one's. */
         TWO_CAMERA_POSES,
         /** Two poses explain the corners of {@link #objectId()}: {@link #share()} is the second one's. */
@@ -103,6 +105,12 @@ public final class Reason {
             default:
                 return Kind.NOT_CONVERGED;
         }
+    }
+
+    static Reason contradicted(Misfit misfit) {
+        Parts parts = new Parts(Kind.CONTRADICTED);
+        parts.misfit = misfit;
+        return new Reason(parts);
     }
 
     static Reason twoCameraPoses(double secondShare) {
@@ -325,6 +333,8 @@ public final class Reason {
                 return notConverged(p.worstParameter + " became infinite or NaN");
             case TOO_SHORT:
                 return notConverged("fewer than " + ChainDiagnostics.MIN_DRAWS + " draws each");
+            case CONTRADICTED:
+                return "No figure: " + p.misfit.contradiction();
             case TWO_CAMERA_POSES:
                 return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): "
                         + "add a reference out of their plane.", 100 * p.share.getAsDouble());
@@ -353,7 +363,7 @@ public final class Reason {
 
     private String deviation() {
         if (!p.stdMm.isPresent()) {
-            return "No object is in the photo.";
+            return "There is nothing to judge: no object is in the photo.";
         }
         String target = p.targetMm.isPresent()
                 ? String.format(Locale.ROOT, " against a target of %s mm", plain(p.targetMm.getAsDouble())) : "";

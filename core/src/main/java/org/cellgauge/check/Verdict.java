@@ -10,13 +10,24 @@ public enum Verdict {
     NOT_CONVERGED("not-converged"),
     /** Two poses of the camera or an object explain the photo: no single figure describes it. */
     AMBIGUOUS("ambiguous"),
-    /** Converged, and the cell file sets no target to judge by. */
+    /** References contradict each other: no figure that rests on them is to be trusted. */
+    CONTRADICTED("contradicted"),
+    /** Converged, and the cell file sets no target, or has no object, to judge by. */
     NO_TARGET("no-target");
 
     private final String key;
 
     Verdict(String key) {
         this.key = key;
+    }
+
+    /**
+     * Whether there is any figure to trust.
+     *
+     * @return false where chains have not converged, two poses explain the photo, or references contradict each other
+     */
+    public boolean isTrusted() {
+        return this == PASS || this == FAIL || this == NO_TARGET;
     }
 
     /**

@@ -24,6 +24,7 @@ import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.statistics.Angles;
+import org.cellgauge.placement.Explanation;
 import org.cellgauge.placement.MisplacedReference;
 import org.cellgauge.placement.NoiseFit;
 import org.cellgauge.placement.ReferenceCheck;
@@ -65,7 +66,7 @@ public final class ResultJson {
     private ResultJson(CheckResult result) {
         this.result = result;
         this.cell = result.cell();
-        this.trusted = result.verdict() != Verdict.NOT_CONVERGED && result.verdict() != Verdict.AMBIGUOUS;
+        this.trusted = result.verdict().isTrusted();
         json.setFormattingStyle(FormattingStyle.PRETTY);
     }
 
@@ -168,6 +169,11 @@ public final class ResultJson {
             misplaced(reference);
         }
         json.endArray();
+        json.name("causes").beginArray();
+        for (Explanation cause : result.referenceCheck().causes()) {
+            cause(cause);
+        }
+        json.endArray();
         if (result.referenceCheck().without() != null) {
             json.name("without_misplaced");
             without(result.referenceCheck().without());
@@ -189,12 +195,41 @@ public final class ResultJson {
             json.value(warning.toString());
         }
         json.endArray();
+        if (result.action() != null) {
+            json.name("action").value(result.action().toString());
+        }
         if (command != null) {
             json.name("command").value(command);
         }
         json.name("version").value(version);
         json.endObject();
         json.flush();
+    }
+
+    /** What explains that references do not fit together. */
+    private void cause(Explanation cause) throws IOException {
+        json.beginObject();
+        json.name("cause").value(cause.cause().key());
+        json.name("references").beginArray();
+        for (int id : cause.references()) {
+            json.value(id);
+        }
+        json.endArray();
+        if (cause.axis() >= 0) {
+            json.name("axis").value("xyz".substring(cause.axis(), cause.axis() + 1));
+        }
+        numbers("size", cause.size());
+        number("std", cause.std());
+        json.name("sentence").value(cause.warning().toString());
+        json.name("or_instead").beginArray();
+        for (Explanation other : cause.orInstead()) {
+            json.beginObject();
+            json.name("cause").value(other.cause().key());
+            json.name("phrase").value(other.phrase().toString());
+            json.endObject();
+        }
+        json.endArray();
+        json.endObject();
     }
 
     /** Noise of the corners and shift of the photo's edges. */

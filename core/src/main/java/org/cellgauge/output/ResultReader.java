@@ -117,7 +117,8 @@ public final class ResultReader {
         double target = root.at("target").at("std_mm").number();
         return new ResultView(root.at("verdict").verdict(), root.at("decided").bool(), root.at("reason").text(),
                 Double.isNaN(target) ? OptionalDouble.empty() : OptionalDouble.of(target), rows, intrinsics,
-                chains(root.at("diagnostics")), warnings);
+                chains(root.at("diagnostics")), warnings,
+                root.find("action") == null ? null : root.at("action").text());
     }
 
     private void addObject(String key, Node objects, List<ResultRow> rows) {

@@ -14,6 +14,7 @@ import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A result as a table: one row of the camera, then of each object of the cell and of its gripping point, with what is
@@ -82,9 +83,11 @@ public final class ResultView {
     private final List<Intrinsic> intrinsics;
     private final ChainsView chains;
     private final List<String> warnings;
+    private final @Nullable String action;
 
     ResultView(Verdict verdict, boolean decided, String reason, OptionalDouble targetStdMm, List<ResultRow> rows,
-            List<Intrinsic> intrinsics, ChainsView chains, List<String> warnings) {
+            List<Intrinsic> intrinsics, ChainsView chains, List<String> warnings, @Nullable String action) {
+        this.action = action;
         this.verdict = verdict;
         this.decided = decided;
         this.reason = reason;
@@ -124,7 +127,8 @@ public final class ResultView {
         result.warnings().forEach(warning -> warnings.add(warning.toString()));
         return new ResultView(result.verdict(), result.decided(), result.reason(), cell.targetStdMm(), rows,
                 intrinsics(result.estimate().intrinsics()),
-                ChainsView.of(result.diagnostics(), result.layout()), warnings);
+                ChainsView.of(result.diagnostics(), result.layout()), warnings,
+                result.action() == null ? null : result.action().toString());
     }
 
     /**
@@ -149,7 +153,7 @@ public final class ResultView {
             }
         }
         return new ResultView(null, false, null, cell.targetStdMm(), rows, intrinsics(estimate.intrinsics()), null,
-                Collections.emptyList());
+                Collections.emptyList(), null);
     }
 
     private static ResultRow camera(CellEstimate estimate) {
@@ -188,7 +192,7 @@ public final class ResultView {
     }
 
     private static boolean isTrusted(Verdict verdict) {
-        return verdict != Verdict.NOT_CONVERGED && verdict != Verdict.AMBIGUOUS;
+        return verdict.isTrusted();
     }
 
     /**
@@ -203,10 +207,20 @@ public final class ResultView {
     /**
      * Whether figures are to be trusted.
      *
-     * @return false where the chains have not converged, two poses explain the photo, or nothing is judged yet
+     * @return false where the chains have not converged, two poses explain the photo, references contradict each
+     *     other, or nothing is judged yet
      */
     public boolean trusted() {
         return verdict != null && isTrusted(verdict);
+    }
+
+    /**
+     * Whether there are figures to show, though they may not be trusted.
+     *
+     * @return false where references contradict each other: then all figures are of another cell
+     */
+    public boolean showsFigures() {
+        return verdict != Verdict.CONTRADICTED;
     }
 
     /**
@@ -360,8 +374,17 @@ public final class ResultView {
         return warnings;
     }
 
+    /**
+     * What to do first where something does not fit, in English.
+     *
+     * @return one of the warnings; null where nothing is to be done about the references
+     */
+    public @Nullable String action() {
+        return action;
+    }
+
     private Object[] figures() {
-        return new Object[] {verdict, decided, reason, targetStdMm, rows, intrinsics, chains, warnings};
+        return new Object[] {verdict, decided, reason, targetStdMm, rows, intrinsics, chains, warnings, action};
     }
 
     @Override

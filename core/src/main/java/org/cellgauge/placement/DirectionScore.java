@@ -1,28 +1,29 @@
 package org.cellgauge.placement;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.statistics.SharedLevel;
 
 /**
  * The test of one direction of one reference's placement: is the reference off along it by more than its stated
- * precision allows? Immutable.
+ * precision allows? Or of one cause that moves the corners of all references. Immutable.
  *
- * <p>Tried are shifts along each world axis, shifts half-way between two axes, and turns about each axis. The limits
- * are such that a cell as stated raises any alarm with the chance {@link #LEVEL}. The level is shared by the chance
+ * <p>Tried of a reference are shifts along each world axis, shifts half-way between two axes, and turns about each
+ * axis. The limits are such that a cell as stated raises any alarm with the chance {@link #LEVEL}. The level is shared by the chance
  * that each test would find what it looks for, five stated deviations along its direction (weights fixed by the layout
  * alone keep the level: Genovese, Roeder and Wasserman, "False discovery control with p-value weighting", Biometrika
  * 2006): a test of what the pose absorbs anyway must not cost the others their sharpness.
+ * Causes share it by the chance of finding the size that their {@link CausePattern} calls typical.
  */
 final class DirectionScore {
-    /** Chance of a false alarm per cell by the linear model; 1 in 100 less what large placement errors may add. */
-    static final double LEVEL = 0.0075;
+    /** Chance of a false alarm per cell by the linear model; with those of noise and of all together below 1 in 100. */
+    static final double LEVEL = 0.0065;
     /** Chance of being found that {@link #detectable()} is about. */
     static final double POWER = 0.95;
     /** How far off a reference is, in stated deviations, that the tests are made to find. */
@@ -31,6 +32,7 @@ final class DirectionScore {
     private static final double[] WEIGHTS = {1, 0.2, 0.05};
     /** About where the limits will be: it sets the weights, not the level. */
     private static final double TYPICAL_LIMIT = 3.3;
+    private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
     private static final double HALF = Math.sqrt(0.5);
     /** Shifts along an axis, shifts between two, turns; by coordinate of the placement in stated deviations. */
     private static final double[][][] DIRECTIONS = {
@@ -38,21 +40,32 @@ final class DirectionScore {
         {{HALF, HALF, 0, 0, 0, 0}, {HALF, -HALF, 0, 0, 0, 0}, {HALF, 0, HALF, 0, 0, 0}, {HALF, 0, -HALF, 0, 0, 0},
             {0, HALF, HALF, 0, 0, 0}, {0, HALF, -HALF, 0, 0, 0}},
         {{0, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 1, 0}, {0, 0, 0, 0, 0, 1}}};
+    /** Directions of a principal point. */
+    private static final double[][] ACROSS = {{1, 0}, {0, 1}, {HALF, HALF}, {HALF, -HALF}};
+    private static final double[][] ALONE = {{1}};
     /** Limits depend on layout and pose alone, not on the seed of a run. */
     private static final long SEED = 20_250_117;
 
+    /** Index of the reference; -1 of a cause. */
     final int index;
+    /** Null of a cause. */
     final Reference reference;
+    /** Null of a reference. */
+    final CausePattern cause;
+    /** The score that its direction begins with. */
+    final int first;
     private final double[] direction;
     private final double score;
     private final double sensitivity;
     private final double weight;
     private final double limit;
 
-    private DirectionScore(int index, Reference reference, double[] direction, double score, double sensitivity,
-            double weight, double limit) {
+    private DirectionScore(int index, Reference reference, CausePattern cause, int first, double[] direction,
+            double score, double sensitivity, double weight, double limit) {
         this.index = index;
         this.reference = reference;
+        this.cause = cause;
+        this.first = first;
         this.direction = direction;
         this.score = score;
         this.sensitivity = sensitivity;
@@ -61,24 +74,36 @@ final class DirectionScore {
     }
 
     private DirectionScore withLimit(double found) {
-        return new DirectionScore(index, reference, direction, score, sensitivity, weight, found);
+        return new DirectionScore(index, reference, cause, first, direction, score, sensitivity, weight, found);
     }
 
     /** All tests of a fit; none of a direction that the pose absorbs entirely. */
-    static List<DirectionScore> of(ReferenceView view, PoseMode mode) {
-        PlacementScores scores = new PlacementScores(view, mode);
+    static List<DirectionScore> of(ReferenceView view, List<CausePattern> causes, PlacementScores scores) {
         List<DirectionScore> tests = new ArrayList<>();
         for (int m = 0; m < view.size(); m++) {
+            int first = PlacementScores.COORDINATES * m;
             for (int kind = 0; kind < DIRECTIONS.length; kind++) {
                 for (double[] direction : DIRECTIONS[kind]) {
-                    double sensitivity = Math.sqrt(scores.variance(m, direction));
+                    double sensitivity = Math.sqrt(scores.variance(first, direction));
                     if (sensitivity > 0) {
-                        tests.add(new DirectionScore(m, view.references().get(m), direction, scores.score(m, direction),
-                                sensitivity, WEIGHTS[kind] * chance(LOOKED_FOR, sensitivity, TYPICAL_LIMIT),
-                                Double.NaN));
+                        tests.add(new DirectionScore(m, view.references().get(m), null, first, direction,
+                                scores.score(first, direction), sensitivity,
+                                WEIGHTS[kind] * chance(LOOKED_FOR, sensitivity, TYPICAL_LIMIT), Double.NaN));
                     }
                 }
             }
+        }
+        int first = scores.firstOfCauses();
+        for (CausePattern cause : causes) {
+            for (double[] direction : cause.columnsPx.length == 1 ? ALONE : ACROSS) {
+                double sensitivity = Math.sqrt(scores.variance(first, direction));
+                if (sensitivity > 0) {
+                    tests.add(new DirectionScore(-1, null, cause, first, direction, scores.score(first, direction),
+                            sensitivity, cause.weight
+                            * NORMAL.cumulativeProbability(sensitivity - TYPICAL_LIMIT), Double.NaN));
+                }
+            }
+            first += cause.columnsPx.length;
         }
         return tests.isEmpty() ? tests : withLimits(tests, scores.factor());
     }
@@ -92,9 +117,8 @@ final class DirectionScore {
             weights[t] = test.weight;
             double squares = 0;
             for (int k = 0; k < width; k++) {
-                for (int c = 0; c < PlacementScores.COORDINATES; c++) {
-                    rows[t][k] += test.direction[c]
-                            * factor[(PlacementScores.COORDINATES * test.index + c) * width + k];
+                for (int c = 0; c < test.direction.length; c++) {
+                    rows[t][k] += test.direction[c] * factor[(test.first + c) * width + k];
                 }
                 squares += rows[t][k] * rows[t][k];
             }
@@ -116,8 +140,7 @@ final class DirectionScore {
      */
     private static double chance(double deviations, double sensitivity, double limit) {
         double left = Math.sqrt(Math.max(1e-12, 1 - sensitivity * sensitivity));
-        return new NormalDistribution(null, 0, 1)
-                .cumulativeProbability((deviations * sensitivity - limit) / left);
+        return NORMAL.cumulativeProbability((deviations * sensitivity - limit) / left);
     }
 
     /** Standard normal if the reference stands as stated; the sign is that of the shift or turn. */
@@ -142,6 +165,33 @@ final class DirectionScore {
         return statistic() * statistic() + 2 * Math.log(weight);
     }
 
+    /** What it comes to that the cause is of the size that fits best. */
+    Explanation explanation() {
+        return reference == null
+                ? cause.explanation(direction, score / (sensitivity * sensitivity), 1 / sensitivity, evidence())
+                : Explanation.outright(Cause.REFERENCE_OFF, Collections.singletonList(reference.id()), -1, 0,
+                        evidence());
+    }
+
+    /** The cause as it fits, given all tests of the photo and their scores. */
+    CauseFit fit(List<DirectionScore> tests, PlacementScores scores) {
+        double nearest = 0;
+        for (DirectionScore other : tests) {
+            if (!isOfTheSame(other)) {
+                double shared = scores.covariance(first, direction, other.first, other.direction);
+                nearest = Math.max(nearest, Math.abs(shared) / (sensitivity * other.sensitivity));
+            }
+        }
+        return new CauseFit(explanation(), statistic(), limit(),
+                explanation().std() / Math.sqrt(Math.max(0, 1 - nearest * nearest)));
+    }
+
+    /** Whether another test is about the same reference or the same cause. */
+    boolean isOfTheSame(DirectionScore other) {
+        return reference == null ? other.reference == null && cause.isLike(other.cause)
+                : other.reference != null && reference.id() == other.reference.id();
+    }
+
     /** The size of shift or turn that fits best if only this one is off, by coordinate: mm, then rad. */
     double[] offset() {
         return scaled(score / (sensitivity * sensitivity));
@@ -157,7 +207,7 @@ final class DirectionScore {
      * minimal detectable bias ("A testing procedure for use in geodetic networks", 1968), by coordinate: mm, then rad.
      */
     double[] detectable() {
-        double quantile = new NormalDistribution(null, 0, 1).inverseCumulativeProbability(POWER);
+        double quantile = NORMAL.inverseCumulativeProbability(POWER);
         return scaled((limit + quantile * Math.sqrt(Math.max(0, 1 - sensitivity * sensitivity))) / sensitivity);
     }
 
@@ -172,9 +222,9 @@ final class DirectionScore {
         return out;
     }
 
-    /** The coordinate tested where it is a single one; -1 for a direction between two. */
+    /** The coordinate of the placement tested where it is a single one; -1 for another direction. */
     int coordinate() {
-        for (int c = 0; c < direction.length; c++) {
+        for (int c = 0; c < direction.length && reference != null; c++) {
             if (direction[c] == 1) {
                 return c;
             }

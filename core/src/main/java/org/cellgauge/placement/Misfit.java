@@ -2,6 +2,9 @@ package org.cellgauge.placement;
 
 import java.util.Locale;
 import java.util.OptionalInt;
+import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /** What the photo contradicts of what the figures rest on, so that no target counts as met; immutable. */
 public final class Misfit {
@@ -12,7 +15,11 @@ public final class Misfit {
         /** The same of the one marker {@link Misfit#markerId()} alone. */
         MARKER,
         /** Stated placements and corner noise together, and no single reference stands out. */
-        REFERENCES
+        REFERENCES,
+        /** What is stated, by the cause {@link Misfit#cause()}. */
+        CAUSE,
+        /** The places of references, so that no pose makes sense of them, and nothing explains it. */
+        CONTRADICTION
     }
 
     private final Kind kind;
@@ -20,8 +27,11 @@ public final class Misfit {
     private final double times;
     private final double statedStdPx;
     private final double shownStdPx;
+    private final @Nullable Explanation cause;
 
-    private Misfit(Kind kind, OptionalInt markerId, double times, double statedStdPx, double shownStdPx) {
+    private Misfit(Kind kind, OptionalInt markerId, double times, double statedStdPx, double shownStdPx,
+            @Nullable Explanation cause) {
+        this.cause = cause;
         this.kind = kind;
         this.markerId = markerId;
         this.times = times;
@@ -30,15 +40,23 @@ public final class Misfit {
     }
 
     static Misfit ofNoise(double times, double statedStdPx, double shownStdPx) {
-        return new Misfit(Kind.NOISE, OptionalInt.empty(), times, statedStdPx, shownStdPx);
+        return new Misfit(Kind.NOISE, OptionalInt.empty(), times, statedStdPx, shownStdPx, null);
     }
 
     static Misfit ofMarker(int markerId, double times, double statedStdPx) {
-        return new Misfit(Kind.MARKER, OptionalInt.of(markerId), times, statedStdPx, Double.NaN);
+        return new Misfit(Kind.MARKER, OptionalInt.of(markerId), times, statedStdPx, Double.NaN, null);
     }
 
     static Misfit ofReferences(double times) {
-        return new Misfit(Kind.REFERENCES, OptionalInt.empty(), times, Double.NaN, Double.NaN);
+        return new Misfit(Kind.REFERENCES, OptionalInt.empty(), times, Double.NaN, Double.NaN, null);
+    }
+
+    static Misfit ofCause(Explanation cause) {
+        return new Misfit(Kind.CAUSE, OptionalInt.empty(), Double.NaN, Double.NaN, Double.NaN, cause);
+    }
+
+    static Misfit ofContradiction() {
+        return new Misfit(Kind.CONTRADICTION, OptionalInt.empty(), Double.NaN, Double.NaN, Double.NaN, null);
     }
 
     /**
@@ -60,9 +78,18 @@ public final class Misfit {
     }
 
     /**
+     * The cause that explains it.
+     *
+     * @return null but for {@link Kind#CAUSE}
+     */
+    public @Nullable Explanation cause() {
+        return cause;
+    }
+
+    /**
      * How many times worse than stated the fit is: root of chi-square by its degrees of freedom.
      *
-     * @return more than 1
+     * @return more than 1; NaN for {@link Kind#CAUSE} and {@link Kind#CONTRADICTION}
      */
     public double times() {
         return times;
@@ -71,7 +98,7 @@ public final class Misfit {
     /**
      * The stated noise of corners.
      *
-     * @return px; NaN for {@link Kind#REFERENCES}
+     * @return px; NaN but for {@link Kind#NOISE} and {@link Kind#MARKER}
      */
     public double statedStdPx() {
         return statedStdPx;
@@ -97,9 +124,25 @@ public final class Misfit {
                 return String.format(Locale.ROOT, " But the corners of marker %d are %.1f times noisier than the "
                         + "stated %.3f px: see whether it is covered, smudged or bent.", markerId.getAsInt(),
                         times, statedStdPx);
+            case CAUSE:
+            case CONTRADICTION:
+                return " But " + contradiction();
             default:
                 return String.format(Locale.ROOT, " But the references together fit %.1f times worse than stated: "
                         + "measure their positions again.", times);
+        }
+    }
+
+    /** The same where it is all there is to say: a sentence that may stand alone. */
+    public String contradiction() {
+        switch (kind) {
+            case CAUSE:
+                return "references do not fit together: " + cause.warning() + ".";
+            case REFERENCES:
+                return String.format(Locale.ROOT, "the references together fit %.1f times worse than stated, and no "
+                        + "single cause explains it: measure their positions again.", times);
+            default:
+                return Warning.of(CheckWarning.REFERENCES_CONTRADICT) + ".";
         }
     }
 }

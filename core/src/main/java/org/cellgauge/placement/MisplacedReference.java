@@ -17,14 +17,14 @@ public final class MisplacedReference {
     private final double[] offset;
     private final double statistic;
     private final double limit;
-    private final List<Integer> orInstead;
+    private final List<Explanation> others;
 
-    MisplacedReference(DirectionScore test, List<Integer> orInstead) {
+    MisplacedReference(DirectionScore test, List<Explanation> others) {
         reference = test.reference;
         offset = test.offset();
         statistic = test.statistic();
         limit = test.limit();
-        this.orInstead = Collections.unmodifiableList(new ArrayList<>(orInstead));
+        this.others = Collections.unmodifiableList(new ArrayList<>(others));
     }
 
     /**
@@ -71,7 +71,19 @@ public final class MisplacedReference {
      * @return marker ids, the likelier first; mostly none
      */
     public List<Integer> orInstead() {
-        return orInstead;
+        List<Integer> ids = new ArrayList<>();
+        others.forEach(other -> ids.addAll(other.cause() == Cause.REFERENCE_OFF ? other.references()
+                : Collections.emptyList()));
+        return ids;
+    }
+
+    /**
+     * The same with causes that move the corners of all references.
+     *
+     * @return the likelier first; mostly none
+     */
+    public List<Explanation> others() {
+        return others;
     }
 
     /**
@@ -104,6 +116,7 @@ public final class MisplacedReference {
         }
         return Warning.of(turned ? CheckWarning.REFERENCE_TURNED : CheckWarning.REFERENCE_OFF, id(), Listing.and(by),
                 Listing.and(stated),
-                orInstead.isEmpty() ? "" : Warning.of(CheckPhrase.OR_INSTEAD, Listing.or(orInstead)));
+                orInstead().size() < others.size() ? Explanation.or(others)
+                        : others.isEmpty() ? "" : Warning.of(CheckPhrase.OR_INSTEAD, Listing.or(orInstead())));
     }
 }

@@ -19,20 +19,23 @@ import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Whether the references fit together, which of them does not, and what hangs on it; immutable.
+ * Whether the references fit together, what explains it where they do not, and what hangs on it; immutable.
  *
  * <p>Every direction of every reference has its {@link DirectionScore} (a mean-shift outlier test; data snooping in
- * photogrammetry: Baarda, "A testing procedure for use in geodetic networks", 1968). The reference for which most
- * speaks is named and left out, the pose fitted again, and the rest tested anew, until nothing raises an alarm.
+ * photogrammetry: Baarda, "A testing procedure for use in geodetic networks", 1968). So has
+ * every {@link Cause} that moves the corners of all references in a pattern of its own. That for which most speaks is
+ * named: a reference is left out and the pose fitted again, the size of a cause is taken as unknown; and the rest is
+ * tested anew, until nothing raises an alarm.
  *
  * <p>What the camera pose can absorb cannot be noticed: two references, or three in a plane, determine it with next to
  * nothing to spare.
  */
 public final class ReferenceCheck {
     /** Twice the logarithm of 20: another reference for which this much less speaks may be the one instead. */
-    private static final double DOUBT = 2 * Math.log(20);
+    static final double DOUBT = 2 * Math.log(20);
     /**
      * A reference that has to be off by more than this share of its distance from the camera to be noticed is said not
      * to be noticed: no linear model holds that far, and nobody reads anything off such a number.
@@ -48,10 +51,17 @@ public final class ReferenceCheck {
     private final int degreesOfFreedom;
 
     private final NoiseFit noise;
+    private final List<CauseFit> causeFits;
+    private final List<Explanation> causes;
+    private final Contradiction contradiction;
 
-    private ReferenceCheck(List<ReferenceFit> fits, List<MisplacedReference> misplaced, WithoutMisplaced without,
-            double chiSquare, int degreesOfFreedom, NoiseFit noise) {
+    private ReferenceCheck(List<ReferenceFit> fits, List<CauseFit> causeFits, List<MisplacedReference> misplaced,
+            List<Explanation> causes, WithoutMisplaced without, double chiSquare, int degreesOfFreedom, NoiseFit noise,
+            Contradiction contradiction) {
         this.noise = noise;
+        this.causeFits = Collections.unmodifiableList(causeFits);
+        this.causes = Collections.unmodifiableList(causes);
+        this.contradiction = contradiction;
         this.chiSquare = chiSquare;
         this.degreesOfFreedom = degreesOfFreedom;
         this.fits = Collections.unmodifiableList(fits);
@@ -65,41 +75,115 @@ public final class ReferenceCheck {
      * @param camera the camera from all of them, at a corner noise that the photo does not contradict
      * @param objects the objects seen
      * @param noise whether corners are as precise as stated
+     * @param contradiction what was found where no camera makes sense of the references as stated; null where one does
      */
-    public static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise) {
+    public static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise,
+            @Nullable Contradiction contradiction) {
         PoseMode mode = camera.modes.get(0);
         // without rigid placements in the likelihood there is nothing stated that a test could hold against them
-        List<DirectionScore> tests = camera.settings.model().likelihood() == LikelihoodModel.RIGID_MARKER
-                ? DirectionScore.of(camera.view, mode) : Collections.emptyList();
-        List<MisplacedReference> found = new ArrayList<>();
-        List<Integer> leftOut = new ArrayList<>();
-        CameraFit rest = camera;
-        List<DirectionScore> testsOfRest = tests;
-        while (rest != null && rest.view.size() >= 2) {
-            DirectionScore worst = worst(testsOfRest, Collections.emptyList(), true);
-            if (worst == null) {
-                break;
-            }
-            found.add(new MisplacedReference(worst, orInstead(testsOfRest, worst)));
-            leftOut.add(worst.reference.id());
-            rest = without(rest, worst.index);
-            testsOfRest = rest == null || rest.view.size() < 2 ? Collections.emptyList()
-                    : DirectionScore.of(rest.view, rest.modes.get(0));
+        boolean tested = camera.settings.model().likelihood() == LikelihoodModel.RIGID_MARKER;
+        Named named = new Named(camera);
+        List<DirectionScore> tests = tested ? named.tests() : Collections.emptyList();
+        // what no linear model of so bad a fit would name is named already
+        if (tested && (contradiction == null || contradiction.explanation() == null)) {
+            named.search(tests);
         }
-        PlacementScores scores = new PlacementScores(camera.view, mode);
+        PlacementScores scores = named.first;
         double[] position = camera.view.worldFromCamera(mode.state().cameraFromSet()).translationMm();
         List<ReferenceFit> fits = new ArrayList<>();
         for (int m = 0; m < camera.view.size(); m++) {
             Reference reference = camera.view.references().get(m);
             fits.add(new ReferenceFit(reference,
                     distance(position, reference.worldFromMarker().translationMm()), scores.chiSquare(m),
-                    leftOut.contains(reference.id()), tests));
+                    named.leftOut.contains(reference.id()), tests));
         }
+        List<CauseFit> causeFits = new ArrayList<>();
+        for (DirectionScore test : tests) {
+            if (test.reference == null) {
+                causeFits.add(test.fit(tests, scores));
+            }
+        }
+        CameraFit rest = named.rest;
         boolean together = rest != null && rest.view.size() >= 2 && !tests.isEmpty();
-        return new ReferenceCheck(fits, found,
-                found.isEmpty() || rest == null ? null : WithoutMisplaced.of(leftOut, camera, rest, objects),
-                together ? ofPlacements(rest.modes.get(0)) : Double.NaN, together ? 6 * rest.view.size() - 6 : 0,
-                noise);
+        int degrees = together ? 6 * rest.view.size() - 6 - named.sweptColumns : 0;
+        return new ReferenceCheck(fits, causeFits, named.misplaced, named.causes,
+                named.misplaced.isEmpty() || rest == null ? null
+                        : WithoutMisplaced.of(named.leftOut, camera, rest, objects),
+                degrees > 0 ? Math.max(0, ofPlacements(rest.modes.get(0)) - named.sweptChiSquare) : Double.NaN,
+                Math.max(0, degrees), noise, contradiction);
+    }
+
+    /** References and causes named one after another, each with the ones before it out of the way. */
+    private static final class Named {
+        final List<MisplacedReference> misplaced = new ArrayList<>();
+        final List<Integer> leftOut = new ArrayList<>();
+        final List<Explanation> causes = new ArrayList<>();
+        final PlacementScores first;
+        /** Null where the references left lead to no pose. */
+        @Nullable
+        CameraFit rest;
+        double sweptChiSquare;
+        int sweptColumns;
+        private final List<CausePattern> swept = new ArrayList<>();
+        private List<CausePattern> patterns;
+        private PlacementScores scores;
+
+        Named(CameraFit camera) {
+            rest = camera;
+            patterns = CausePattern.of(camera, camera.mode());
+            scores = new PlacementScores(camera.view, camera.mode(), patterns);
+            first = scores;
+        }
+
+        List<DirectionScore> tests() {
+            return rest == null || rest.view.size() < 2 ? Collections.emptyList()
+                    : DirectionScore.of(rest.view, patterns, scores);
+        }
+
+        void search(List<DirectionScore> tests) {
+            List<DirectionScore> left = tests;
+            DirectionScore worst = worst(left, Collections.emptyList(), true);
+            while (worst != null) {
+                List<Explanation> others = orInstead(left, worst);
+                if (worst.reference == null) {
+                    causes.add(worst.explanation().orAlsoInstead(others));
+                    swept.add(worst.cause);
+                } else {
+                    misplaced.add(new MisplacedReference(worst, others));
+                    leftOut.add(worst.reference.id());
+                    rest = ReferenceCheck.without(rest, worst.index);
+                    if (rest != null) {
+                        patterns = CausePattern.of(rest, rest.mode());
+                    }
+                }
+                if (rest != null) {
+                    sweep();
+                }
+                left = tests();
+                worst = worst(left, Collections.emptyList(), true);
+            }
+        }
+
+        /** The scores of what is left with the sizes of all causes named taken as unknown. */
+        private void sweep() {
+            scores = new PlacementScores(rest.view, rest.mode(), patterns);
+            sweptChiSquare = 0;
+            sweptColumns = 0;
+            int column = scores.firstOfCauses();
+            for (CausePattern pattern : patterns) {
+                boolean named = false;
+                for (CausePattern known : swept) {
+                    named |= known.isLike(pattern);
+                }
+                for (int c = 0; c < pattern.columnsPx.length; c++, column++) {
+                    if (named && scores.explained(column) > 0) {
+                        sweptChiSquare += scores.explained(column);
+                        sweptColumns++;
+                        scores = scores.without(column);
+                    }
+                }
+            }
+        }
     }
 
     /**
@@ -114,34 +198,35 @@ public final class ReferenceCheck {
         return Math.max(0, sum);
     }
 
-    /** The test for which most speaks, of references that are not excepted. */
-    private static DirectionScore worst(List<DirectionScore> tests, List<Integer> excepted, boolean alarmsOnly) {
+    /** The test for which most speaks, of what is not excepted. */
+    private static @Nullable DirectionScore worst(List<DirectionScore> tests, List<DirectionScore> excepted,
+            boolean alarmsOnly) {
         DirectionScore worst = null;
         for (DirectionScore test : tests) {
-            if ((test.raisesAlarm() || !alarmsOnly) && !excepted.contains(test.reference.id())
-                    && (worst == null || test.evidence() > worst.evidence())) {
+            if ((test.raisesAlarm() || !alarmsOnly) && (worst == null || test.evidence() > worst.evidence())
+                    && excepted.stream().noneMatch(test::isOfTheSame)) {
                 worst = test;
             }
         }
         return worst;
     }
 
-    private static List<Integer> orInstead(List<DirectionScore> tests, DirectionScore worst) {
-        List<Integer> excepted = new ArrayList<>();
-        excepted.add(worst.reference.id());
-        List<Integer> others = new ArrayList<>();
+    private static List<Explanation> orInstead(List<DirectionScore> tests, DirectionScore worst) {
+        List<DirectionScore> excepted = new ArrayList<>();
+        excepted.add(worst);
+        List<Explanation> others = new ArrayList<>();
         while (true) {
             DirectionScore next = worst(tests, excepted, false);
             if (next == null || next.evidence() < worst.evidence() - DOUBT) {
                 return others;
             }
-            others.add(next.reference.id());
-            excepted.add(next.reference.id());
+            others.add(next.explanation());
+            excepted.add(next);
         }
     }
 
     /** The camera from all references of a target but one; null if they lead to no pose. */
-    private static CameraFit without(CameraFit target, int leftOut) {
+    static @Nullable CameraFit without(CameraFit target, int leftOut) {
         List<Integer> kept = new ArrayList<>();
         for (int m = 0; m < target.view.size(); m++) {
             if (m != leftOut) {
@@ -185,6 +270,35 @@ public final class ReferenceCheck {
      */
     public List<MisplacedReference> misplaced() {
         return misplaced;
+    }
+
+    /**
+     * Causes that move the corners of all references, or of many, and that the photo speaks for.
+     *
+     * @return the likeliest first, each after those before it were allowed for; mostly none
+     */
+    public List<Explanation> causes() {
+        return contradiction != null && contradiction.explanation() != null
+                ? Collections.singletonList(contradiction.explanation()) : causes;
+    }
+
+    /**
+     * What the photo says of each cause that has a size.
+     *
+     * @return one per cause that a size of could show; of a principal point one per direction
+     */
+    public List<CauseFit> causeFits() {
+        return causeFits;
+    }
+
+    /**
+     * Whether the references contradict each other so that no figure is to be trusted: taken as stated no camera pose
+     * makes sense of them, or what is named leaves them in contradiction.
+     *
+     * @return mostly false
+     */
+    public boolean contradictory() {
+        return contradiction != null || !fitTogether();
     }
 
     /**
@@ -236,12 +350,14 @@ public final class ReferenceCheck {
      * @return mostly false
      */
     public boolean contradicted() {
-        return !noise.holds() || !fitTogether();
+        return !noise.holds() || contradictory() || !causes.isEmpty();
     }
 
-    /** What that adds to a reason, the noise first; null where nothing is contradicted. */
+    /** What that adds to a reason, the likeliest cause first; null where nothing is contradicted. */
     public Misfit misfit() {
-        return !noise.holds() ? noise.misfit() : fitTogether() ? null : Misfit.ofReferences(timesWorse());
+        return !causes().isEmpty() ? Misfit.ofCause(causes().get(0))
+                : contradiction != null ? Misfit.ofContradiction()
+                : !fitTogether() ? Misfit.ofReferences(timesWorse()) : noise.misfit();
     }
 
     /**
@@ -352,14 +468,19 @@ public final class ReferenceCheck {
 
     /** Warnings to the user. */
     public List<Warning> warnings() {
-        List<Warning> warnings = noise.warnings();
+        List<Warning> warnings = new ArrayList<>();
+        causes().forEach(cause -> warnings.add(cause.warning()));
+        if (contradiction != null && contradiction.explanation() == null) {
+            warnings.add(Warning.of(CheckWarning.REFERENCES_CONTRADICT));
+        }
+        warnings.addAll(noise.warnings());
         for (MisplacedReference reference : misplaced) {
             warnings.add(reference.warning());
         }
         if (!misplaced.isEmpty()) {
             warnings.add(whatRestsOnThem());
         }
-        if (!fitTogether()) {
+        if (contradiction == null && !fitTogether()) {
             warnings.add(Warning.of(CheckWarning.REFERENCES_DO_NOT_FIT, Decimal.of(timesWorse(), 1),
                     Decimal.of(chiSquare, 0), degreesOfFreedom));
         }

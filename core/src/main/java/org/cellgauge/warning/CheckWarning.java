@@ -36,6 +36,62 @@ public enum CheckWarning implements WarningKind {
     /** A reference that no pose explains along with the others: id. */
     REFERENCE_LEFT_OUT("reference %s is left out: its corners are nowhere near where the other references put it; "
             + "check its id and position in the cell file"),
+    /**
+     * All markers of another size: by how much, %, {@link CheckPhrase#LARGER} or smaller, stated size
+     * ({@link CheckPhrase#STD_MM} or {@link CheckPhrase#STATED}), deviation, %, {@link CheckPhrase#OR_CAUSE} or nothing.
+     */
+    AS_IF_MARKERS("as if all markers were %s %% %s than %s (give or take %s %%): measure the black square of a print "
+            + "and state that as size_mm%s"),
+    /** Some markers of another size: their ids, and as of all. */
+    AS_IF_SOME_MARKERS("as if markers %s were %s %% %s than %s (give or take %s %%): measure their black squares and "
+            + "state that as size_mm%s"),
+    /** Edges that lie off: px, deviation, px, {@link CheckPhrase#INWARDS} or outwards, what it may be instead. */
+    AS_IF_EDGES("as if the edges of all markers were seen %s px (give or take %s px) too far %s: see to light, focus and "
+            + "contrast, or state the camera's tone_curve%s"),
+    /** Another focal length: %, {@link CheckPhrase#LONGER} or shorter, deviation, %, what it may be instead. */
+    AS_IF_FOCAL_LENGTH("as if the focal length were %s %% %s than in the camera file (give or take %s %%): calibrate "
+            + "the camera again, with this focus and image size%s"),
+    /** Another principal point: px in x, in y, deviation, px, what it may be instead. */
+    AS_IF_PRINCIPAL_POINT("as if the principal point were off by (%s, %s) px (give or take %s px): see whether images "
+            + "are cropped or turned against the calibration, or calibrate the camera again%s"),
+    /** Another distortion: change of the first radial coefficient, deviation, what it may be instead. */
+    AS_IF_DISTORTION("as if the lens's first radial coefficient were off by %s (give or take %s): calibrate the camera "
+            + "again%s"),
+    /**
+     * Positions stretched along one axis: its name, %, {@link CheckPhrase#FARTHER_APART} or closer together, deviation,
+     * %, what it may be instead.
+     */
+    AS_IF_STRETCHED("as if all positions along %s were %s %% %s than stated (give or take %s %%): compare the drawing "
+            + "with a length measured in the cell%s"),
+    /** All positions scaled: factor, what it may be instead. */
+    AS_IF_SCALED("as if all positions were %s times those stated: compare the drawing with a length measured in the "
+            + "cell%s"),
+    /** Positions in another unit: how many mm it has, what it may be instead. */
+    POSITIONS_IN_ANOTHER_UNIT("positions of references seem to be in a unit of %s mm: state position_mm in "
+            + "millimetres%s"),
+    /** Sizes in another unit: how many mm it has, what it may be instead. */
+    SIZES_IN_ANOTHER_UNIT("sizes of markers seem to be in a unit of %s mm: state size_mm in millimetres%s"),
+    /** Two references exchanged: their ids, what it may be instead. */
+    REFERENCES_EXCHANGED("references %s seem exchanged: each stands where the cell file has the other; exchange their "
+            + "ids or their markers%s"),
+    /** One reference turned about its normal: its id, degrees counter-clockwise, what it may be instead. */
+    REFERENCE_TURNED_ABOUT("reference %s seems turned by %s degrees (counter-clockwise as one looks at it): turn the "
+            + "marker, or state its rotation_deg%s"),
+    /** All markers turned about their normals: degrees counter-clockwise, what it may be instead. */
+    ALL_TURNED_ABOUT("all references seem turned by %s degrees (counter-clockwise as one looks at them): see which way "
+            + "up they are, and in which order the detector reports corners (OpenCV draws AprilTags turned by half a "
+            + "turn)%s"),
+    /** A world axis mirrored: its name, what it may be instead. */
+    AXIS_MIRRORED("the %s axis of the world seems to point the other way: change the sign of the references' "
+            + "positions along it, or exchange two axes, so that x, y and z are right-handed%s"),
+    /** Rotations in radians: what it may be instead. */
+    ROTATIONS_IN_RADIANS("rotations of references seem to be in radians: state rotation_deg in degrees%s"),
+    /** One reference stands far off: its id, what it may be instead. */
+    REFERENCE_ELSEWHERE("reference %s stands nowhere near where the other references put it: check its id and position "
+            + "in the cell file%s"),
+    /** No pose makes sense of the references, and nothing explains it. */
+    REFERENCES_CONTRADICT("the references contradict each other: no camera pose fits them, and no single cause "
+            + "explains it; compare ids, positions, rotations and sizes in the cell file with the cell"),
     /** The initial estimate failed: its name. */
     INITIAL_ESTIMATE_FAILED("the %s estimate found no camera pose; pnp was used instead"),
     /** The result leans on the pose prior: its share, %, {@link CheckPhrase#WEAK_PRIOR}. */

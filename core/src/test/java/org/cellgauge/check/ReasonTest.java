@@ -107,15 +107,17 @@ class ReasonTest {
         assertEquals(Reason.Kind.OBJECT_NOT_SEEN, none.finding().kind());
         assertFalse(none.finding().stdMm().isPresent());
         assertNull(none.finding().source());
-        assertEquals("Object 5, 20 and 30 was not seen in the photo. No object is in the photo.", none.reason());
+        assertEquals("Object 5, 20 and 30 was not seen in the photo. There is nothing to judge: no object is in the "
+                + "photo.", none.reason());
     }
 
     @Test
     void aCellWithoutObjectsHasNoDeviation() {
         CheckResult result = run(fine().noObjects());
         assertEquals(Reason.Kind.NO_OBJECT, result.finding().kind());
-        assertEquals("No target is set. No object is in the photo.", result.reason());
-        assertEquals("No object is in the photo.", run(fine().noObjects().target(1)).reason());
+        assertEquals("No target is set. There is nothing to judge: no object is in the photo.", result.reason());
+        assertEquals("There is nothing to judge: no object is in the photo.",
+                run(fine().noObjects().target(1)).reason());
     }
 
     @Test

@@ -42,7 +42,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ReferenceCheckTest {
     private static final double STD_RAD = 0.01;
     private static final double OFF = LinearPlacementModel.OFF;
-    private static final double LEVEL = 0.0075;
+    private static final double LEVEL = 0.0065;
 
     private static ReferenceCheck check(Cell cell, Detections detections) {
         CornerErrors errors = CornerErrors.of(cell, detections);
@@ -50,7 +50,7 @@ class ReferenceCheckTest {
                 ReferenceView.of(cell.references(), errors), IntrinsicsPrior.KNOWN, null, errors, 0);
         List<PoseMode> modes = camera.finder(camera.view).modes(ThesisScene.WORLD_FROM_CAMERA);
         return ReferenceCheck.of(camera.at(modes, ThesisScene.WORLD_FROM_CAMERA), Collections.emptyList(),
-                NoiseFit.untested());
+                NoiseFit.untested(), null);
     }
 
     private static boolean names(ReferenceCheck check, int id) {
@@ -80,7 +80,8 @@ class ReferenceCheckTest {
             RandomGenerator random = RandomStreams.of(11, references, (long) stdMm);
             int alarms = 0;
             for (int c = 0; c < cells; c++) {
-                alarms += check(cell, scene.detections(0.3, random, stdMm, STD_RAD)).misplaced().isEmpty() ? 0 : 1;
+                ReferenceCheck check = check(cell, scene.detections(0.3, random, stdMm, STD_RAD));
+                alarms += check.misplaced().isEmpty() && check.causes().isEmpty() ? 0 : 1;
             }
             reporter.publishEntry(String.format(Locale.ROOT, "references %d, sigma %.0f mm", references, stdMm),
                     alarms + " false alarms in " + cells + " cells");
@@ -258,7 +259,8 @@ class ReferenceCheckTest {
         assertEquals(1, found.size());
         int other = found.get(0).id() == 911 ? 1234 : 911;
         assertEquals(Collections.singletonList(other), found.get(0).orInstead());
-        assertTrue(found.get(0).warning().toString().endsWith("; it may be reference " + other + " instead"),
+        // and a stretch between the two, or another size, would look alike
+        assertTrue(found.get(0).warning().toString().matches(".*; it may be .*reference " + other + ".* instead"),
                 found.get(0).warning().toString());
     }
 

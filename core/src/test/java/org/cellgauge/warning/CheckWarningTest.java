@@ -38,6 +38,17 @@ class CheckWarningTest {
     }
 
     @Test
+    void ofWhatExplainsAMisfit() {
+        says("as if all markers were 2.1 % smaller than 47 mm (give or take 0.2 %): measure the black square of a print "
+                + "and state that as size_mm; it may be the focal length or reference 22 instead",
+                CheckWarning.AS_IF_MARKERS, n(2.1, 1), CheckPhrase.SMALLER, Warning.of(CheckPhrase.STD_MM, n(47, 0)),
+                n(0.2, 1), Warning.of(CheckPhrase.OR_CAUSE, Listing.or(Arrays.asList(
+                        Warning.of(CheckPhrase.CAUSE_FOCAL_LENGTH), Warning.of(CheckPhrase.CAUSE_REFERENCE, 22)))));
+        says("references 22 and 944 seem exchanged: each stands where the cell file has the other; exchange their ids "
+                + "or their markers", CheckWarning.REFERENCES_EXCHANGED, Listing.and(Arrays.asList(22, 944)), "");
+    }
+
+    @Test
     void ofWhatThePhotoShows() {
         says("not seen in the photo: object 5, 20 and 30", CheckWarning.OBJECTS_NOT_SEEN,
                 Listing.and(Arrays.asList(5, 20, 30)));

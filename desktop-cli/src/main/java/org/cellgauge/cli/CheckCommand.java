@@ -283,6 +283,8 @@ public final class CheckCommand implements Callable<Integer> {
         private final SummaryCsv summary = new SummaryCsv();
         private final TextTable table = new TextTable(2);
         private final Map<String, Integer> tally = new LinkedHashMap<>();
+        /** What to do first, with the photos that say so. */
+        private final Map<String, List<String>> actions = new LinkedHashMap<>();
         private boolean withResult;
         private int done;
         private int exitCode;
@@ -318,9 +320,9 @@ public final class CheckCommand implements Callable<Integer> {
             exitCode = ExitCodes.moreSerious(exitCode, ExitCodes.of(result.verdict()));
             ResultView view = ResultView.of(result);
             ResultRow worst = view.worstObject();
-            String std = worst == null ? "-" : CheckText.fixed(view.worstStdMm(worst), 2);
+            String std = worst == null || !view.showsFigures() ? "-" : CheckText.fixed(view.worstStdMm(worst), 2);
             table.row(input.name(), CheckText.word(result.verdict()), std,
-                    worst == null ? "" : CheckText.name(worst), CheckText.fixed(view.chains().rHatMax(), 4),
+                    worst == null || !view.showsFigures() ? "" : CheckText.name(worst), CheckText.fixed(view.chains().rHatMax(), 4),
                     CheckText.fixed(Math.min(view.chains().essBulkMin(), view.chains().essTailMin()), 0));
             if (json) {
                 stdout.print(batch && done > 1 ? ",\n" + text.stripTrailing() : text.stripTrailing());
@@ -331,6 +333,9 @@ public final class CheckCommand implements Callable<Integer> {
                 stdout.print(CheckText.of(result, CommandWords::of));
             }
             stdout.flush();
+            if (result.action() != null) {
+                actions.computeIfAbsent(CommandWords.of(result.action()), a -> new ArrayList<>()).add(input.name());
+            }
             progress(input, CheckText.word(result.verdict()) + (worst == null ? "" : ", worst std " + std + " mm"));
             if (unwritable != null) {
                 throw unwritable;
@@ -430,6 +435,8 @@ public final class CheckCommand implements Callable<Integer> {
             endOfTable();
             if (batch && !json) {
                 stdout.println(total);
+                actions.forEach((action, photos) -> stdout.print(CheckText.wrap("  " + Listing.and(photos) + ": "
+                        + action, "    ")));
                 stdout.flush();
             }
             if (output != null && (batch || withResult)) {

@@ -653,6 +653,31 @@ class CheckCommandTest {
 
     // ---- batches
 
+    /** Two markers carry each other's ids: no figure, and every overview says what to do. */
+    @Test
+    void aBatchOfExchangedReferencesPassesNothingAndSaysWhatToDo() throws IOException {
+        Path other = SmallCell.writeDetections(folder.resolve("other.json"), 2);
+        for (Path file : List.of(corners, other)) {
+            Files.writeString(file, Files.readString(file).replace("\"id\": 944,", "\"id\": -1,")
+                    .replace("\"id\": 911,", "\"id\": 944,").replace("\"id\": -1,", "\"id\": 911,"));
+        }
+        CommandCall call = check("--detections", corners, other, "--target", 50, "--out", out);
+        assertEquals(5, call.code(), call.out());
+        String text = call.out().replaceAll("\\s+", " ");
+        assertTrue(text.contains("2 photos: 2 CONTRADICTED"), text);
+        assertTrue(text.matches(".* corners and other: references (911 and 944|944 and 911) seem exchanged.*"), text);
+        List<String> lines = Files.readAllLines(out.resolve("summary.csv"));
+        List<String> header = Arrays.asList(lines.get(0).split(","));
+        for (String line : lines.subList(1, lines.size())) {
+            assertTrue(line.contains(",contradicted,") && line.endsWith(" exchange their ids or their markers"), line);
+            assertEquals("", line.split(",")[header.indexOf("std_x_mm")], "no figure");
+        }
+        assertTrue(Files.readString(out.resolve("report.html")).contains("seem exchanged"), "report");
+        JsonObject result = json(out.resolve("corners.result.json"));
+        assertEquals("exchanged", result.getAsJsonArray("causes").get(0).getAsJsonObject().get("cause").getAsString());
+        assertTrue(result.get("action").getAsString().contains("seem exchanged"), "action");
+    }
+
     @Test
     void oneBadPhotoCostsTheOthersNothing() throws IOException {
         Path photos = folder.resolve("photos");

@@ -48,6 +48,8 @@ public final class CheckText {
                 return "NOT CONVERGED";
             case AMBIGUOUS:
                 return "AMBIGUOUS";
+            case CONTRADICTED:
+                return "CONTRADICTED";
             default:
                 return "no target";
         }
@@ -55,7 +57,8 @@ public final class CheckText {
 
     /** Words that stand beside every figure that must not be trusted; empty where all may be. */
     public static String caution(Verdict verdict) {
-        return verdict == Verdict.NOT_CONVERGED ? "not converged" : verdict == Verdict.AMBIGUOUS ? "ambiguous" : "";
+        return verdict == Verdict.NOT_CONVERGED ? "not converged" : verdict == Verdict.AMBIGUOUS ? "ambiguous"
+                : verdict == Verdict.CONTRADICTED ? "contradicted" : "";
     }
 
     /** Whether one row's deviations are within the target: a word, or a caution where no figure can be trusted. */
@@ -87,14 +90,16 @@ public final class CheckText {
         ResultView view = ResultView.of(result);
         String caution = caution(result.verdict());
         String beside = caution.isEmpty() ? "" : " - " + caution.toUpperCase(Locale.ROOT);
-        camera(view, beside, text);
-        if (!view.objects().isEmpty()) {
-            objects(view, beside, text);
+        if (view.showsFigures()) {
+            camera(view, beside, text);
+            if (!view.objects().isEmpty()) {
+                objects(view, beside, text);
+            }
+            if (view.objects().stream().anyMatch(ResultRow::seen)) {
+                budgets(view, text);
+            }
+            modes(view, text);
         }
-        if (view.objects().stream().anyMatch(ResultRow::seen)) {
-            budgets(view, text);
-        }
-        modes(view, text);
         references(result, text);
         text.append('\n').append(diagnosticsLine(result)).append('\n').append(acceptanceLine(result)).append('\n')
                 .append(laplaceLine(result)).append('\n');

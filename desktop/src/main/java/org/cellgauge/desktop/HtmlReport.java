@@ -36,11 +36,11 @@ public final class HtmlReport {
             + "{text-align:left}td:first-child{white-space:nowrap}th{font-weight:600}"
             + "img{max-width:100%;height:auto;border:1px solid #ccd3da}"
             + ".verdict{font-weight:700;white-space:nowrap}.verdict svg{width:1em;height:1em;vertical-align:-.12em}"
-            + ".pass{color:#1a6b36}.fail,.refused{color:#b3261e}.not-converged,.ambiguous{color:#8a4b00}"
+            + ".pass{color:#1a6b36}.fail,.refused{color:#b3261e}.not-converged,.ambiguous,.contradicted{color:#8a4b00}"
             + ".no-target{color:#3b4754}.caution{font-weight:700;color:#8a4b00}details{margin:.5rem 0}"
             + "summary{cursor:pointer}pre{white-space:pre-wrap}.scroll{overflow-x:auto}"
             + "@media (prefers-color-scheme:dark){body{color:#e4e8ec;background:#15191e}.pass{color:#6fd08c}"
-            + ".fail,.refused{color:#ff8a80}.not-converged,.ambiguous,.caution{color:#ffb74d}.no-target{color:#aab4be}"
+            + ".fail,.refused{color:#ff8a80}.not-converged,.ambiguous,.contradicted,.caution{color:#ffb74d}.no-target{color:#aab4be}"
             + "h2,img{border-color:#3b4754}th,td{border-color:#2a323a}}";
 
     /** What it means that a setting is open. */
@@ -82,8 +82,9 @@ public final class HtmlReport {
         String key = result.verdict().key();
         double worst = view.objects().stream().filter(ResultRow::seen).mapToDouble(view::worstStdMm).max()
                 .orElse(Double.NaN);
-        overviewRow(id, input, key, CheckText.word(result.verdict()), CheckText.fixed(worst, 2) + caution(view),
-                CheckText.fixed(result.diagnostics().rHatMax(), 4), result.reason());
+        overviewRow(id, input, key, CheckText.word(result.verdict()), view.showsFigures()
+                ? CheckText.fixed(worst, 2) + caution(view) : "", CheckText.fixed(result.diagnostics().rHatMax(), 4),
+                result.reason(), result.action() == null ? "" : words.apply(result.action()));
         section(id, input, key, CheckText.word(result.verdict()), result.reason());
         sections.append("<p><img alt=\"").append(escape(input.name() + ": markers, frames and 95 % ellipses"))
                 .append("\" src=\"data:image/jpeg;base64,").append(Base64.getEncoder().encodeToString(jpeg))
@@ -93,10 +94,12 @@ public final class HtmlReport {
             result.warnings().forEach(w -> sections.append("<li>").append(escape(words.apply(w))).append("</li>"));
             sections.append("</ul>\n");
         }
-        objects(view);
-        camera(view);
-        modes(view);
-        budgets(view);
+        if (view.showsFigures()) {
+            objects(view);
+            camera(view);
+            modes(view);
+            budgets(view);
+        }
         references(result);
         without(result);
         diagnostics(result);
@@ -113,16 +116,18 @@ public final class HtmlReport {
      */
     public void add(CheckInput input, String word, String message) {
         String id = "photo-" + ++photos;
-        overviewRow(id, input, "refused", word, "", "", message);
+        overviewRow(id, input, "refused", word, "", "", message, "");
         section(id, input, "refused", word, message);
         sections.append("</section>\n");
     }
 
     private void overviewRow(String id, CheckInput input, String key, String word, String worst, String rHat,
-            String reason) {
+            String reason, String action) {
+        String toDo = action.isEmpty() || reason.contains(action) ? ""
+                : "<br><strong>First:</strong> " + escape(action) + ".";
         overview.append("<tr><td><a href=\"#").append(id).append("\">").append(escape(input.name()))
                 .append("</a></td><td class=\"text\">").append(verdict(key, word)).append("</td><td>").append(worst)
-                .append("</td><td>").append(rHat).append("</td><td class=\"text\">").append(escape(reason))
+                .append("</td><td>").append(rHat).append("</td><td class=\"text\">").append(escape(reason)).append(toDo)
                 .append("</td></tr>\n");
     }
 
@@ -141,6 +146,7 @@ public final class HtmlReport {
                 break;
             case "not-converged":
             case "ambiguous":
+            case "contradicted":
                 shape = "<path d=\"M8 1.5l7 13H1z\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\"/>"
                         + "<path d=\"M8 6v4M8 11.5v1.5\" stroke=\"currentColor\" stroke-width=\"2\"/>";
                 break;

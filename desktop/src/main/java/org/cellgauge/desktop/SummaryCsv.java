@@ -13,7 +13,7 @@ public final class SummaryCsv {
     private static final String[] COLUMNS = {"input", "name", "verdict", "object", "seen", "x_mm", "y_mm", "z_mm",
         "std_x_mm", "std_y_mm", "std_z_mm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_std_x_mm", "grip_std_y_mm",
         "grip_std_z_mm", "worst_std_mm", "target_std_mm", "within_target", "converged", "r_hat_max", "ess_bulk_min",
-        "ess_tail_min", "mcse_std_rel_max", "reason"};
+        "ess_tail_min", "mcse_std_rel_max", "reason", "action"};
 
     private final StringBuilder text = new StringBuilder();
 
@@ -36,10 +36,11 @@ public final class SummaryCsv {
     /** Adds the row of an input that gave no result. */
     public void add(CheckInput input, String verdict, String reason) {
         List<String> cells = new ArrayList<>(List.of(input.file().toString(), input.name(), verdict));
-        while (cells.size() < COLUMNS.length - 1) {
+        while (cells.size() < COLUMNS.length - 2) {
             cells.add("");
         }
         cells.add(reason);
+        cells.add("");
         line(cells);
     }
 
@@ -48,12 +49,13 @@ public final class SummaryCsv {
         boolean seen = object != null && object.seen();
         cells.add(object == null ? "" : String.valueOf(object.id().getAsInt()));
         cells.add(object == null ? "" : String.valueOf(seen));
-        numbers(cells, seen ? object.mean() : null);
-        numbers(cells, seen ? object.std() : null);
-        ResultRow grip = seen ? view.grip(object.id().getAsInt()) : null;
+        boolean shown = seen && view.showsFigures();
+        numbers(cells, shown ? object.mean() : null);
+        numbers(cells, shown ? object.std() : null);
+        ResultRow grip = shown ? view.grip(object.id().getAsInt()) : null;
         numbers(cells, grip != null ? grip.mean() : null);
         numbers(cells, grip != null ? grip.std() : null);
-        cells.add(seen ? number(view.worstStdMm(object)) : "");
+        cells.add(shown ? number(view.worstStdMm(object)) : "");
         cells.add(number(view.targetStdMm().orElse(Double.NaN)));
         boolean judged = seen && view.targetStdMm().isPresent() && view.trusted();
         cells.add(judged ? String.valueOf(object.verdict() == Verdict.PASS
@@ -65,6 +67,7 @@ public final class SummaryCsv {
         cells.add(number(chains.essTailMin()));
         cells.add(number(chains.mcseStdRelMax()));
         cells.add(view.reason());
+        cells.add(view.action() == null ? "" : view.action());
         line(cells);
     }
 

@@ -25,6 +25,7 @@ enum Banner {
     FAIL(R.string.head_fail, R.drawable.mark_fail, R.color.banner_fail),
     NOT_CONVERGED(R.string.head_not_converged, R.drawable.mark_not_converged, R.color.banner_not_converged),
     AMBIGUOUS(R.string.head_ambiguous, R.drawable.mark_ambiguous, R.color.banner_ambiguous),
+    CONTRADICTED(R.string.head_contradicted, R.drawable.mark_not_converged, R.color.banner_not_converged),
     NO_TARGET(R.string.head_no_target, R.drawable.mark_not_judged, R.color.banner_neutral);
 
     private final int headline;
@@ -117,6 +118,8 @@ enum Banner {
                 return NOT_CONVERGED;
             case AMBIGUOUS:
                 return AMBIGUOUS;
+            case CONTRADICTED:
+                return CONTRADICTED;
             default:
                 return NO_TARGET;
         }

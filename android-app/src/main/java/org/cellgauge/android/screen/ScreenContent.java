@@ -67,6 +67,7 @@ final class ScreenContent {
             case FAIL:
             case NOT_CONVERGED:
             case AMBIGUOUS:
+            case CONTRADICTED:
             case NO_TARGET:
                 return words.reason(s.reason());
             default:
@@ -260,6 +261,9 @@ final class ScreenContent {
         } else if (object.mark() == ObjectRow.Mark.AMBIGUOUS) {
             text = object.reason() == null ? words.get(R.string.no_figure_two_poses) : words.reason(object.reason());
         } else if (object.mark() == ObjectRow.Mark.NOT_CONVERGED) {
+            text = words.get(R.string.no_figure_not_converged);
+        }
+        if (s.verdict() == Verdict.CONTRADICTED && object.mark() == ObjectRow.Mark.NO_FIGURE) {
             text = words.get(R.string.no_figure_not_converged);
         }
         return new Row(drawable(object.mark()), colour(object.mark()),

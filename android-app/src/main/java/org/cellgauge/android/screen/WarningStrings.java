@@ -76,6 +76,40 @@ final class WarningStrings {
                 return R.string.warning_marker_noisier_than_stated;
             case REFERENCES_DO_NOT_FIT:
                 return R.string.warning_references_do_not_fit;
+            case AS_IF_MARKERS:
+                return R.string.warning_as_if_markers;
+            case AS_IF_SOME_MARKERS:
+                return R.string.warning_as_if_some_markers;
+            case AS_IF_EDGES:
+                return R.string.warning_as_if_edges;
+            case AS_IF_FOCAL_LENGTH:
+                return R.string.warning_as_if_focal_length;
+            case AS_IF_PRINCIPAL_POINT:
+                return R.string.warning_as_if_principal_point;
+            case AS_IF_DISTORTION:
+                return R.string.warning_as_if_distortion;
+            case AS_IF_STRETCHED:
+                return R.string.warning_as_if_stretched;
+            case AS_IF_SCALED:
+                return R.string.warning_as_if_scaled;
+            case POSITIONS_IN_ANOTHER_UNIT:
+                return R.string.warning_positions_in_another_unit;
+            case SIZES_IN_ANOTHER_UNIT:
+                return R.string.warning_sizes_in_another_unit;
+            case REFERENCES_EXCHANGED:
+                return R.string.warning_references_exchanged;
+            case REFERENCE_TURNED_ABOUT:
+                return R.string.warning_reference_turned_about;
+            case ALL_TURNED_ABOUT:
+                return R.string.warning_all_turned_about;
+            case AXIS_MIRRORED:
+                return R.string.warning_axis_mirrored;
+            case ROTATIONS_IN_RADIANS:
+                return R.string.warning_rotations_in_radians;
+            case REFERENCE_ELSEWHERE:
+                return R.string.warning_reference_elsewhere;
+            case REFERENCES_CONTRADICT:
+                return R.string.warning_references_contradict;
             case TURNS_TOO_LOOSE:
                 return R.string.warning_turns_too_loose;
             case REFERENCE_LEFT_OUT:
@@ -121,6 +155,56 @@ final class WarningStrings {
                 return R.string.warning_part_std_degrees;
             case OR_INSTEAD:
                 return R.string.warning_part_or_instead;
+            case OR_CAUSE:
+                return R.string.warning_part_or_cause;
+            case LARGER:
+                return R.string.warning_part_larger;
+            case SMALLER:
+                return R.string.warning_part_smaller;
+            case INWARDS:
+                return R.string.warning_part_inwards;
+            case OUTWARDS:
+                return R.string.warning_part_outwards;
+            case LONGER:
+                return R.string.warning_part_longer;
+            case SHORTER:
+                return R.string.warning_part_shorter;
+            case FARTHER_APART:
+                return R.string.warning_part_farther_apart;
+            case CLOSER_TOGETHER:
+                return R.string.warning_part_closer_together;
+            case STATED:
+                return R.string.warning_part_stated;
+            case CAUSE_MARKER_SIZE:
+                return R.string.warning_part_cause_marker_size;
+            case CAUSE_SIZE_OF_SOME:
+                return R.string.warning_part_cause_size_of_some;
+            case CAUSE_EDGE_SHIFT:
+                return R.string.warning_part_cause_edge_shift;
+            case CAUSE_FOCAL_LENGTH:
+                return R.string.warning_part_cause_focal_length;
+            case CAUSE_PRINCIPAL_POINT:
+                return R.string.warning_part_cause_principal_point;
+            case CAUSE_DISTORTION:
+                return R.string.warning_part_cause_distortion;
+            case CAUSE_STRETCH:
+                return R.string.warning_part_cause_stretch;
+            case CAUSE_POSITION_SCALE:
+                return R.string.warning_part_cause_position_scale;
+            case CAUSE_SIZE_UNIT:
+                return R.string.warning_part_cause_size_unit;
+            case CAUSE_EXCHANGED:
+                return R.string.warning_part_cause_exchanged;
+            case CAUSE_TURNED:
+                return R.string.warning_part_cause_turned;
+            case CAUSE_ALL_TURNED:
+                return R.string.warning_part_cause_all_turned;
+            case CAUSE_MIRRORED:
+                return R.string.warning_part_cause_mirrored;
+            case CAUSE_RADIANS:
+                return R.string.warning_part_cause_radians;
+            case CAUSE_REFERENCE:
+                return R.string.warning_part_cause_reference;
             case CAMERA:
                 return R.string.warning_part_camera;
             case OBJECT:

@@ -18,9 +18,11 @@ import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.Misplacement;
 import org.cellgauge.statistics.ChainDiagnostics;
+import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Message;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.Warning;
 
 /** Sentences in the user's language, with numbers as written there, from what core and camera say in parts. */
 final class Wording {
@@ -157,6 +159,8 @@ final class Wording {
                 return get(R.string.non_finite, reason.worstParameter().name());
             case TOO_SHORT:
                 return get(R.string.chains_too_short, ChainDiagnostics.MIN_DRAWS);
+            case CONTRADICTED:
+                return get(R.string.no_figure) + misfit(reason, " ");
             case TWO_CAMERA_POSES:
                 return get(R.string.two_camera_poses, percent(reason.share().getAsDouble()));
             case TWO_OBJECT_POSES:
@@ -212,6 +216,10 @@ final class Wording {
             case MARKER:
                 return before + get(R.string.misfit_marker, m.markerId().getAsInt(), number(m.times(), 1),
                         number(m.statedStdPx(), 3));
+            case CAUSE:
+                return before + get(R.string.misfit_cause, message(m.cause().warning()));
+            case CONTRADICTION:
+                return before + get(R.string.misfit_cause, message(Warning.of(CheckWarning.REFERENCES_CONTRADICT)));
             default:
                 return before + get(R.string.misfit_references, number(m.times(), 1));
         }

@@ -58,6 +58,8 @@ final class CheckFigures {
             case AMBIGUOUS:
                 return new ObjectRow(id, ObjectRow.Mark.AMBIGUOUS, null, null, null,
                         result.finding(id));
+            case CONTRADICTED:
+                return new ObjectRow(id, ObjectRow.Mark.NO_FIGURE, null, null, null, null);
             default:
                 return new ObjectRow(id, ObjectRow.Mark.NOT_CONVERGED, null, null, null, null);
         }

@@ -19,7 +19,9 @@ public final class ObjectRow {
         AMBIGUOUS,
         /** Converged; there is no target to judge by. */
         NOT_JUDGED,
-        /** The object is in view, and nothing can be said of it: no reference is, or the frame was refused. */
+        /** The object is in view, and nothing can be said of it: no reference is, the frame was refused, or
+         * references contradict each other.
+         */
         NO_FIGURE,
         /** The object is not in view. */
         NOT_SEEN

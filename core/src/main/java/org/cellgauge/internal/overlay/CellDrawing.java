@@ -33,6 +33,8 @@ final class CellDrawing {
         PRELIMINARY,
         /** The chains ended without converging. */
         NOT_CONVERGED,
+        /** References contradict each other: there is no figure. */
+        CONTRADICTED,
         /** The chains have converged. */
         FINAL
     }
@@ -363,7 +365,7 @@ final class CellDrawing {
         if (object == null) {
             return Status.NEUTRAL;
         }
-        if (stage == Stage.NOT_CONVERGED) {
+        if (stage == Stage.NOT_CONVERGED || stage == Stage.CONTRADICTED) {
             return Status.NOT_CONVERGED;
         }
         if (object.ambiguous() || results.camera().ambiguous()) {
@@ -406,6 +408,9 @@ final class CellDrawing {
         Status status = status(id);
         boolean unsure = stage != Stage.FINAL || status == Status.AMBIGUOUS;
         double size = objectMarker(id).sizeMm();
+        if (stage == Stage.CONTRADICTED) {
+            return;
+        }
         if (object.ambiguous()) {
             for (int k = object.modes().size() - 1; k >= 0; k--) {
                 mode(object.modes().get(k), k > 0, size);
@@ -645,7 +650,7 @@ final class CellDrawing {
 
     /** Whether any label gives standard deviations. */
     private boolean showsFigures() {
-        return stage != Stage.NOT_CONVERGED
+        return stage != Stage.NOT_CONVERGED && stage != Stage.CONTRADICTED
                 && seen.stream().anyMatch(object -> status(object.id().getAsInt()) != Status.AMBIGUOUS);
     }
 
@@ -721,7 +726,7 @@ final class CellDrawing {
     private List<String> objectLines(int id) {
         ResultRow object = row(id);
         List<String> lines = new ArrayList<>();
-        if (object == null) {
+        if (object == null || stage == Stage.CONTRADICTED) {
             lines.add(Integer.toString(id));
         } else if (stage == Stage.NOT_CONVERGED) {
             lines.add(words.notConverged(id));

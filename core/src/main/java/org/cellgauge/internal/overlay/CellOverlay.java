@@ -49,6 +49,9 @@ public final class CellOverlay {
             case NOT_CONVERGED:
                 headline = "NOT CONVERGED \u2013 no figure to trust";
                 break;
+            case CONTRADICTED:
+                headline = "CONTRADICTED \u2013 references do not fit together";
+                break;
             case AMBIGUOUS:
                 headline = "AMBIGUOUS \u2013 two poses explain the photo";
                 break;
@@ -70,6 +73,7 @@ public final class CellOverlay {
      */
     public static Overlay of(CheckResult result, OverlayStyle style, String headline, String reason) {
         CellDrawing.Stage stage = result.verdict() == Verdict.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
+                : result.verdict() == Verdict.CONTRADICTED ? CellDrawing.Stage.CONTRADICTED
                 : CellDrawing.Stage.FINAL;
         return new CellDrawing(result.cell(), result.detections(), result.estimate(), ResultView.of(result),
                 result.referenceCheck(), stage, style).draw(status(result.verdict()), headline, reason);
@@ -82,6 +86,7 @@ public final class CellOverlay {
             case FAIL:
                 return Status.FAIL;
             case NOT_CONVERGED:
+            case CONTRADICTED:
                 return Status.NOT_CONVERGED;
             case AMBIGUOUS:
                 return Status.AMBIGUOUS;

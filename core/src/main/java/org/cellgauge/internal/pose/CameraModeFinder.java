@@ -131,6 +131,18 @@ public final class CameraModeFinder {
     }
 
     /**
+     * The mode that one start leads to, and no other.
+     *
+     * @param worldFromCamera start, of the only view
+     * @param hopeless half the chi-square beyond which it is not followed to its end
+     * @return null where it leads to none
+     */
+    public @Nullable PoseMode mode(RigidTransform worldFromCamera, double hopeless) {
+        return converged(state(Collections.singletonList(view.cameraFromSet(worldFromCamera))),
+                new Linearisation(PlacedReferences.nominal(view)), Collections.emptyList(), hopeless);
+    }
+
+    /**
      * The modes that are found from modes of another noise, for instance of the same references with more of it: each
      * mode is followed from where it was, and no other start is tried.
      *

@@ -1,5 +1,6 @@
 package org.cellgauge.internal.pose;
 
+import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.settings.InitialEstimate;
@@ -29,6 +30,48 @@ public interface InitialPose {
             default:
                 return PNP;
         }
+    }
+
+    /** A first estimate and how good it is; immutable. */
+    final class Estimate {
+        private final RigidTransform worldFromCamera;
+        private final double costPx2;
+
+        Estimate(RigidTransform worldFromCamera, double costPx2) {
+            this.worldFromCamera = worldFromCamera;
+            this.costPx2 = costPx2;
+        }
+
+        /**
+         * The camera pose.
+         *
+         * @return worldFromCamera
+         */
+        public RigidTransform worldFromCamera() {
+            return worldFromCamera;
+        }
+
+        /**
+         * How far it leaves corners off: sum of squared distances, each at most that of a foreign marker.
+         *
+         * @return px²
+         */
+        public double costPx2() {
+            return costPx2;
+        }
+    }
+
+    /**
+     * The best of some candidates, refined by least squares as {@link #PNP} does: for many like views, of which it is
+     * known what each reference alone says.
+     *
+     * @param view references seen
+     * @param camera intrinsics
+     * @param worldFromCameras candidates
+     * @return the estimate, or null where there is no candidate before which any corner lies
+     */
+    static @Nullable Estimate best(ReferenceView view, PinholeCamera camera, List<RigidTransform> worldFromCameras) {
+        return PnpInitialPose.refined(view, camera, worldFromCameras);
     }
 
     /**

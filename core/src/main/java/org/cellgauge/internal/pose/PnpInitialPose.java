@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.settings.Estimate;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -39,6 +40,25 @@ final class PnpInitialPose implements InitialPose {
             }
         }
         return best == null ? null : view.worldFromCamera(best);
+    }
+
+    /** A candidate refined alike, and how far it leaves corners off, px². */
+    static @Nullable Estimate refined(ReferenceView view, PinholeCamera camera, List<RigidTransform> worldFromCameras) {
+        RigidTransform best = null;
+        double least = Double.POSITIVE_INFINITY;
+        for (RigidTransform candidate : worldFromCameras) {
+            RigidTransform cameraFromSet = view.cameraFromSet(candidate);
+            double cost = truncatedCost(view, camera, cameraFromSet);
+            if (cost < least) {
+                least = cost;
+                best = cameraFromSet;
+            }
+        }
+        if (best == null) {
+            return null;
+        }
+        RigidTransform pose = refine(view, camera, best);
+        return new Estimate(view.worldFromCamera(pose), truncatedCost(view, camera, pose));
     }
 
     /** Least squares over the references that a candidate nearly explains, twice, so that foreign markers drop out. */
