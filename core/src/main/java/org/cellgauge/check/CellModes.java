@@ -14,6 +14,7 @@ import org.cellgauge.laplace.CameraFit;
 import org.cellgauge.laplace.LinearModel;
 import org.cellgauge.laplace.ObjectFit;
 import org.cellgauge.placement.NoiseFit;
+import org.cellgauge.placement.Overlap;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.pose.AddedNoise;
 import org.cellgauge.pose.CameraState;
@@ -113,13 +114,14 @@ final class CellModes {
     /** Tests whether references and corners are as stated; no chains are needed for it. */
     ReferenceCheck references() {
         NoiseFit noiseFit = noiseFit();
-        return ReferenceCheck.of(atNoise(noiseFit.inflation()), objects, noiseFit);
+        return ReferenceCheck.of(atNoise(noiseFit.inflation()), objects, noiseFit,
+                Overlap.among(observed.cell, observed.detections));
     }
 
     private NoiseFit noiseFit() {
         CheckSettings settings = observed.settings;
         Cell cell = observed.cell;
-        CornerErrors errors = observed.errors;
+        CornerErrors errors = observed.measured;
         // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
         if (settings.model().likelihood() != LikelihoodModel.RIGID_MARKER
                 && settings.model().objectNoise() == ObjectNoise.NONE) {

@@ -27,14 +27,17 @@ final class Observed {
     final Cell cell;
     final Detections detections;
     final CheckSettings settings;
-    /** What is known of the corners' errors, in the terms that the model knows. */
+    /** What is known of the corners' errors. */
+    final CornerErrors measured;
+    /** The same in the terms that the model knows. */
     final CornerErrors errors;
     /** The added noise by the squareness of markers alone: the u of {@link org.cellgauge.pose.AddedNoise}. */
     final double noiseLevel;
     final List<Warning> warnings;
 
-    private Observed(Cell cell, Detections detections, CheckSettings settings, CornerErrors errors, double noiseLevel,
-            List<Warning> warnings) {
+    private Observed(Cell cell, Detections detections, CheckSettings settings, CornerErrors measured,
+            CornerErrors errors, double noiseLevel, List<Warning> warnings) {
+        this.measured = measured;
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
@@ -70,7 +73,7 @@ final class Observed {
         }
         // the thesis' likelihood has no corner noise for shared errors to be a part of
         CornerErrors errors = found.isPlain() || rigid ? found : found.fixedAt(noiseLevel);
-        return new Observed(cell, detections, settings, errors, noiseLevel, warnings);
+        return new Observed(cell, detections, settings, found, errors, noiseLevel, warnings);
     }
 
     private static void warnOfReferencesNotSeen(Cell cell, Detections detections, List<Warning> warnings) {

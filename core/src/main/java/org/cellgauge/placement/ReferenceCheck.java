@@ -48,10 +48,12 @@ public final class ReferenceCheck {
     private final int degreesOfFreedom;
 
     private final NoiseFit noise;
+    private final List<Overlap> overlaps;
 
     private ReferenceCheck(List<ReferenceFit> fits, List<MisplacedReference> misplaced, WithoutMisplaced without,
-            double chiSquare, int degreesOfFreedom, NoiseFit noise) {
+            double chiSquare, int degreesOfFreedom, NoiseFit noise, List<Overlap> overlaps) {
         this.noise = noise;
+        this.overlaps = Collections.unmodifiableList(overlaps);
         this.chiSquare = chiSquare;
         this.degreesOfFreedom = degreesOfFreedom;
         this.fits = Collections.unmodifiableList(fits);
@@ -65,8 +67,10 @@ public final class ReferenceCheck {
      * @param camera the camera from all of them, at a corner noise that the photo does not contradict
      * @param objects the objects seen
      * @param noise whether corners are as precise as stated
+     * @param overlaps markers in one place
      */
-    public static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise) {
+    public static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise,
+            List<Overlap> overlaps) {
         PoseMode mode = camera.modes.get(0);
         // without rigid placements in the likelihood there is nothing stated that a test could hold against them
         List<DirectionScore> tests = camera.settings.model().likelihood() == LikelihoodModel.RIGID_MARKER
@@ -99,7 +103,7 @@ public final class ReferenceCheck {
         return new ReferenceCheck(fits, found,
                 found.isEmpty() || rest == null ? null : WithoutMisplaced.of(leftOut, camera, rest, objects),
                 together ? ofPlacements(rest.modes.get(0)) : Double.NaN, together ? 6 * rest.view.size() - 6 : 0,
-                noise);
+                noise, overlaps);
     }
 
     /**
@@ -232,17 +236,28 @@ public final class ReferenceCheck {
 
     /**
      * Whether the photo contradicts what all figures rest on, so that none of them can meet a target: corners are
-     * noisier than stated, or the references together fit worse than stated.
+     * noisier than stated or of no square, two markers are in one place, or the references together fit worse than
+     * stated.
      *
      * @return mostly false
      */
     public boolean contradicted() {
-        return !noise.holds() || !fitTogether();
+        return misfit() != null;
     }
 
-    /** What that adds to a reason, the noise first; null where nothing is contradicted. */
+    /** What that adds to a reason: the first of these; null where nothing is contradicted. */
     public Misfit misfit() {
-        return !noise.holds() ? noise.misfit() : fitTogether() ? null : Misfit.ofReferences(timesWorse());
+        return !noise.holds() ? noise.misfit() : !overlaps.isEmpty() ? overlaps.get(0).misfit()
+                : fitTogether() ? null : Misfit.ofReferences(timesWorse());
+    }
+
+    /**
+     * Markers in one place.
+     *
+     * @return unmodifiable, mostly empty
+     */
+    public List<Overlap> overlaps() {
+        return overlaps;
     }
 
     /**
@@ -354,6 +369,7 @@ public final class ReferenceCheck {
     /** Warnings to the user. */
     public List<Warning> warnings() {
         List<Warning> warnings = noise.warnings();
+        overlaps.forEach(overlap -> warnings.add(overlap.warning()));
         for (MisplacedReference reference : misplaced) {
             warnings.add(reference.warning());
         }

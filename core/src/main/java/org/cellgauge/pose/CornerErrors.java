@@ -281,6 +281,53 @@ public final class CornerErrors {
     }
 
     /**
+     * Markers whose corners are of no square, given a noise that is as unknown as the other markers leave it: the
+     * chance of squares as large as a marker's, averaged over what is known of the noise without it (the predictive
+     * distribution: Gelman et al., "Bayesian Data Analysis", 3rd ed. 2013, section 6.3), is below a level that all
+     * markers share.
+     *
+     * @param level chance that any marker of a photo is named although all corners are alike
+     * @return how many times worse they fit a square than those of the others, by id, the worst first; mostly empty
+     * @throws IllegalStateException if the noise is stated
+     */
+    public Map<Integer, Double> noSquares(double level) {
+        double[] log = logPrior();
+        int told = 0;
+        for (MarkerErrors m : markers.values()) {
+            for (int i = 0; i < log.length; i++) {
+                log[i] += logSquareness(m, i);
+            }
+            told += m.squareness == null ? 0 : 1;
+        }
+        Map<Integer, Double> found = new LinkedHashMap<>();
+        for (Map.Entry<Integer, MarkerErrors> entry : markers.entrySet()) {
+            MarkerErrors m = entry.getValue();
+            if (m.squareness == null) {
+                continue;
+            }
+            double[] ofOthers = log.clone();
+            for (int i = 0; i < log.length; i++) {
+                ofOthers[i] -= logSquareness(m, i);
+            }
+            NoiseBelief belief = new NoiseBelief(added, ofOthers);
+            double chance = 0;
+            for (int i = 0; i < log.length; i++) {
+                chance += belief.weight(i)
+                        * Math.exp(-0.5 * m.squareness.chiSquare(added.variancePx2(AddedNoise.atNode(i))));
+            }
+            if (chance < level / told) {
+                found.put(entry.getKey(), Math.sqrt(0.5
+                        * m.squareness.chiSquare(added.variancePx2(belief.ofMeanVariance()))));
+            }
+        }
+        List<Map.Entry<Integer, Double>> worstFirst = new ArrayList<>(found.entrySet());
+        worstFirst.sort((a, b) -> Double.compare(b.getValue(), a.getValue()));
+        found.clear();
+        worstFirst.forEach(e -> found.put(e.getKey(), e.getValue()));
+        return found;
+    }
+
+    /**
      * Sets markers aside whose corners fit no square as well as the others' do.
      *
      * @return errors in which these have a covariance of their own; the same where there are none, too few markers to

@@ -23,6 +23,15 @@ public enum CheckWarning implements WarningKind {
     /** The corners of one marker are not as precise as stated: its id, how many times noisier, stated deviation, px. */
     MARKER_NOISIER_THAN_STATED("the corners of marker %s fit no square: they are %s times noisier than the stated %s "
             + "px, and those of the others are not (is it covered, smudged, bent, or has it a glint?)"),
+    /** The corners of one marker fit no square, by what the others say of the noise: its id, how many times worse. */
+    MARKER_NO_SQUARE("the corners of marker %s fit no square: %s times worse than those of the others, which no noise "
+            + "that these leave open explains; no target counts as met until they do"),
+    /** Two markers in one place of the photo: ids. */
+    MARKERS_IN_ONE_PLACE("markers %s and %s are seen in one place, where at most one of them can be: one is misread, "
+            + "or the detections are not of one photo"),
+    /** Two references in one place of the cell file: ids. */
+    REFERENCES_IN_ONE_PLACE("the cell file has references %s and %s in one place, where at most one of them can be: "
+            + "correct the position of one"),
     /** References together fit worse than stated: how many times, chi-square, degrees of freedom. */
     REFERENCES_DO_NOT_FIT("the references together fit %s times worse than their stated precision and corner noise let "
             + "expect (chi-square %s of %s), and no single one stands out: measure their positions again, or state a "
