@@ -12,7 +12,7 @@ import org.cellgauge.cell.MarkerFamily;
  * own generators draw, so that a marker here is what a user of BoofCV prints. Every family is a square lattice of equal
  * cells, a border of black ones around the code.
  */
-final class FamilyPatterns {
+public final class FamilyPatterns {
     private static final int PIXELS_PER_CELL = 4;
     /** BoofCV's default border of square-binary markers is a quarter of the width: two of eight cells. */
     private static final int BINARY_CELLS = 8;
@@ -27,7 +27,7 @@ final class FamilyPatterns {
      *
      * @param family any family
      */
-    FamilyPatterns(MarkerFamily family) {
+    public FamilyPatterns(MarkerFamily family) {
         this.family = family;
         if (family.isSquareBinary()) {
             dictionary = null;
@@ -40,7 +40,7 @@ final class FamilyPatterns {
     }
 
     /** Cells along an edge, border included. */
-    int cells() {
+    public int cells() {
         return cells;
     }
 
@@ -50,7 +50,7 @@ final class FamilyPatterns {
      * @param id an id of the family
      * @return cells x cells values row by row from the top left, true for white
      */
-    boolean[] white(int id) {
+    public boolean[] white(int id) {
         int width = cells * PIXELS_PER_CELL;
         FiducialImageEngine engine = new FiducialImageEngine();
         engine.configure(0, width);
