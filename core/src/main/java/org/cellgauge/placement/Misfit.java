@@ -17,6 +17,8 @@ public final class Misfit {
         ONE_PLACE_IN_PHOTO,
         /** Nothing; the cell file has {@link Misfit#markerId()} and {@link Misfit#otherId()} in one place. */
         ONE_PLACE_IN_CELL,
+        /** Nothing; chains and Laplace's approximation of the same figures are far apart. */
+        CHAINS_APART,
         /** Stated placements and corner noise together, and no single reference stands out. */
         REFERENCES
     }
@@ -56,6 +58,16 @@ public final class Misfit {
                 OptionalInt.of(otherId), Double.NaN, Double.NaN, Double.NaN);
     }
 
+    /**
+     * A misfit of the model with itself.
+     *
+     * @return one of the kind {@link Kind#CHAINS_APART}
+     */
+    public static Misfit ofChains() {
+        return new Misfit(Kind.CHAINS_APART, OptionalInt.empty(), OptionalInt.empty(), Double.NaN, Double.NaN,
+                Double.NaN);
+    }
+
     static Misfit ofReferences(double times) {
         return new Misfit(Kind.REFERENCES, OptionalInt.empty(), OptionalInt.empty(), times, Double.NaN, Double.NaN);
     }
@@ -91,7 +103,7 @@ public final class Misfit {
      * How many times worse than stated the fit is: root of chi-square by its degrees of freedom. For {@link
      * Kind#NO_SQUARE}, than that of the others.
      *
-     * @return more than 1; NaN where two markers are in one place
+     * @return more than 1; NaN where there is no such figure
      */
     public double times() {
         return times;
@@ -133,6 +145,9 @@ public final class Misfit {
             case ONE_PLACE_IN_PHOTO:
                 return String.format(Locale.ROOT, " But markers %d and %d are seen in one place: one of the two is "
                         + "misread.", markerId.getAsInt(), otherId.getAsInt());
+            case CHAINS_APART:
+                return " But chains and Laplace's approximation are far apart: state smaller placement deviations, or "
+                        + "add references.";
             case ONE_PLACE_IN_CELL:
                 return String.format(Locale.ROOT, " But the cell file has references %d and %d in one place: correct "
                         + "the position of one.", markerId.getAsInt(), otherId.getAsInt());

@@ -30,16 +30,16 @@ import org.cellgauge.warning.Warning;
  */
 public final class NoiseFit {
     /** Chance that a photo as stated fails the test of all markers together. */
-    static final double LEVEL_TOGETHER = 0.001;
+    static final double LEVEL_TOGETHER = 0.0018;
     /** Chance that any marker of a photo as stated fails the test of it alone. */
-    static final double LEVEL_ALONE = 0.001;
+    static final double LEVEL_ALONE = 0.0002;
     /** Chance that a photo as stated fails; with that of {@link DirectionScore#LEVEL} below 1 in 100. */
     public static final double LEVEL = LEVEL_TOGETHER + LEVEL_ALONE;
     /** Share of photos in which corners are less noisy than what references are then tested with. */
     private static final double CONFIDENCE = 0.95;
     /** Chance of calling one of several equally noisy markers the only bad one. */
     private static final double OUTLIER_LEVEL = 0.01;
-    /** Markers but for one that fit as stated no worse than this let it count as the only bad one. */
+    /** Markers but for bad ones that fit as stated no worse than this let these count as the only bad ones. */
     private static final double USUAL = 0.05;
     /** How far about their prior means unknown focal lengths are searched, and in which steps. */
     private static final double SEARCHED_STDS = 3;
@@ -165,38 +165,31 @@ public final class NoiseFit {
     }
 
     /**
-     * Markers that are out of line with the others (F test) where these fit as stated: those that fail the test of one
-     * marker, or the worst where only all together fail.
+     * The fewest markers, the worst ones and half of all at most, without which the others fit as stated; none if they
+     * are not out of line with these (F test), so that it is the noise of all.
      */
     private List<Integer> badOnes() {
-        List<Integer> bad = new ArrayList<>();
-        int worst = -1;
+        if (holds()) {
+            return new ArrayList<>();
+        }
+        List<Integer> worstFirst = new ArrayList<>(markers.keySet());
+        worstFirst.sort((a, b) -> Double.compare(markers.get(b), markers.get(a)));
         double ofRest = chiSquare;
-        double least = Double.POSITIVE_INFINITY;
-        for (Map.Entry<Integer, Double> marker : markers.entrySet()) {
-            worst = worst < 0 || marker.getValue() > markers.get(worst) ? marker.getKey() : worst;
-            if (!holdsAlone(marker.getValue())) {
-                bad.add(marker.getKey());
+        for (int k = 1; 2 * k <= worstFirst.size(); k++) {
+            ofRest -= markers.get(worstFirst.get(k - 1));
+            int rest = 2 * (worstFirst.size() - k);
+            boolean othersFit = p(ofRest, rest) > USUAL;
+            for (int other : worstFirst.subList(k, worstFirst.size())) {
+                othersFit &= holdsAlone(markers.get(other));
+            }
+            if (othersFit) {
+                double limit = new FDistribution(null, 2, rest)
+                        .inverseCumulativeProbability(1 - OUTLIER_LEVEL / worstFirst.size());
+                return (chiSquare - ofRest) / (2 * k) > limit * ofRest / rest ? new ArrayList<>(worstFirst.subList(0, k))
+                        : new ArrayList<>();
             }
         }
-        if (bad.isEmpty() && !holds()) {
-            bad.add(worst);
-        }
-        for (int id : bad) {
-            ofRest -= markers.get(id);
-            least = Math.min(least, markers.get(id));
-        }
-        int rest = 2 * (markers.size() - bad.size());
-        if (bad.isEmpty() || rest == 0) {
-            return new ArrayList<>();
-        }
-        double limit = new FDistribution(null, 2, rest).inverseCumulativeProbability(1 - OUTLIER_LEVEL
-                / markers.size());
-        if (least / 2 <= limit * ofRest / rest || p(ofRest, rest) <= USUAL) {
-            return new ArrayList<>();
-        }
-        bad.sort((a, b) -> Double.compare(markers.get(b), markers.get(a)));
-        return bad;
+        return new ArrayList<>();
     }
 
     /** The test of one marker; chi-square of 2 degrees of freedom is beyond x with the chance exp(-x / 2). */
@@ -293,20 +286,31 @@ public final class NoiseFit {
     }
 
     /**
-     * Factors on the variances of corners with which references can be tested although the noise is not as stated: of
-     * the bad markers alone, otherwise the upper limit of 95 % of what the squares of all markers show.
+     * Factors on the variances of the corners of {@link #outliers()} and of all that fail alone with which regions hold
+     * all the same: half of chi-square is the factor that would make them usual, 2 degrees of freedom tell it so poorly
+     * that regions need twice that.
      *
-     * @return by marker id; empty where the noise holds
+     * @return by marker id; empty where the noise is not stated
+     */
+    public Map<Integer, Double> inflationOfOutliers() {
+        Map<Integer, Double> factors = new LinkedHashMap<>();
+        markers.forEach((id, squares) -> {
+            if (outliers.contains(id) || !holdsAlone(squares)) {
+                factors.put(id, Math.max(LEAST_INFLATION, squares));
+            }
+        });
+        return factors;
+    }
+
+    /**
+     * Factors on the variances of corners with which references can be tested although no single marker is why the
+     * noise is not as stated: the upper limit of 95 % of what the squares of all show.
+     *
+     * @return by marker id; empty where the noise holds but for outliers
      */
     public Map<Integer, Double> inflation() {
         Map<Integer, Double> factors = new LinkedHashMap<>();
-        if (!tested()) {
-            return factors;
-        }
-        for (int id : outliers) {
-            factors.put(id, Math.max(LEAST_INFLATION, markers.get(id)));
-        }
-        if (outliers.isEmpty() && !holds()) {
+        if (tested() && outliers.isEmpty() && !holds()) {
             double factor = chiSquare / CoverageRegion.chiSquareQuantile(1 - CONFIDENCE, degreesOfFreedom());
             markers.keySet().forEach(id -> factors.put(id, factor));
         }

@@ -42,6 +42,16 @@ public enum CheckWarning implements WarningKind {
     TURNS_TOO_LOOSE("reference %s may be turned farther than the model can follow (side in px times squared turn in "
             + "rad over corner noise in px is up to %s, and the model holds to about %s): figures may be off; state a "
             + "smaller std_deg after measuring how it is mounted"),
+    /** References whose places are stated loosely: ids, largest deviation as a share of the distance, %. */
+    PLACES_WIDE("reference %s may stand off by up to %s %% of its distance from the camera, as stated: what the result "
+            + "says is that uncertain, and rests on nothing else; measure the place"),
+    /**
+     * Chains do not confirm Laplace's approximation: by what they differ most, for which coordinate; how many times as
+     * large the deviation is, by how many deviations the mean is off.
+     */
+    CHAINS_APART("chains and Laplace's approximation are apart: the standard deviation of %s is %s times as large, its "
+            + "mean %s deviations off; the photo leaves too much open for a model that is linear in placement errors: "
+            + "state smaller placement deviations, or add references"),
     /** A reference that no pose explains along with the others: id. */
     REFERENCE_LEFT_OUT("reference %s is left out: its corners are nowhere near where the other references put it; "
             + "check its id and position in the cell file"),

@@ -444,6 +444,31 @@ public final class CornerErrors {
     }
 
     /**
+     * The same errors with some markers set aside: with covariances of their own, scaled up.
+     *
+     * @param factors factors on the covariances by marker id, 2 (times worse)² each at most where corners are that many
+     *     times worse than stated
+     * @return errors of which the other markers' are what they were
+     */
+    public CornerErrors withSetAside(Map<Integer, Double> factors) {
+        if (factors.isEmpty()) {
+            return this;
+        }
+        Map<Integer, MarkerErrors> out = new LinkedHashMap<>(markers);
+        Map<Integer, Double> times = new LinkedHashMap<>(inflations);
+        factors.forEach((id, factor) -> {
+            double[] covariance = markers.get(id).covariancePx2.clone();
+            for (int i = 0; i < 64; i++) {
+                covariance[i] *= factor;
+            }
+            out.put(id, markers.get(id).setAside(covariance));
+            times.put(id, Math.sqrt(factor / 2));
+        });
+        return new CornerErrors(Collections.unmodifiableMap(out), statedStdPx, added, edges, sizesMm, sizeStdMm,
+                unknowns, Collections.unmodifiableMap(times));
+    }
+
+    /**
      * The same errors with some covariances scaled up, for corners that are seen to be worse than stated.
      *
      * @param factors factors on the covariances by marker id; markers without one keep theirs
@@ -466,9 +491,10 @@ public final class CornerErrors {
      * Whether every corner has the same stated deviation and nothing else is unknown.
      *
      * @return true for a cell that states a number, flat prints of known size and a photo whose edges are not in doubt
+     *     and that shows no marker set aside
      */
     public boolean isPlain() {
-        return !Double.isNaN(statedStdPx) && unknowns == 0 && !hasFlatness();
+        return !Double.isNaN(statedStdPx) && unknowns == 0 && !hasFlatness() && inflations.isEmpty();
     }
 
     /**
