@@ -13,10 +13,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * How far chains and Laplace's approximation are apart; immutable.
  *
- * <p>They are two ways to the same figures. Where the posterior is not Gaussian the chains correct the approximation, by
- * a fifth with two references placed to 20 mm; where they are apart by far, a model that is linear in placement errors
- * is used beyond where it holds, and neither is to be trusted silently. Compared are positions of the camera, objects
- * and gripping points, of poses without a second mode, and what Monte Carlo errors explain is taken off.
+ * <p>They are two ways to the same figures. Where the posterior is not Gaussian the chains correct the approximation,
+ * by a fifth with two references placed to 20 mm; where they are apart by far, a model that is linear in placement
+ * errors is used beyond where it holds, and neither is to be trusted silently. Compared are positions of the camera,
+ * objects and gripping points, of poses without a second mode, and what Monte Carlo errors explain is taken off.
  */
 final class ChainsAgainstLaplace {
     /** Factor between standard deviations, and distance of means in them, from which on it is said. */

@@ -185,8 +185,8 @@ public final class NoiseFit {
             if (othersFit) {
                 double limit = new FDistribution(null, 2, rest)
                         .inverseCumulativeProbability(1 - OUTLIER_LEVEL / worstFirst.size());
-                return (chiSquare - ofRest) / (2 * k) > limit * ofRest / rest ? new ArrayList<>(worstFirst.subList(0, k))
-                        : new ArrayList<>();
+                return (chiSquare - ofRest) / (2 * k) > limit * ofRest / rest
+                        ? new ArrayList<>(worstFirst.subList(0, k)) : new ArrayList<>();
             }
         }
         return new ArrayList<>();

@@ -121,7 +121,8 @@ class NoiseFitTest {
         }
         reporter.publishEntry("0.1 px stated, 0.3 px true", failed + " of " + cells + " fail, " + accusing
                 + " accuse a reference, " + times + " times");
-        assertEquals(cells, failed);
+        // chi-square of 14, nine times as large, is beyond its limit of 34.2 with the chance 0.997
+        assertTrue(failed >= BinomialBand.of(cells, 0.997, 0.998).lower(), failed + " of " + cells + " fail");
         // one in a hundred is what a cell as stated is allowed
         assertTrue(accusing <= BinomialBand.of(cells, 0.01, 0.998).upper(), accusing + " accuse a reference");
         assertEquals(3, times, 0.3);
