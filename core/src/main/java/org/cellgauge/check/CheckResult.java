@@ -47,7 +47,8 @@ public final class CheckResult {
         this.modes = sampled.quickLook.modes;
         this.referenceCheck = referenceCheck;
         this.warnings = Collections.unmodifiableList(warnings);
-        this.judgement = new Judgement(cell, sampled.estimate, sampled.diagnostics, referenceCheck);
+        this.judgement = new Judgement(cell, sampled.estimate, sampled.diagnostics, referenceCheck,
+                sampled.againstLaplace());
         this.verdict = judgement.verdict();
         this.finding = judgement.finding();
         this.noise = NoiseEstimate.of(modes.observed.errors, modes.camera.noiseLevel, sampled.draws,
@@ -71,6 +72,10 @@ public final class CheckResult {
         Warning open = modes.directionOpen();
         if (open != null) {
             warnings.add(open);
+        }
+        Warning apart = sampled.againstLaplace().warning();
+        if (apart != null) {
+            warnings.add(apart);
         }
         Quantity leastPrecise = diagnostics.leastPreciseParameter();
         if (leastPrecise != null && diagnostics.converged() && !settings.sampling().iterations().isPresent()

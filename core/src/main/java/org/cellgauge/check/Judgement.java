@@ -43,9 +43,11 @@ final class Judgement {
      * @param estimate what the chains say
      * @param diagnostics their convergence
      * @param references whether the references fit together: a target must hold whether they are right or not
+     * @param againstLaplace how far the chains are from Laplace's approximation
      */
-    Judgement(Cell cell, CellEstimate estimate, Diagnostics diagnostics, ReferenceCheck references) {
-        this.misfit = references.misfit();
+    Judgement(Cell cell, CellEstimate estimate, Diagnostics diagnostics, ReferenceCheck references,
+            ChainsAgainstLaplace againstLaplace) {
+        this.misfit = references.contradicted() ? references.misfit() : againstLaplace.misfit();
         this.estimate = estimate;
         this.diagnostics = diagnostics;
         this.references = references;

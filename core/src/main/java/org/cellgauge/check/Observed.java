@@ -8,12 +8,16 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.internal.chains.RandomPaths;
 import org.cellgauge.internal.pose.CornerErrors;
+import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.pose.NoiseBelief;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.placement.NoiseFit;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.LikelihoodModel;
+import org.cellgauge.settings.ObjectNoise;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.CheckRefusal;
@@ -27,14 +31,17 @@ final class Observed {
     final Cell cell;
     final Detections detections;
     final CheckSettings settings;
+    /** Whether corners are of squares, as precise as stated. */
+    final NoiseFit noiseFit;
     /** What is known of the corners' errors, in the terms that the model knows. */
     final CornerErrors errors;
     /** The added noise by the squareness of markers alone: the u of {@link org.cellgauge.internal.pose.AddedNoise}. */
     final double noiseLevel;
     final List<Warning> warnings;
 
-    private Observed(Cell cell, Detections detections, CheckSettings settings, CornerErrors errors, double noiseLevel,
-            List<Warning> warnings) {
+    private Observed(Cell cell, Detections detections, CheckSettings settings, NoiseFit noiseFit,
+            CornerErrors errors, double noiseLevel, List<Warning> warnings) {
+        this.noiseFit = noiseFit;
         this.cell = cell;
         this.detections = detections;
         this.settings = settings;
@@ -69,8 +76,21 @@ final class Observed {
             warnings.add(noiseWarning(found.squarenessBelief()));
         }
         // the thesis' likelihood has no corner noise for shared errors to be a part of
-        CornerErrors errors = found.isPlain() || rigid ? found : found.fixedAt(noiseLevel);
-        return new Observed(cell, detections, settings, errors, noiseLevel, warnings);
+        NoiseFit noiseFit = noiseFit(cell, found, settings);
+        CornerErrors kept = found.withSetAside(noiseFit.inflationOfOutliers());
+        CornerErrors errors = kept.isPlain() || rigid ? kept : kept.fixedAt(noiseLevel);
+        return new Observed(cell, detections, settings, noiseFit, errors, noiseLevel, warnings);
+    }
+
+    private static NoiseFit noiseFit(Cell cell, CornerErrors errors, CheckSettings settings) {
+        // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
+        if (settings.model().likelihood() != LikelihoodModel.RIGID_MARKER
+                && settings.model().objectNoise() == ObjectNoise.NONE) {
+            return NoiseFit.untested();
+        }
+        return settings.model().estimate() == Estimate.FOCAL
+                ? NoiseFit.ofUnknownFocal(cell, errors, IntrinsicsPrior.stated(cell.camera(), settings.model()))
+                : NoiseFit.of(cell, errors, cell.camera());
     }
 
     private static void warnOfReferencesNotSeen(Cell cell, Detections detections, List<Warning> warnings) {

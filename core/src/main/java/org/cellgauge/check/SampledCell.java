@@ -5,6 +5,7 @@ import java.util.List;
 import org.cellgauge.internal.chains.CellQuantities;
 import org.cellgauge.internal.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.Draws;
+import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.warning.Warning;
 
@@ -39,5 +40,11 @@ final class SampledCell {
     /** Whether the target asked of the Monte Carlo errors is reached. */
     boolean preciseEnough() {
         return ChainRun.preciseEnough(diagnostics, quickLook.modes.observed.settings);
+    }
+
+    /** How far its draws are from Laplace's approximation; nothing where corners are the thesis' boxes. */
+    ChainsAgainstLaplace againstLaplace() {
+        return quickLook.modes.observed.settings.model().likelihood() == LikelihoodModel.RIGID_MARKER
+                ? ChainsAgainstLaplace.of(estimate, quickLook.estimate(), diagnostics) : ChainsAgainstLaplace.none();
     }
 }

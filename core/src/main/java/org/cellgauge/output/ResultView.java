@@ -188,7 +188,7 @@ public final class ResultView {
         OptionalDouble target = result.cell().targetStdMm();
         return !isTrusted(result.verdict()) ? result.verdict()
                 : !target.isPresent() ? Verdict.NO_TARGET
-                : judgedMm <= target.getAsDouble() ? Verdict.PASS : Verdict.FAIL;
+                : judgedMm <= target.getAsDouble() && result.finding().misfit() == null ? Verdict.PASS : Verdict.FAIL;
     }
 
     private static boolean isTrusted(Verdict verdict) {

@@ -14,6 +14,14 @@ public final class Misfit {
         NOISE,
         /** The same of the one marker {@link Misfit#markerId()} alone. */
         MARKER,
+        /** That the corners of {@link Misfit#markerId()} are of a square, by how square the others are. */
+        NO_SQUARE,
+        /** That {@link Misfit#markerId()} and {@link Misfit#otherId()} are two markers: they are in one place of it. */
+        ONE_PLACE_IN_PHOTO,
+        /** Nothing; the cell file has {@link Misfit#markerId()} and {@link Misfit#otherId()} in one place. */
+        ONE_PLACE_IN_CELL,
+        /** Nothing; chains and Laplace's approximation of the same figures are far apart. */
+        CHAINS_APART,
         /** Stated placements and corner noise together, and no single reference stands out. */
         REFERENCES,
         /** What is stated, by the cause {@link Misfit#cause()}. */
@@ -24,39 +32,63 @@ public final class Misfit {
 
     private final Kind kind;
     private final OptionalInt markerId;
+    private final OptionalInt otherId;
     private final double times;
     private final double statedStdPx;
     private final double shownStdPx;
     private final @Nullable Explanation cause;
 
-    private Misfit(Kind kind, OptionalInt markerId, double times, double statedStdPx, double shownStdPx,
-            @Nullable Explanation cause) {
+    private Misfit(Kind kind, OptionalInt markerId, OptionalInt otherId, double times, double statedStdPx,
+            double shownStdPx, @Nullable Explanation cause) {
         this.cause = cause;
         this.kind = kind;
         this.markerId = markerId;
+        this.otherId = otherId;
         this.times = times;
         this.statedStdPx = statedStdPx;
         this.shownStdPx = shownStdPx;
     }
 
     static Misfit ofNoise(double times, double statedStdPx, double shownStdPx) {
-        return new Misfit(Kind.NOISE, OptionalInt.empty(), times, statedStdPx, shownStdPx, null);
+        return new Misfit(Kind.NOISE, OptionalInt.empty(), OptionalInt.empty(), times, statedStdPx, shownStdPx, null);
     }
 
     static Misfit ofMarker(int markerId, double times, double statedStdPx) {
-        return new Misfit(Kind.MARKER, OptionalInt.of(markerId), times, statedStdPx, Double.NaN, null);
+        return new Misfit(Kind.MARKER, OptionalInt.of(markerId), OptionalInt.empty(), times, statedStdPx, Double.NaN, null);
+    }
+
+    static Misfit ofNoSquare(int markerId, double times) {
+        return new Misfit(Kind.NO_SQUARE, OptionalInt.of(markerId), OptionalInt.empty(), times, Double.NaN,
+                Double.NaN, null);
+    }
+
+    static Misfit ofOverlap(boolean inPhoto, int markerId, int otherId) {
+        return new Misfit(inPhoto ? Kind.ONE_PLACE_IN_PHOTO : Kind.ONE_PLACE_IN_CELL, OptionalInt.of(markerId),
+                OptionalInt.of(otherId), Double.NaN, Double.NaN, Double.NaN, null);
+    }
+
+    /**
+     * A misfit of the model with itself.
+     *
+     * @return one of the kind {@link Kind#CHAINS_APART}
+     */
+    public static Misfit ofChains() {
+        return new Misfit(Kind.CHAINS_APART, OptionalInt.empty(), OptionalInt.empty(), Double.NaN, Double.NaN,
+                Double.NaN, null);
     }
 
     static Misfit ofReferences(double times) {
-        return new Misfit(Kind.REFERENCES, OptionalInt.empty(), times, Double.NaN, Double.NaN, null);
+        return new Misfit(Kind.REFERENCES, OptionalInt.empty(), OptionalInt.empty(), times, Double.NaN, Double.NaN, null);
     }
 
     static Misfit ofCause(Explanation cause) {
-        return new Misfit(Kind.CAUSE, OptionalInt.empty(), Double.NaN, Double.NaN, Double.NaN, cause);
+        return new Misfit(Kind.CAUSE, OptionalInt.empty(), OptionalInt.empty(), Double.NaN, Double.NaN, Double.NaN,
+                cause);
     }
 
     static Misfit ofContradiction() {
-        return new Misfit(Kind.CONTRADICTION, OptionalInt.empty(), Double.NaN, Double.NaN, Double.NaN, null);
+        return new Misfit(Kind.CONTRADICTION, OptionalInt.empty(), OptionalInt.empty(), Double.NaN, Double.NaN,
+                Double.NaN, null);
     }
 
     /**
@@ -69,9 +101,9 @@ public final class Misfit {
     }
 
     /**
-     * The one marker whose corners are worse than stated.
+     * The marker that is out of line.
      *
-     * @return its id; empty but for {@link Kind#MARKER}
+     * @return its id; empty where all corners or references are
      */
     public OptionalInt markerId() {
         return markerId;
@@ -87,9 +119,19 @@ public final class Misfit {
     }
 
     /**
-     * How many times worse than stated the fit is: root of chi-square by its degrees of freedom.
+     * The marker in the same place.
      *
-     * @return more than 1; NaN for {@link Kind#CAUSE} and {@link Kind#CONTRADICTION}
+     * @return its id; empty where no two are in one place
+     */
+    public OptionalInt otherId() {
+        return otherId;
+    }
+
+    /**
+     * How many times worse than stated the fit is: root of chi-square by its degrees of freedom. For {@link
+     * Kind#NO_SQUARE}, than that of the others.
+     *
+     * @return more than 1; NaN where there is no such figure
      */
     public double times() {
         return times;
@@ -127,6 +169,19 @@ public final class Misfit {
             case CAUSE:
             case CONTRADICTION:
                 return " But " + contradiction();
+            case NO_SQUARE:
+                return String.format(Locale.ROOT, " But the corners of marker %d fit no square, %.1f times worse than "
+                        + "those of the others: see whether it is covered, smudged or bent.", markerId.getAsInt(),
+                        times);
+            case ONE_PLACE_IN_PHOTO:
+                return String.format(Locale.ROOT, " But markers %d and %d are seen in one place: one of the two is "
+                        + "misread.", markerId.getAsInt(), otherId.getAsInt());
+            case CHAINS_APART:
+                return " But chains and Laplace's approximation are far apart: state smaller placement deviations, or "
+                        + "add references.";
+            case ONE_PLACE_IN_CELL:
+                return String.format(Locale.ROOT, " But the cell file has references %d and %d in one place: correct "
+                        + "the position of one.", markerId.getAsInt(), otherId.getAsInt());
             default:
                 return String.format(Locale.ROOT, " But the references together fit %.1f times worse than stated: "
                         + "measure their positions again.", times);

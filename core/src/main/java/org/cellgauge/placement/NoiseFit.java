@@ -5,7 +5,6 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.FDistribution;
 import org.cellgauge.cell.Cell;
@@ -25,20 +24,23 @@ import org.cellgauge.warning.Warning;
  * <p>Eight coordinates of a marker less the six of its pose leave two that neither pose, placement nor size explains:
  * over all markers of the cell that the photo shows their squares are chi-square distributed if the noise is as stated
  * (global test of a network by its variance factor, here by its part that no placement error reaches: Baarda, "A
- * testing procedure for use in geodetic networks", 1968). A noise that nobody states is learned from the same squares
- * and has nothing to be held against.
+ * testing procedure for use in geodetic networks", 1968). Each marker is held against it alone as well: among
+ * many, one that is far off would hide in the sum. A noise that nobody states is learned from the same squares; each
+ * marker is held against what those of the others say of it.
  */
 public final class NoiseFit {
-    /** Chance that a photo as stated fails the test; with that of {@link DirectionScore#LEVEL} below 1 in 100. */
-    public static final double LEVEL = 0.002;
+    /** Chance that a photo as stated fails the test of all markers together. */
+    static final double LEVEL_TOGETHER = 0.0018;
+    /** Chance that any marker of a photo as stated fails the test of it alone. */
+    static final double LEVEL_ALONE = 0.0002;
+    /** Chance that a photo as stated fails; with that of {@link DirectionScore#LEVEL} below 1 in 100. */
+    public static final double LEVEL = LEVEL_TOGETHER + LEVEL_ALONE;
     /** Share of photos in which corners are less noisy than what references are then tested with. */
     private static final double CONFIDENCE = 0.95;
     /** Chance of calling one of several equally noisy markers the only bad one. */
     private static final double OUTLIER_LEVEL = 0.01;
-    /** Markers but for one that fit as stated no worse than this let it count as the only bad one. */
+    /** Markers but for bad ones that fit as stated no worse than this let these count as the only bad ones. */
     private static final double USUAL = 0.05;
-    /** Fewer markers than this cannot say which of them is out of line. */
-    private static final int LEAST_MARKERS = 3;
     /** How far about their prior means unknown focal lengths are searched, and in which steps. */
     private static final double SEARCHED_STDS = 3;
     private static final double FIRST_STEP_STDS = 0.25;
@@ -49,17 +51,19 @@ public final class NoiseFit {
     private final double statedStdPx;
     private final Map<Integer, Double> markers;
     private final double chiSquare;
-    private final OptionalInt outlier;
+    private final List<Integer> outliers;
+    private final Map<Integer, Double> noSquares;
 
-    private NoiseFit(double statedStdPx, Map<Integer, Double> markers) {
+    private NoiseFit(double statedStdPx, Map<Integer, Double> markers, Map<Integer, Double> noSquares) {
         this.statedStdPx = statedStdPx;
         this.markers = Collections.unmodifiableMap(markers);
+        this.noSquares = Collections.unmodifiableMap(noSquares);
         double sum = 0;
         for (double squares : markers.values()) {
             sum += squares;
         }
         chiSquare = sum;
-        outlier = holds() ? OptionalInt.empty() : onlyBadOne();
+        outliers = Collections.unmodifiableList(tested() ? badOnes() : new ArrayList<>(noSquares.keySet()));
     }
 
     /**
@@ -70,6 +74,9 @@ public final class NoiseFit {
      * @param lens intrinsics, as estimated where they are unknown
      */
     public static NoiseFit of(Cell cell, CornerErrors errors, PinholeCamera lens) {
+        if (errors.added() != null) {
+            return new NoiseFit(Double.NaN, Collections.emptyMap(), errors.noSquares(LEVEL));
+        }
         Map<Integer, Double> markers = new LinkedHashMap<>();
         if (!Double.isNaN(errors.statedStdPx())) {
             for (Reference reference : cell.references()) {
@@ -79,7 +86,7 @@ public final class NoiseFit {
                 add(object.id(), object.sizeMm(), errors, lens, markers);
             }
         }
-        return new NoiseFit(errors.statedStdPx(), markers);
+        return new NoiseFit(errors.statedStdPx(), markers, Collections.emptyMap());
     }
 
     /**
@@ -92,6 +99,9 @@ public final class NoiseFit {
      * @param prior of the unknown intrinsics
      */
     public static NoiseFit ofUnknownFocal(Cell cell, CornerErrors errors, IntrinsicsPrior prior) {
+        if (errors.added() != null) {
+            return of(cell, errors, cell.camera());
+        }
         double[] at = new double[prior.count()];
         NoiseFit best = null;
         for (double k = -SEARCHED_STDS; k <= SEARCHED_STDS; k += FIRST_STEP_STDS) {
@@ -139,12 +149,12 @@ public final class NoiseFit {
      * @param markers chi-square of each marker, by id
      */
     public static NoiseFit of(double statedStdPx, Map<Integer, Double> markers) {
-        return new NoiseFit(statedStdPx, new LinkedHashMap<>(markers));
+        return new NoiseFit(statedStdPx, new LinkedHashMap<>(markers), Collections.emptyMap());
     }
 
     /** A test that nothing is held against. */
     public static NoiseFit untested() {
-        return new NoiseFit(Double.NaN, Collections.emptyMap());
+        return new NoiseFit(Double.NaN, Collections.emptyMap(), Collections.emptyMap());
     }
 
     private static void add(int id, double sizeMm, CornerErrors errors, PinholeCamera lens, Map<Integer, Double> to) {
@@ -154,26 +164,37 @@ public final class NoiseFit {
         }
     }
 
-    /** The marker that is out of line with the others (F test), where these fit as stated. */
-    private OptionalInt onlyBadOne() {
-        int count = markers.size();
-        if (count < LEAST_MARKERS) {
-            return OptionalInt.empty();
+    /**
+     * The fewest markers, the worst ones and half of all at most, without which the others fit as stated; none if they
+     * are not out of line with these (F test), so that it is the noise of all.
+     */
+    private List<Integer> badOnes() {
+        if (holds()) {
+            return new ArrayList<>();
         }
-        int worst = worst();
-        int rest = 2 * (count - 1);
-        double ofRest = chiSquare - markers.get(worst);
-        double limit = new FDistribution(null, 2, rest).inverseCumulativeProbability(1 - OUTLIER_LEVEL / count);
-        return markers.get(worst) / 2 > limit * ofRest / rest && p(ofRest, rest) > USUAL
-                ? OptionalInt.of(worst) : OptionalInt.empty();
+        List<Integer> worstFirst = new ArrayList<>(markers.keySet());
+        worstFirst.sort((a, b) -> Double.compare(markers.get(b), markers.get(a)));
+        double ofRest = chiSquare;
+        for (int k = 1; 2 * k <= worstFirst.size(); k++) {
+            ofRest -= markers.get(worstFirst.get(k - 1));
+            int rest = 2 * (worstFirst.size() - k);
+            boolean othersFit = p(ofRest, rest) > USUAL;
+            for (int other : worstFirst.subList(k, worstFirst.size())) {
+                othersFit &= holdsAlone(markers.get(other));
+            }
+            if (othersFit) {
+                double limit = new FDistribution(null, 2, rest)
+                        .inverseCumulativeProbability(1 - OUTLIER_LEVEL / worstFirst.size());
+                return (chiSquare - ofRest) / (2 * k) > limit * ofRest / rest
+                        ? new ArrayList<>(worstFirst.subList(0, k)) : new ArrayList<>();
+            }
+        }
+        return new ArrayList<>();
     }
 
-    private int worst() {
-        int worst = -1;
-        for (Map.Entry<Integer, Double> marker : markers.entrySet()) {
-            worst = worst < 0 || marker.getValue() > markers.get(worst) ? marker.getKey() : worst;
-        }
-        return worst;
+    /** The test of one marker; chi-square of 2 degrees of freedom is beyond x with the chance exp(-x / 2). */
+    private boolean holdsAlone(double squares) {
+        return Math.exp(-squares / 2) >= LEVEL_ALONE / markers.size();
     }
 
     private static double p(double chiSquare, int degreesOfFreedom) {
@@ -217,12 +238,14 @@ public final class NoiseFit {
     }
 
     /**
-     * Whether the corners may be as precise as stated.
+     * Whether the corners of every marker may be of a square, as precise as stated; where nothing is stated, as
+     * precise as those of the others.
      *
-     * @return true as well if not tested
+     * @return true as well where there is nothing to test
      */
     public boolean holds() {
-        return !tested() || pValue() >= LEVEL;
+        return tested() ? p(chiSquare, degreesOfFreedom()) >= LEVEL_TOGETHER
+                && markers.values().stream().allMatch(this::holdsAlone) : noSquares.isEmpty();
     }
 
     /**
@@ -244,12 +267,12 @@ public final class NoiseFit {
     }
 
     /**
-     * The one marker because of which the test fails, where the others fit as stated.
+     * The markers because of which the test fails, where the others fit as stated.
      *
-     * @return its id, mostly empty
+     * @return their ids, the worst first, unmodifiable; mostly none
      */
-    public OptionalInt outlier() {
-        return outlier;
+    public List<Integer> outliers() {
+        return outliers;
     }
 
     /**
@@ -263,17 +286,31 @@ public final class NoiseFit {
     }
 
     /**
-     * Factors on the variances of corners with which references can be tested although the noise is not as stated: of
-     * the only bad marker alone, otherwise the upper limit of 95 % of what the squares of all markers show.
+     * Factors on the variances of the corners of {@link #outliers()} and of all that fail alone with which regions hold
+     * all the same: half of chi-square is the factor that would make them usual, 2 degrees of freedom tell it so poorly
+     * that regions need twice that.
      *
-     * @return by marker id; empty where the noise holds
+     * @return by marker id; empty where the noise is not stated
+     */
+    public Map<Integer, Double> inflationOfOutliers() {
+        Map<Integer, Double> factors = new LinkedHashMap<>();
+        markers.forEach((id, squares) -> {
+            if (outliers.contains(id) || !holdsAlone(squares)) {
+                factors.put(id, Math.max(LEAST_INFLATION, squares));
+            }
+        });
+        return factors;
+    }
+
+    /**
+     * Factors on the variances of corners with which references can be tested although no single marker is why the
+     * noise is not as stated: the upper limit of 95 % of what the squares of all show.
+     *
+     * @return by marker id; empty where the noise holds but for outliers
      */
     public Map<Integer, Double> inflation() {
         Map<Integer, Double> factors = new LinkedHashMap<>();
-        if (outlier.isPresent()) {
-            int id = outlier.getAsInt();
-            factors.put(id, Math.max(LEAST_INFLATION, markers.get(id)));
-        } else if (!holds()) {
+        if (tested() && outliers.isEmpty() && !holds()) {
             double factor = chiSquare / CoverageRegion.chiSquareQuantile(1 - CONFIDENCE, degreesOfFreedom());
             markers.keySet().forEach(id -> factors.put(id, factor));
         }
@@ -283,10 +320,12 @@ public final class NoiseFit {
     /** What to tell the user. */
     List<Warning> warnings() {
         List<Warning> warnings = new ArrayList<>();
-        if (outlier.isPresent()) {
-            warnings.add(Warning.of(CheckWarning.MARKER_NOISIER_THAN_STATED, outlier.getAsInt(),
-                    Decimal.of(times(outlier.getAsInt()), 1), Decimal.of(statedStdPx, 3)));
-        } else if (!holds()) {
+        for (int id : outliers) {
+            warnings.add(tested() ? Warning.of(CheckWarning.MARKER_NOISIER_THAN_STATED, id,
+                    Decimal.of(times(id), 1), Decimal.of(statedStdPx, 3))
+                    : Warning.of(CheckWarning.MARKER_NO_SQUARE, id, Decimal.of(noSquares.get(id), 1)));
+        }
+        if (outliers.isEmpty() && !holds()) {
             warnings.add(Warning.of(CheckWarning.NOISIER_THAN_STATED, Decimal.of(times(), 1),
                     Decimal.of(statedStdPx, 3), Decimal.of(shownStdPx(), 3)));
         }
@@ -295,8 +334,14 @@ public final class NoiseFit {
 
     /** What it adds to a reason; null where the noise holds. */
     Misfit misfit() {
-        return holds() ? null : outlier.isPresent()
-                ? Misfit.ofMarker(outlier.getAsInt(), times(outlier.getAsInt()), statedStdPx)
-                : Misfit.ofNoise(times(), statedStdPx, shownStdPx());
+        if (holds()) {
+            return null;
+        }
+        if (outliers.isEmpty()) {
+            return Misfit.ofNoise(times(), statedStdPx, shownStdPx());
+        }
+        int worst = outliers.get(0);
+        return tested() ? Misfit.ofMarker(worst, times(worst), statedStdPx)
+                : Misfit.ofNoSquare(worst, noSquares.get(worst));
     }
 }

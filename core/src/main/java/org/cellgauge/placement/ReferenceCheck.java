@@ -53,15 +53,17 @@ public final class ReferenceCheck {
     private final NoiseFit noise;
     private final List<CauseFit> causeFits;
     private final List<Explanation> causes;
-    private final Contradiction contradiction;
+    private final @Nullable Contradiction contradiction;
+    private final List<Overlap> overlaps;
 
     private ReferenceCheck(List<ReferenceFit> fits, List<CauseFit> causeFits, List<MisplacedReference> misplaced,
             List<Explanation> causes, WithoutMisplaced without, double chiSquare, int degreesOfFreedom, NoiseFit noise,
-            Contradiction contradiction) {
+            List<Overlap> overlaps, @Nullable Contradiction contradiction) {
         this.noise = noise;
         this.causeFits = Collections.unmodifiableList(causeFits);
         this.causes = Collections.unmodifiableList(causes);
         this.contradiction = contradiction;
+        this.overlaps = Collections.unmodifiableList(overlaps);
         this.chiSquare = chiSquare;
         this.degreesOfFreedom = degreesOfFreedom;
         this.fits = Collections.unmodifiableList(fits);
@@ -75,10 +77,11 @@ public final class ReferenceCheck {
      * @param camera the camera from all of them, at a corner noise that the photo does not contradict
      * @param objects the objects seen
      * @param noise whether corners are as precise as stated
+     * @param overlaps markers in one place
      * @param contradiction what was found where no camera makes sense of the references as stated; null where one does
      */
     public static ReferenceCheck of(CameraFit camera, List<ObjectFit> objects, NoiseFit noise,
-            @Nullable Contradiction contradiction) {
+            List<Overlap> overlaps, @Nullable Contradiction contradiction) {
         PoseMode mode = camera.modes.get(0);
         // without rigid placements in the likelihood there is nothing stated that a test could hold against them
         boolean tested = camera.settings.model().likelihood() == LikelihoodModel.RIGID_MARKER;
@@ -110,7 +113,7 @@ public final class ReferenceCheck {
                 named.misplaced.isEmpty() || rest == null ? null
                         : WithoutMisplaced.of(named.leftOut, camera, rest, objects),
                 degrees > 0 ? Math.max(0, ofPlacements(rest.modes.get(0)) - named.sweptChiSquare) : Double.NaN,
-                Math.max(0, degrees), noise, contradiction);
+                Math.max(0, degrees), noise, overlaps, contradiction);
     }
 
     /** References and causes named one after another, each with the ones before it out of the way. */
@@ -345,19 +348,33 @@ public final class ReferenceCheck {
 
     /**
      * Whether the photo contradicts what all figures rest on, so that none of them can meet a target: corners are
-     * noisier than stated, or the references together fit worse than stated.
+     * noisier than stated or of no square, two markers are in one place, or the references together fit worse than
+     * stated.
      *
      * @return mostly false
      */
     public boolean contradicted() {
-        return !noise.holds() || contradictory() || !causes.isEmpty();
+        return misfit() != null;
     }
 
-    /** What that adds to a reason, the likeliest cause first; null where nothing is contradicted. */
-    public Misfit misfit() {
-        return !causes().isEmpty() ? Misfit.ofCause(causes().get(0))
+    /**
+     * What that adds to a reason: markers in one place, the likeliest cause, or how badly all fit; null where nothing is
+     * contradicted.
+     */
+    public @Nullable Misfit misfit() {
+        return !overlaps.isEmpty() ? overlaps.get(0).misfit()
+                : !causes().isEmpty() ? Misfit.ofCause(causes().get(0))
                 : contradiction != null ? Misfit.ofContradiction()
                 : !fitTogether() ? Misfit.ofReferences(timesWorse()) : noise.misfit();
+    }
+
+    /**
+     * Markers in one place.
+     *
+     * @return unmodifiable, mostly empty
+     */
+    public List<Overlap> overlaps() {
+        return overlaps;
     }
 
     /**
@@ -469,6 +486,7 @@ public final class ReferenceCheck {
     /** Warnings to the user. */
     public List<Warning> warnings() {
         List<Warning> warnings = new ArrayList<>();
+        overlaps.forEach(overlap -> warnings.add(overlap.warning()));
         causes().forEach(cause -> warnings.add(cause.warning()));
         if (contradiction != null && contradiction.explanation() == null) {
             warnings.add(Warning.of(CheckWarning.REFERENCES_CONTRADICT));

@@ -15,6 +15,13 @@ public enum CheckRefusal implements RefusalKind {
             + "cell file"),
     /** No pose of an object fits: id. */
     NO_OBJECT_POSE("the corners of object %s are of no square in front of the camera; check the order of its corners"),
+    /**
+     * A reference whose place is as good as unknown: its id, stated deviation, mm, the same as a share of the distance,
+     * %, distance from the camera, mm, largest share, %.
+     */
+    PLACE_UNKNOWN("reference %s may stand %s mm off its place (std_mm of all axes together), %s %% of its distance of "
+            + "%s mm from the camera: beyond %s %% the model says nothing; measure its place, or leave it out of the "
+            + "cell file"),
     /** Chains find no start: why, {@link CheckPhrase#INITIAL_PNP}. */
     CHAINS_CANNOT_START("the chains cannot start, %s; check the references' positions in the cell file or %s");
 

@@ -25,6 +25,15 @@ public enum CheckWarning implements WarningKind {
     /** The corners of one marker are not as precise as stated: its id, how many times noisier, stated deviation, px. */
     MARKER_NOISIER_THAN_STATED("the corners of marker %s fit no square: they are %s times noisier than the stated %s "
             + "px, and those of the others are not (is it covered, smudged, bent, or has it a glint?)"),
+    /** The corners of one marker fit no square, by what the others say of the noise: its id, how many times worse. */
+    MARKER_NO_SQUARE("the corners of marker %s fit no square: %s times worse than those of the others, which no noise "
+            + "that these leave open explains; no target counts as met until they do"),
+    /** Two markers in one place of the photo: ids. */
+    MARKERS_IN_ONE_PLACE("markers %s and %s are seen in one place, where at most one of them can be: one is misread, "
+            + "or the detections are not of one photo"),
+    /** Two references in one place of the cell file: ids. */
+    REFERENCES_IN_ONE_PLACE("the cell file has references %s and %s in one place, where at most one of them can be: "
+            + "correct the position of one"),
     /** References together fit worse than stated: how many times, chi-square, degrees of freedom. */
     REFERENCES_DO_NOT_FIT("the references together fit %s times worse than their stated precision and corner noise let "
             + "expect (chi-square %s of %s), and no single one stands out: measure their positions again, or state a "
@@ -33,6 +42,16 @@ public enum CheckWarning implements WarningKind {
     TURNS_TOO_LOOSE("reference %s may be turned farther than the model can follow (side in px times squared turn in "
             + "rad over corner noise in px is up to %s, and the model holds to about %s): figures may be off; state a "
             + "smaller std_deg after measuring how it is mounted"),
+    /** References whose places are stated loosely: ids, largest deviation as a share of the distance, %. */
+    PLACES_WIDE("reference %s may stand off by up to %s %% of its distance from the camera, as stated: what the result "
+            + "says is that uncertain, and rests on nothing else; measure the place"),
+    /**
+     * Chains do not confirm Laplace's approximation: by what they differ most, for which coordinate; how many times as
+     * large the deviation is, by how many deviations the mean is off.
+     */
+    CHAINS_APART("chains and Laplace's approximation are apart: the standard deviation of %s is %s times as large, its "
+            + "mean %s deviations off; the photo leaves too much open for a model that is linear in placement errors: "
+            + "state smaller placement deviations, or add references"),
     /** A reference that no pose explains along with the others: id. */
     REFERENCE_LEFT_OUT("reference %s is left out: its corners are nowhere near where the other references put it; "
             + "check its id and position in the cell file"),

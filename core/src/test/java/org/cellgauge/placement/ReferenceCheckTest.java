@@ -50,7 +50,7 @@ class ReferenceCheckTest {
                 ReferenceView.of(cell.references(), errors), IntrinsicsPrior.KNOWN, null, errors, 0);
         List<PoseMode> modes = camera.finder(camera.view).modes(ThesisScene.WORLD_FROM_CAMERA);
         return ReferenceCheck.of(camera.at(modes, ThesisScene.WORLD_FROM_CAMERA), Collections.emptyList(),
-                NoiseFit.untested(), null);
+                NoiseFit.untested(), Collections.emptyList(), null);
     }
 
     private static boolean names(ReferenceCheck check, int id) {

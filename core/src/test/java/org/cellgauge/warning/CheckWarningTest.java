@@ -64,6 +64,20 @@ class CheckWarningTest {
         says("the corners of marker 22 fit no square: 12 times worse than those of the others; it counts for little "
                 + "until they do (is it covered, smudged, bent, or has it a glint?)", CheckWarning.MARKER_SET_ASIDE, 22,
                 n(12.3, 0));
+        says("the corners of marker 5 fit no square: 12.3 times worse than those of the others, which no noise that "
+                + "these leave open explains; no target counts as met until they do", CheckWarning.MARKER_NO_SQUARE, 5,
+                n(12.3, 1));
+        says("markers 5 and 20 are seen in one place, where at most one of them can be: one is misread, or the "
+                + "detections are not of one photo", CheckWarning.MARKERS_IN_ONE_PLACE, 5, 20);
+        says("the cell file has references 8 and 9 in one place, where at most one of them can be: correct the "
+                + "position of one", CheckWarning.REFERENCES_IN_ONE_PLACE, 8, 9);
+        says("reference 8 and 9 may stand off by up to 7 % of its distance from the camera, as stated: what the result "
+                + "says is that uncertain, and rests on nothing else; measure the place", CheckWarning.PLACES_WIDE,
+                Listing.and(Arrays.asList(8, 9)), n(7.2, 0));
+        says("chains and Laplace's approximation are apart: the standard deviation of camera_z_mm is 2.40 times as "
+                + "large, its mean -0.3 deviations off; the photo leaves too much open for a model that is linear in "
+                + "placement errors: state smaller placement deviations, or add references", CheckWarning.CHAINS_APART,
+                "camera_z_mm", n(2.4, 2), n(-0.3, 1));
         says("reference 8 and 9 may be turned farther than the model can follow (side in px times squared turn in rad "
                 + "over corner noise in px is up to 61, and the model holds to about 20): figures may be off; state a "
                 + "smaller std_deg after measuring how it is mounted", CheckWarning.TURNS_TOO_LOOSE,

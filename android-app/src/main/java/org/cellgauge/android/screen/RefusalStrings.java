@@ -282,6 +282,8 @@ final class RefusalStrings {
                 return R.string.refusal_check_no_camera_pose;
             case NO_OBJECT_POSE:
                 return R.string.refusal_check_no_object_pose;
+            case PLACE_UNKNOWN:
+                return R.string.refusal_check_place_unknown;
             case CHAINS_CANNOT_START:
                 return R.string.refusal_check_chains_cannot_start;
             default:

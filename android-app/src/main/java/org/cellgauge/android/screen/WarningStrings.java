@@ -74,6 +74,16 @@ final class WarningStrings {
                 return R.string.warning_noisier_than_stated;
             case MARKER_NOISIER_THAN_STATED:
                 return R.string.warning_marker_noisier_than_stated;
+            case MARKER_NO_SQUARE:
+                return R.string.warning_marker_no_square;
+            case MARKERS_IN_ONE_PLACE:
+                return R.string.warning_markers_in_one_place;
+            case REFERENCES_IN_ONE_PLACE:
+                return R.string.warning_references_in_one_place;
+            case PLACES_WIDE:
+                return R.string.warning_places_wide;
+            case CHAINS_APART:
+                return R.string.warning_chains_apart;
             case REFERENCES_DO_NOT_FIT:
                 return R.string.warning_references_do_not_fit;
             case AS_IF_MARKERS:

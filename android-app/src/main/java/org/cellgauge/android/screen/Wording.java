@@ -220,6 +220,16 @@ final class Wording {
                 return before + get(R.string.misfit_cause, message(m.cause().warning()));
             case CONTRADICTION:
                 return before + get(R.string.misfit_cause, message(Warning.of(CheckWarning.REFERENCES_CONTRADICT)));
+            case NO_SQUARE:
+                return before + get(R.string.misfit_no_square, m.markerId().getAsInt(), number(m.times(), 1));
+            case ONE_PLACE_IN_PHOTO:
+                return before + get(R.string.misfit_one_place_in_photo, m.markerId().getAsInt(),
+                        m.otherId().getAsInt());
+            case ONE_PLACE_IN_CELL:
+                return before + get(R.string.misfit_one_place_in_cell, m.markerId().getAsInt(),
+                        m.otherId().getAsInt());
+            case CHAINS_APART:
+                return before + get(R.string.misfit_chains_apart);
             default:
                 return before + get(R.string.misfit_references, number(m.times(), 1));
         }

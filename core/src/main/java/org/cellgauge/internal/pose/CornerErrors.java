@@ -287,6 +287,53 @@ public final class CornerErrors {
     }
 
     /**
+     * Markers whose corners are of no square, given a noise that is as unknown as the other markers leave it: the
+     * chance of squares as large as a marker's, averaged over what is known of the noise without it (the predictive
+     * distribution: Gelman et al., "Bayesian Data Analysis", 3rd ed. 2013, section 6.3), is below a level that all
+     * markers share.
+     *
+     * @param level chance that any marker of a photo is named although all corners are alike
+     * @return how many times worse they fit a square than those of the others, by id, the worst first; mostly empty
+     * @throws IllegalStateException if the noise is stated
+     */
+    public Map<Integer, Double> noSquares(double level) {
+        double[] log = logPrior();
+        int told = 0;
+        for (MarkerErrors m : markers.values()) {
+            for (int i = 0; i < log.length; i++) {
+                log[i] += logSquareness(m, i);
+            }
+            told += m.squareness == null ? 0 : 1;
+        }
+        Map<Integer, Double> found = new LinkedHashMap<>();
+        for (Map.Entry<Integer, MarkerErrors> entry : markers.entrySet()) {
+            MarkerErrors m = entry.getValue();
+            if (m.squareness == null) {
+                continue;
+            }
+            double[] ofOthers = log.clone();
+            for (int i = 0; i < log.length; i++) {
+                ofOthers[i] -= logSquareness(m, i);
+            }
+            NoiseBelief belief = new NoiseBelief(added, ofOthers);
+            double chance = 0;
+            for (int i = 0; i < log.length; i++) {
+                chance += belief.weight(i)
+                        * Math.exp(-0.5 * m.squareness.chiSquare(added.variancePx2(AddedNoise.atNode(i))));
+            }
+            if (chance < level / told) {
+                found.put(entry.getKey(), Math.sqrt(0.5
+                        * m.squareness.chiSquare(added.variancePx2(belief.ofMeanVariance()))));
+            }
+        }
+        List<Map.Entry<Integer, Double>> worstFirst = new ArrayList<>(found.entrySet());
+        worstFirst.sort((a, b) -> Double.compare(b.getValue(), a.getValue()));
+        found.clear();
+        worstFirst.forEach(e -> found.put(e.getKey(), e.getValue()));
+        return found;
+    }
+
+    /**
      * Sets markers aside whose corners fit no square as well as the others' do.
      *
      * @return errors in which these have a covariance of their own; the same where there are none, too few markers to
@@ -405,6 +452,31 @@ public final class CornerErrors {
     }
 
     /**
+     * The same errors with some markers set aside: with covariances of their own, scaled up.
+     *
+     * @param factors factors on the covariances by marker id, 2 (times worse)² each at most where corners are that many
+     *     times worse than stated
+     * @return errors of which the other markers' are what they were
+     */
+    public CornerErrors withSetAside(Map<Integer, Double> factors) {
+        if (factors.isEmpty()) {
+            return this;
+        }
+        Map<Integer, MarkerErrors> out = new LinkedHashMap<>(markers);
+        Map<Integer, Double> times = new LinkedHashMap<>(inflations);
+        factors.forEach((id, factor) -> {
+            double[] covariance = markers.get(id).covariancePx2.clone();
+            for (int i = 0; i < 64; i++) {
+                covariance[i] *= factor;
+            }
+            out.put(id, markers.get(id).setAside(covariance));
+            times.put(id, Math.sqrt(factor / 2));
+        });
+        return new CornerErrors(Collections.unmodifiableMap(out), statedStdPx, added, edges, sizesMm, sizeStdMm,
+                unknowns, Collections.unmodifiableMap(times));
+    }
+
+    /**
      * The same errors with some covariances scaled up, for corners that are seen to be worse than stated.
      *
      * @param factors factors on the covariances by marker id; markers without one keep theirs
@@ -427,9 +499,10 @@ public final class CornerErrors {
      * Whether every corner has the same stated deviation and nothing else is unknown.
      *
      * @return true for a cell that states a number, flat prints of known size and a photo whose edges are not in doubt
+     *     and that shows no marker set aside
      */
     public boolean isPlain() {
-        return !Double.isNaN(statedStdPx) && unknowns == 0 && !hasFlatness();
+        return !Double.isNaN(statedStdPx) && unknowns == 0 && !hasFlatness() && inflations.isEmpty();
     }
 
     /**

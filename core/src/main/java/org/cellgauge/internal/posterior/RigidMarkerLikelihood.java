@@ -21,7 +21,8 @@ import org.jspecify.annotations.Nullable;
  * same distribution and costs the same, for what is added to the observed corners is frozen as well.
  *
  * <p>Whitened once (with an unknown noise: once for every step of it) and not factored in the loop; allocates nothing
- * then. Unknowns that markers share move the residuals along their columns. Not thread-safe.
+ * then. Unknowns that markers share move the residuals along their columns; along {@link LooseAxes} references are
+ * linear about places that move with the camera. Not thread-safe.
  */
 public final class RigidMarkerLikelihood implements CameraLikelihood {
     private static final int PACKED = NoiseWhitening.PACKED;
@@ -33,6 +34,10 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
     private final double[] stated;
     private final double logDeterminant;
     private final @Nullable NoiseWhitening noise;
+    private final @Nullable LooseAxes loose;
+    private final double[] byShift;
+    private final double[] shift;
+    private final double[] offset = new double[3];
     private final double[] residuals = new double[8];
     private final double[] uv = new double[2];
 
@@ -43,7 +48,7 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
      * @param whitening 64 values per reference, lower triangular 8x8 row by row, 1/px; copied
      */
     public RigidMarkerLikelihood(ReferenceView view, double[] whitening) {
-        this(view, view.pointsMm(), view.observedPx(), whitening);
+        this(view, view.pointsMm(), view.observedPx(), whitening, null);
     }
 
     /**
@@ -53,12 +58,16 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
      * @param mode a mode of the camera pose that shows them
      */
     public RigidMarkerLikelihood(ReferenceView view, PoseMode mode) {
-        this(view, mode.pointsMm(), mode.comparedPx(), mode.whitening());
+        this(view, mode.pointsMm(), mode.comparedPx(), mode.whitening(), mode);
     }
 
-    private RigidMarkerLikelihood(ReferenceView view, double[] points, double[] observed, double[] whitening) {
+    private RigidMarkerLikelihood(ReferenceView view, double[] points, double[] observed, double[] whitening,
+            PoseMode mode) {
         this.points = points;
         this.observed = observed;
+        loose = mode == null ? null : loose(view, mode);
+        shift = new double[loose == null ? 0 : loose.count()];
+        byShift = loose == null ? shift : loose.columns(points, mode.state());
         columns = view.columnsPx();
         unknowns = view.unknowns();
         noise = null;
@@ -91,6 +100,9 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
     public RigidMarkerLikelihood(ReferenceView view, PoseMode mode, CornerErrors errors) {
         points = mode.pointsMm();
         observed = mode.comparedPx();
+        loose = loose(view, mode);
+        shift = new double[loose == null ? 0 : loose.count()];
+        byShift = loose == null ? shift : loose.columns(points, mode.state());
         columns = view.columnsPx();
         unknowns = view.unknowns();
         stated = new double[0];
@@ -100,13 +112,23 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         noise = new NoiseWhitening(errors, ids, mode.placementPx2());
     }
 
+    private static LooseAxes loose(ReferenceView view, PoseMode mode) {
+        LooseAxes axes = new LooseAxes(view, mode);
+        return axes.count() == 0 ? null : axes;
+    }
+
     @Override
     public double at(CameraState state) {
         double[] r = state.rotation;
         double[] intrinsics = state.intrinsics;
-        double tx = state.offset[0];
-        double ty = state.offset[1];
-        double tz = state.offset[2];
+        double[] t = state.offset;
+        if (loose != null) {
+            loose.shift(state, shift, offset);
+            t = offset;
+        }
+        double tx = t[0];
+        double ty = t[1];
+        double tz = t[2];
         Lens lens = state.lens;
         // a skew is rare; written out as well it would cost every likelihood a tenth
         boolean written = !lens.isDistorting(intrinsics) && intrinsics[PinholeCamera.SKEW] == 0;
@@ -146,7 +168,10 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
                 }
             }
             if (unknowns > 0) {
-                alongColumns(state.unknowns, o);
+                along(columns, state.unknowns, 1, o);
+            }
+            if (loose != null) {
+                along(byShift, shift, -1, o);
             }
             squares += whitenedSquares(packed, w);
         }
@@ -154,14 +179,14 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         return Double.isNaN(value) ? Double.NEGATIVE_INFINITY : value;
     }
 
-    /** Moves the residuals of the reference whose corners start at an index by what markers share. */
-    private void alongColumns(double[] nu, int o) {
-        for (int i = 0, c = o * unknowns; i < 8; i++) {
+    /** Moves the residuals of the reference whose corners start at an index along columns that references share. */
+    private void along(double[] by, double[] nu, int sign, int o) {
+        for (int i = 0, c = o * nu.length; i < 8; i++) {
             double sum = 0;
-            for (int j = 0; j < unknowns; j++) {
-                sum += columns[c++] * nu[j];
+            for (int j = 0; j < nu.length; j++) {
+                sum += by[c++] * nu[j];
             }
-            residuals[i] += sum;
+            residuals[i] += sign * sum;
         }
     }
 

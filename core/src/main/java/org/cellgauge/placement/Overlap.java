@@ -1,0 +1,178 @@
+package org.cellgauge.placement;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Warning;
+
+/**
+ * Two markers in one place, where at most one of them can be: in the photo, or in the world by the cell file;
+ * immutable.
+ */
+public final class Overlap {
+    /** Share of the smaller marker's area from which on two lie one over the other and do not just touch. */
+    private static final double LARGEST_SHARE = 0.1;
+    /** Two places are one if their distance across is below this share of the smaller marker's size. */
+    private static final double LARGEST_HEIGHT = 0.25;
+    /** Cosine of the angle between two faces up to which they can be one place: 30 degrees. */
+    private static final double LEAST_COSINE = Math.sqrt(0.75);
+
+    private final boolean inPhoto;
+    private final int first;
+    private final int second;
+
+    private Overlap(boolean inPhoto, int first, int second) {
+        this.inPhoto = inPhoto;
+        this.first = first;
+        this.second = second;
+    }
+
+    /**
+     * Markers of a cell that a photo shows in one place, and references in it that the cell file has in one place.
+     *
+     * @param cell the cell
+     * @param detections what the photo shows; ids foreign to the cell are ignored
+     * @return those of the photo first; mostly none
+     */
+    public static List<Overlap> among(Cell cell, Detections detections) {
+        List<Integer> ids = new ArrayList<>();
+        List<double[]> outlines = new ArrayList<>();
+        List<Reference> references = new ArrayList<>();
+        for (Reference r : cell.references()) {
+            if (detections.find(r.id()) != null) {
+                references.add(r);
+                ids.add(r.id());
+            }
+        }
+        for (ObjectMarker o : cell.objects()) {
+            if (detections.find(o.id()) != null) {
+                ids.add(o.id());
+            }
+        }
+        ids.forEach(id -> outlines.add(detections.find(id).cornersPx()));
+        List<Overlap> found = new ArrayList<>();
+        for (int b = 0; b < ids.size(); b++) {
+            for (int a = 0; a < b; a++) {
+                if (overlap(outlines.get(a), outlines.get(b))) {
+                    found.add(new Overlap(true, ids.get(a), ids.get(b)));
+                }
+            }
+        }
+        for (int b = 0; b < references.size(); b++) {
+            for (int a = 0; a < b; a++) {
+                if (inOnePlace(references.get(a), references.get(b))) {
+                    found.add(new Overlap(false, references.get(a).id(), references.get(b).id()));
+                }
+            }
+        }
+        return found;
+    }
+
+    private static boolean inOnePlace(Reference a, Reference b) {
+        RigidTransform aFromB = a.worldFromMarker().inverse().compose(b.worldFromMarker());
+        if (aFromB.rotation()[8] < LEAST_COSINE || Math.abs(aFromB.translationMm()[2])
+                > LARGEST_HEIGHT * Math.min(a.sizeMm(), b.sizeMm())) {
+            return false;
+        }
+        return overlap(outlineMm(a.sizeMm(), point -> point),
+                outlineMm(b.sizeMm(), point -> aFromB.apply(point[0], point[1], 0)));
+    }
+
+    private static double[] outlineMm(double sizeMm, Function<double[], double[]> moved) {
+        double[] corners = MarkerGeometry.cornersMm(sizeMm);
+        double[] outline = new double[8];
+        for (int k = 0; k < 4; k++) {
+            double[] point = moved.apply(new double[] {corners[3 * k], corners[3 * k + 1]});
+            outline[2 * k] = point[0];
+            outline[2 * k + 1] = point[1];
+        }
+        return outline;
+    }
+
+    private static boolean overlap(double[] a, double[] b) {
+        return commonArea(a, b) > LARGEST_SHARE * Math.min(Math.abs(area(a)), Math.abs(area(b)));
+    }
+
+    /** Twice the area, positive where the outline turns from the first axis to the second. */
+    private static double area(double[] outline) {
+        double sum = 0;
+        for (int i = 0; i < outline.length; i += 2) {
+            int j = (i + 2) % outline.length;
+            sum += outline[i] * outline[j + 1] - outline[j] * outline[i + 1];
+        }
+        return sum;
+    }
+
+    /** Twice the area that two convex outlines share: one clipped at each side of the other (Sutherland, Hodgman). */
+    private static double commonArea(double[] a, double[] b) {
+        double turn = Math.signum(area(b));
+        double[] left = a;
+        for (int i = 0; i < b.length && left.length > 0; i += 2) {
+            int j = (i + 2) % b.length;
+            double nx = turn * (b[i + 1] - b[j + 1]);
+            double ny = turn * (b[j] - b[i]);
+            List<Double> kept = new ArrayList<>();
+            for (int p = 0; p < left.length; p += 2) {
+                int q = (p + 2) % left.length;
+                double inside = nx * (left[p] - b[i]) + ny * (left[p + 1] - b[i + 1]);
+                double next = nx * (left[q] - b[i]) + ny * (left[q + 1] - b[i + 1]);
+                if (inside >= 0) {
+                    kept.add(left[p]);
+                    kept.add(left[p + 1]);
+                }
+                if (inside < 0 != next < 0) {
+                    double share = inside / (inside - next);
+                    kept.add(left[p] + share * (left[q] - left[p]));
+                    kept.add(left[p + 1] + share * (left[q + 1] - left[p + 1]));
+                }
+            }
+            left = kept.stream().mapToDouble(Double::doubleValue).toArray();
+        }
+        return Math.abs(area(left));
+    }
+
+    /**
+     * Where they are in one place.
+     *
+     * @return true for the photo, false for the world by the cell file
+     */
+    public boolean inPhoto() {
+        return inPhoto;
+    }
+
+    /**
+     * One of the two.
+     *
+     * @return marker id
+     */
+    public int first() {
+        return first;
+    }
+
+    /**
+     * The other.
+     *
+     * @return marker id
+     */
+    public int second() {
+        return second;
+    }
+
+    /** What to tell the user. */
+    Warning warning() {
+        return Warning.of(inPhoto ? CheckWarning.MARKERS_IN_ONE_PLACE : CheckWarning.REFERENCES_IN_ONE_PLACE, first,
+                second);
+    }
+
+    /** What it adds to a reason. */
+    Misfit misfit() {
+        return Misfit.ofOverlap(inPhoto, first, second);
+    }
+}
