@@ -9,7 +9,6 @@ import boofcv.factory.distort.LensDistortionFactory;
 import boofcv.factory.fiducial.ConfigFiducialBinary;
 import boofcv.factory.fiducial.ConfigFiducialHammingDetector;
 import boofcv.factory.fiducial.ConfigHammingMarker;
-import boofcv.factory.fiducial.HammingDictionary;
 import boofcv.factory.shape.FactoryShapeDetector;
 import boofcv.struct.calib.CameraPinholeBrown;
 import boofcv.struct.image.GrayU8;
@@ -67,6 +66,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private static final double BLUR_LIMIT_PER_BORDER_CELL = 0.17;
 
     private final PinholeCamera camera;
+    private final MarkerFamily family;
     /** Patterns of the ids to report. */
     private final Map<Integer, boolean[]> patterns = new TreeMap<>();
     private final FamilyPatterns familyPatterns;
@@ -82,7 +82,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     /** Work space for the markers of one image, used anew for the next. */
     private final List<MarkerEdges> edges = new ArrayList<>();
     private int edgesUsed;
-    private final int borderCells;
+    private final MarkerGrid grid;
     private final SquareResidual residual;
     private final GrayU8 view = new GrayU8();
 
@@ -130,11 +130,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.statedCurve = toneCurve;
         this.residualLimitPerSide = residualLimitPerSide;
         this.camera = camera;
-        this.hasChecksum = !family.isSquareBinary();
+        this.family = family;
         this.familyPatterns = new FamilyPatterns(family);
+        this.hasChecksum = familyPatterns.correctable() > 0;
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
-        this.squares = squares(family);
-        this.bentSquares = camera.lens().isWide() ? squares(family) : null;
+        this.squares = squares(family, familyPatterns);
+        this.bentSquares = camera.lens().isWide() ? squares(family, familyPatterns) : null;
         if (camera.isDistorting()) {
             squares.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), true);
         } else {
@@ -143,8 +144,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (bentSquares != null) {
             bentSquares.configure(null, camera.widthPx(), camera.heightPx(), false);
         }
-        this.borderCells = (int) Math.round(squares.getBorderWidthFraction() * familyPatterns.cells());
-        this.reader = new PatternReader(camera, familyPatterns.cells());
+        this.grid = familyPatterns.grid();
+        this.reader = new PatternReader(camera, grid);
         this.residual = new SquareResidual(camera);
         view.subImage = true;
     }
@@ -162,13 +163,13 @@ public final class BoofMarkerDetector implements MarkerDetector {
         return new BoofMarkerDetector(cell.camera(), cell.family(), ids, RESIDUAL_LIMIT_PER_SIDE, cell.toneCurve());
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family) {
-        return family.isSquareBinary() ? squareBinary() : squareHamming(family);
+    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family, FamilyPatterns patterns) {
+        return family.isSquareBinary() ? squareBinary(family.codeCells()) : squareHamming(patterns.dictionary());
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squareBinary() {
+    private static BaseDetectFiducialSquare<GrayU8> squareBinary(int codeCells) {
         ConfigFiducialBinary config = new ConfigFiducialBinary(1);
-        DetectFiducialSquareBinary<GrayU8> detector = new DetectFiducialSquareBinary<>(config.gridWidth,
+        DetectFiducialSquareBinary<GrayU8> detector = new DetectFiducialSquareBinary<>(codeCells,
                 config.borderWidthFraction, config.minimumBlackBorderFraction, threshold(),
                 FactoryShapeDetector.polygon(config.squareDetector, GrayU8.class), GrayU8.class);
         // whatever looks like a marker may pass here: PatternReader judges the cells with the blur in mind
@@ -176,9 +177,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         return detector;
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squareHamming(MarkerFamily family) {
-        ConfigHammingMarker markers = ConfigHammingMarker.loadDictionary(
-                HammingDictionary.valueOf(family.dictionaryName()));
+    private static BaseDetectFiducialSquare<GrayU8> squareHamming(ConfigHammingMarker markers) {
         ConfigFiducialHammingDetector config = new ConfigFiducialHammingDetector();
         DetectFiducialSquareHamming<GrayU8> detector = new DetectFiducialSquareHamming<>(markers,
                 config.minimumBlackBorderFraction, threshold(),
@@ -227,7 +226,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
             squares.process(view);
             for (int i = 0; i < squares.getFound().size(); i++) {
                 FoundFiducial found = squares.getFound().get(i);
-                seen.add(seen(image, (int) found.id, found.distortedPixels));
+                if (isOfFamily(found)) {
+                    seen.add(seen(image, (int) found.id, found.distortedPixels));
+                }
             }
             if (bentSquares != null) {
                 lookAtBentImage(image, seen);
@@ -270,6 +271,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
         int straight = seen.size();
         for (int i = 0; i < bentSquares.getFound().size(); i++) {
             FoundFiducial found = bentSquares.getFound().get(i);
+            if (!isOfFamily(found)) {
+                continue;
+            }
             int at = 0;
             while (at < straight && !seen.get(at).isAt(found.distortedPixels)) {
                 at++;
@@ -280,6 +284,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 seen.set(at, seen(image, (int) found.id, found.distortedPixels));
             }
         }
+    }
+
+    /** Large grids have more ids than fit a family's numbers, and BoofCV reads the highest bits of them wrong. */
+    private boolean isOfFamily(FoundFiducial found) {
+        return found.id >= 0 && found.id < family.size();
     }
 
     /** A square that BoofCV has read, with its sides fitted where that was possible. */
@@ -319,7 +328,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         put(q.c, corners, 4);
         put(q.d, corners, 6);
         if (edgesUsed == edges.size()) {
-            edges.add(new MarkerEdges(camera, familyPatterns.cells(), borderCells));
+            edges.add(new MarkerEdges(camera, grid));
         }
         MarkerEdges own = edges.get(edgesUsed);
         boolean[] listed = patterns.get(idRead);
@@ -407,7 +416,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
             light.refit(image, marker, patterns.get(id));
         }
         double blurPx = light.blurInPhotoPx(marker);
-        if (blurPx > (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * borderCells) * marker.cellPx()) {
+        if (blurPx > (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * grid.borderCells()) * marker.cellPx()) {
             warnings.add(Warning.of(DetectionWarning.TOO_BLURRED, id, Decimal.of(blurPx, 1),
                     Decimal.of(marker.cellPx(), 1)));
             return null;

@@ -2,7 +2,10 @@ package org.cellgauge.vision;
 
 import org.cellgauge.cell.MarkerFamily;
 
-/** The black and white cells of a marker, seen from the front with the marker upright; immutable. */
+/**
+ * The black and white cells of a marker, seen from the front with the marker upright; immutable. A pattern whose border
+ * is not a whole number of cells wide is put together of halves of cells.
+ */
 public final class MarkerPattern {
     private final int cells;
     private final boolean[] white;
@@ -26,7 +29,14 @@ public final class MarkerPattern {
                     + ", not " + id);
         }
         FamilyPatterns patterns = new FamilyPatterns(family);
-        return new MarkerPattern(patterns.cells(), patterns.white(id));
+        MarkerGrid grid = patterns.grid();
+        boolean[] bands = patterns.white(id);
+        int squares = grid.squares();
+        boolean[] white = new boolean[squares * squares];
+        for (int i = 0; i < white.length; i++) {
+            white[i] = bands[grid.bandOf(i / squares) * grid.bands() + grid.bandOf(i % squares)];
+        }
+        return new MarkerPattern(squares, white);
     }
 
     /**

@@ -23,7 +23,8 @@ final class PatternReader {
     private final double[] intrinsics;
     /** Where the marker is looked at under a wide lens; null for others. */
     private final TangentPlane plane;
-    private final int cells;
+    private final MarkerGrid grid;
+    private final int bands;
     private final double[] level;
     private final double[] weightX;
     private final double[] weightY;
@@ -38,18 +39,19 @@ final class PatternReader {
      * A reader.
      *
      * @param camera camera of the images
-     * @param cells cells along a marker's edge, border included
+     * @param grid lattice of the markers
      */
-    PatternReader(PinholeCamera camera, int cells) {
+    PatternReader(PinholeCamera camera, MarkerGrid grid) {
         this.lens = camera.lens();
         this.intrinsics = camera.intrinsics();
         this.plane = lens.isWide() ? new TangentPlane(camera) : null;
-        this.cells = cells;
-        this.level = new double[cells * cells];
-        this.weightX = new double[cells * cells];
-        this.weightY = new double[cells * cells];
-        this.outsideX = new double[cells];
-        this.outsideY = new double[cells];
+        this.grid = grid;
+        this.bands = grid.bands();
+        this.level = new double[bands * bands];
+        this.weightX = new double[bands * bands];
+        this.weightY = new double[bands * bands];
+        this.outsideX = new double[bands];
+        this.outsideY = new double[bands];
     }
 
     /**
@@ -72,15 +74,15 @@ final class PatternReader {
         }
         sample(image, scale, darkGrey, brightGrey);
         double blur = Math.sqrt(blurPx * blurPx + READING_VARIANCE_PX2);
-        weights(blur * cells / meanLength(cornersPx, 0, 1, 3, 2), weightX, outsideX);
-        weights(blur * cells / meanLength(cornersPx, 0, 3, 1, 2), weightY, outsideY);
+        weights(blur * grid.cells() / meanLength(cornersPx, 0, 1, 3, 2), weightX, outsideX);
+        weights(blur * grid.cells() / meanLength(cornersPx, 0, 3, 1, 2), weightY, outsideY);
         for (int round = 0; round < MAX_ROUNDS; round++) {
             int worst = -1;
             double worstExcess = 0;
-            for (int row = 0; row < cells; row++) {
-                for (int column = 0; column < cells; column++) {
-                    int cell = row * cells + column;
-                    double ownShare = weightY[row * cells + row] * weightX[column * cells + column];
+            for (int row = 0; row < bands; row++) {
+                for (int column = 0; column < bands; column++) {
+                    int cell = row * bands + column;
+                    double ownShare = weightY[row * bands + row] * weightX[column * bands + column];
                     double off = level[cell] - expected(white, row, column);
                     double excess = (white[cell] ? -off : off) / ownShare - 0.5;
                     if (excess > worstExcess) {
@@ -100,26 +102,26 @@ final class PatternReader {
 
     private double expected(boolean[] white, int row, int column) {
         double sum = 0;
-        for (int r = 0; r < cells; r++) {
+        for (int r = 0; r < bands; r++) {
             double inRow = outsideX[column];
-            for (int c = 0; c < cells; c++) {
-                if (white[r * cells + c]) {
-                    inRow += weightX[column * cells + c];
+            for (int c = 0; c < bands; c++) {
+                if (white[r * bands + c]) {
+                    inRow += weightX[column * bands + c];
                 }
             }
-            sum += weightY[row * cells + r] * inRow;
+            sum += weightY[row * bands + r] * inRow;
         }
         return sum + outsideY[row];
     }
 
     /** Share of each cell, and of the white around the marker, in the light that reaches each cell's middle. */
     private void weights(double blurCells, double[] weight, double[] outside) {
-        for (int i = 0; i < cells; i++) {
+        for (int i = 0; i < bands; i++) {
             double sum = 0;
-            double below = EdgeProfile.cumulative((-i - 0.5) / blurCells);
-            for (int k = 0; k < cells; k++) {
-                double above = EdgeProfile.cumulative((k + 1 - i - 0.5) / blurCells);
-                weight[i * cells + k] = above - below;
+            double below = EdgeProfile.cumulative(-grid.middle(i) / blurCells);
+            for (int k = 0; k < bands; k++) {
+                double above = EdgeProfile.cumulative((grid.line(k + 1) - grid.middle(i)) / blurCells);
+                weight[i * bands + k] = above - below;
                 sum += above - below;
                 below = above;
             }
@@ -137,12 +139,12 @@ final class PatternReader {
         double dark = scale.light(darkGrey);
         // what is clipped reads as 255, however bright it was
         double contrast = scale.light(Math.min(255, brightGrey)) - dark;
-        for (int row = 0; row < cells; row++) {
-            for (int column = 0; column < cells; column++) {
+        for (int row = 0; row < bands; row++) {
+            for (int column = 0; column < bands; column++) {
                 double sum = 0;
                 for (int k = 0; k < POINTS * POINTS; k++) {
-                    double x = (column + 0.5 + POINT_SPACING * (k % POINTS - POINTS / 2)) / cells;
-                    double y = (row + 0.5 + POINT_SPACING * (k / POINTS - POINTS / 2)) / cells;
+                    double x = (grid.middle(column) + POINT_SPACING * (k % POINTS - POINTS / 2)) / grid.cells();
+                    double y = (grid.middle(row) + POINT_SPACING * (k / POINTS - POINTS / 2)) / grid.cells();
                     double w = homography[6] * x + homography[7] * y + 1;
                     double xn = (homography[0] * x + homography[1] * y + homography[2]) / w;
                     double yn = (homography[3] * x + homography[4] * y + homography[5]) / w;
@@ -153,7 +155,7 @@ final class PatternReader {
                     }
                     sum += scale.tabulatedLight(image.interpolate(uv[0], uv[1]));
                 }
-                level[row * cells + column] = (sum / (POINTS * POINTS) - dark) / contrast;
+                level[row * bands + column] = (sum / (POINTS * POINTS) - dark) / contrast;
             }
         }
     }

@@ -45,8 +45,7 @@ public final class DrawnMarkers {
 
     /** Draws a marker with its quiet zone; corners: top-left, top-right, bottom-right, bottom-left of the marker. */
     public DrawnMarkers draw(MarkerFamily family, int id, double[] corners, double black, double white) {
-        FamilyPatterns pattern = new FamilyPatterns(family);
-        boolean[] cells = pattern.white(id);
+        MarkerPattern pattern = MarkerPattern.of(family, id);
         int n = pattern.cells();
         double[] h = imageToSquare(corners);
         for (int y = 0; y < heightPx; y++) {
@@ -65,7 +64,7 @@ public final class DrawnMarkers {
                     }
                     touched = true;
                     boolean inside = s >= 0 && t >= 0 && s < 1 && t < 1;
-                    boolean isWhite = !inside || cells[(int) (t * n) * n + (int) (s * n)];
+                    boolean isWhite = !inside || pattern.isWhite((int) (t * n), (int) (s * n));
                     sum += isWhite ? white : black;
                 }
                 if (touched) {
