@@ -17,6 +17,8 @@ import com.tngtech.archunit.core.domain.JavaMethodCall;
 import com.tngtech.archunit.core.domain.Source;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.net.URL;
@@ -24,6 +26,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
@@ -36,15 +39,20 @@ class ArchitectureTest {
 
     private static final String BASE = "org.cellgauge.";
 
-    /** The path of a photo through the library: each package may use those before it. */
+    /**
+     * The path of a photo through the library: each package may use those before it. What is not for users stands in
+     * {@code internal}, in a package of the same name and at the same place of the path.
+     */
     private static final List<String> ORDER =
             List.of("warning", "geometry", "light", "cell", "settings", "vision", "pose", "estimate", "laplace",
                     "sampling", "placement", "posterior", "chains", "check", "output", "validation", "live", "overlay");
 
     /** Mathematics alone: uses no other package, and is used only by these. */
-    private static final String STATISTICS = BASE + "statistics..";
+    private static final List<String> STATISTICS = room("statistics");
     private static final List<String> USERS_OF_STATISTICS = List.of("sampling", "estimate", "placement",
             "chains", "check", "output", "validation", "overlay");
+
+    private static final Pattern ROOM = Pattern.compile("^org\\.cellgauge\\.(?:internal\\.)?(\\w+)\\.");
 
     private static final String[] BOOFCV = {"boofcv..", "georegression.."};
     private static final String RXJAVA = "io.reactivex..";
@@ -136,9 +144,20 @@ class ArchitectureTest {
     /** A package the order does not name would escape it. */
     @Test
     void everyPackageOfCoreHasItsPlaceInTheOrder() {
-        List<String> known = new ArrayList<>(List.of("org.cellgauge", STATISTICS));
-        ORDER.forEach(name -> known.add(BASE + name + ".."));
-        classes().should().resideInAnyPackage(known.toArray(String[]::new)).check(core);
+        List<String> known = new ArrayList<>(List.of("org.cellgauge"));
+        known.addAll(STATISTICS);
+        ORDER.forEach(name -> known.addAll(room(name)));
+        classes().should().resideInAnyPackage(array(known)).check(core);
+    }
+
+    /** The patterns of packages and of their internal parts. */
+    private static List<String> room(String... names) {
+        return Stream.of(names)
+                .flatMap(name -> Stream.of(BASE + name + "..", BASE + "internal." + name + "..")).toList();
+    }
+
+    private static String[] array(List<String> packages) {
+        return packages.toArray(String[]::new);
     }
 
     static List<String> order() {
@@ -149,22 +168,23 @@ class ArchitectureTest {
     @MethodSource("order")
     void packageUsesOnlyThoseBeforeIt(String name) {
         List<String> allowed = new ArrayList<>();
-        ORDER.subList(0, ORDER.indexOf(name) + 1).forEach(earlier -> allowed.add(BASE + earlier + ".."));
+        ORDER.subList(0, ORDER.indexOf(name) + 1).forEach(earlier -> allowed.addAll(room(earlier)));
         if (USERS_OF_STATISTICS.contains(name)) {
-            allowed.add(STATISTICS);
+            allowed.addAll(STATISTICS);
         }
-        noClasses().that().resideInAPackage(BASE + name + "..").should()
+        noClasses().that().resideInAnyPackage(array(room(name))).should()
                 .dependOnClassesThat(resideInAPackage("org.cellgauge..")
-                        .and(not(resideInAnyPackage(allowed.toArray(String[]::new)))))
+                        .and(not(resideInAnyPackage(array(allowed)))))
                 .allowEmptyShould(true).check(product);
     }
 
     @Test
     void statisticsIsMathematicsAlone() {
-        noClasses().that().resideInAPackage(STATISTICS).should()
-                .dependOnClassesThat(resideInAPackage("org.cellgauge..").and(not(resideInAPackage(STATISTICS))))
+        noClasses().that().resideInAnyPackage(array(STATISTICS)).should()
+                .dependOnClassesThat(resideInAPackage("org.cellgauge..")
+                        .and(not(resideInAnyPackage(array(STATISTICS)))))
                 .allowEmptyShould(true).check(product);
-        noClasses().that().resideInAPackage(STATISTICS).should()
+        noClasses().that().resideInAnyPackage(array(STATISTICS)).should()
                 .dependOnClassesThat()
                 .resideInAnyPackage("boofcv..", "georegression..", "io.reactivex..", "com.google..")
                 .allowEmptyShould(true).check(product);
@@ -172,22 +192,23 @@ class ArchitectureTest {
 
     @Test
     void geometryNeedsNothingButLinearAlgebra() {
-        classes().that().resideInAPackage(BASE + "geometry..").should()
+        classes().that().resideInAnyPackage(array(room("geometry"))).should()
                 .onlyDependOnClassesThat()
-                .resideInAnyPackage("java..", "org.ejml..", "org.jspecify..", BASE + "geometry..")
+                .resideInAnyPackage("java..", "org.ejml..", "org.jspecify..", BASE + "geometry..",
+                        BASE + "internal.geometry..")
                 .check(core);
     }
 
     @Test
     void onlySamplingCheckAndLiveKnowStreams() {
-        noClasses().that().resideOutsideOfPackages(BASE + "sampling..", BASE + "check..", BASE + "live..").should()
+        noClasses().that().resideOutsideOfPackages(array(room("sampling", "check", "live"))).should()
                 .dependOnClassesThat().resideInAPackage(RXJAVA)
                 .check(core);
     }
 
     @Test
     void onlyVisionAndPoseKnowBoofCv() {
-        noClasses().that().resideOutsideOfPackages(BASE + "vision..", BASE + "pose..").should()
+        noClasses().that().resideOutsideOfPackages(array(room("vision", "pose"))).should()
                 .dependOnClassesThat().resideInAnyPackage(BOOFCV)
                 .check(core);
     }
@@ -214,6 +235,17 @@ class ArchitectureTest {
 
     @Test
     void packagesFormNoCycles() {
-        slices().matching("org.cellgauge.(*)..").should().beFreeOfCycles().check(product);
+        slices().assignedFrom(new SliceAssignment() {
+            @Override
+            public SliceIdentifier getIdentifierOf(JavaClass type) {
+                Matcher room = ROOM.matcher(type.getPackageName() + ".");
+                return room.find() ? SliceIdentifier.of(room.group(1)) : SliceIdentifier.ignore();
+            }
+
+            @Override
+            public String getDescription() {
+                return "packages with their internal part";
+            }
+        }).should().beFreeOfCycles().check(product);
     }
 }

@@ -34,7 +34,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cli.SimulateCommand;
 import org.cellgauge.desktop.ImageFiles;
-import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;

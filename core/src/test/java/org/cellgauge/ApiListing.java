@@ -1,6 +1,9 @@
 package org.cellgauge;
 
+import java.io.File;
+import java.io.IOException;
 import java.lang.reflect.Constructor;
+import java.lang.reflect.Executable;
 import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
@@ -19,10 +22,12 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 
 /**
- * What users of the library compile against, as text: the types meant for them with their public and protected members,
- * then the names of other types of the library that these mention.
+ * What users of the library compile against, as text: the public types that are in no package called {@code internal},
+ * with their public and protected members, then the names of types of other libraries, and of internal ones, that these
+ * mention.
  */
 final class ApiListing {
     private static final String BASE = "org.cellgauge.";
@@ -33,19 +38,35 @@ final class ApiListing {
     /**
      * Writes the listing.
      *
-     * @param args the file, then the types meant for users by their names after {@code org.cellgauge.}; nested types
-     *     come with the type around them
+     * @param args the file to write, and the folder of the library's class files
      */
     public static void main(String... args) throws Exception {
-        Files.writeString(Path.of(args[0]), text(Arrays.asList(args).subList(1, args.length)), StandardCharsets.UTF_8);
+        Files.writeString(Path.of(args[0]), text(typesForUsers(Path.of(args[1]))), StandardCharsets.UTF_8);
     }
 
-    static String text(List<String> names) throws ClassNotFoundException {
-        Set<Class<?>> listed = new LinkedHashSet<>();
-        Deque<Class<?>> open = new ArrayDeque<>();
-        for (String name : new TreeSet<>(names)) {
-            open.add(Class.forName(BASE + name, false, ApiListing.class.getClassLoader()));
+    /** The public types among the class files of a folder that are in no package called {@code internal}, by name. */
+    static List<Class<?>> typesForUsers(Path classes) throws IOException, ClassNotFoundException {
+        List<String> names;
+        try (Stream<Path> files = Files.walk(classes)) {
+            names = files.map(file -> classes.relativize(file).toString().replace(File.separatorChar, '.'))
+                    .filter(name -> name.endsWith(".class") && !name.contains("$") && !name.contains(".internal."))
+                    .map(name -> name.substring(0, name.length() - ".class".length()))
+                    .filter(name -> !name.endsWith("package-info"))
+                    .sorted().toList();
         }
+        List<Class<?>> types = new ArrayList<>();
+        for (String name : names) {
+            Class<?> type = Class.forName(name, false, ApiListing.class.getClassLoader());
+            if (visible(type.getModifiers())) {
+                types.add(type);
+            }
+        }
+        return types;
+    }
+
+    static String text(List<Class<?>> types) {
+        Set<Class<?>> listed = new LinkedHashSet<>();
+        Deque<Class<?>> open = new ArrayDeque<>(types);
         while (!open.isEmpty()) {
             Class<?> type = open.remove();
             listed.add(type);
@@ -66,13 +87,21 @@ final class ApiListing {
         for (Class<?> type : mentioned) {
             others.add(shortened(type.getName()));
         }
-        text.append("mentioned above, not meant for users\n");
+        text.append("mentioned above\n");
         others.forEach(name -> text.append("    ").append(name).append('\n'));
         return text.toString();
     }
 
     private static boolean visible(int modifiers) {
         return Modifier.isPublic(modifiers) || Modifier.isProtected(modifiers);
+    }
+
+    /** What takes an internal type is the library's own: users have none to give. */
+    private static boolean isForUsers(Executable member) {
+        Set<Class<?>> taken = new LinkedHashSet<>();
+        Arrays.stream(member.getGenericParameterTypes()).forEach(each -> collect(each, taken));
+        return visible(member.getModifiers()) && !member.isSynthetic()
+                && taken.stream().noneMatch(type -> type.getName().contains(".internal."));
     }
 
     private static String header(Class<?> type, Set<Class<?>> mentioned) {
@@ -98,13 +127,13 @@ final class ApiListing {
             }
         }
         for (Constructor<?> constructor : type.getDeclaredConstructors()) {
-            if (visible(constructor.getModifiers()) && !constructor.isSynthetic()) {
+            if (isForUsers(constructor)) {
                 members.add("new " + constructor.toGenericString());
                 Arrays.stream(constructor.getGenericParameterTypes()).forEach(each -> collect(each, mentioned));
             }
         }
         for (Method method : type.getDeclaredMethods()) {
-            if (visible(method.getModifiers()) && !method.isSynthetic()) {
+            if (isForUsers(method)) {
                 members.add(method.toGenericString()
                         .replace(type.getName() + "." + method.getName(), method.getName()));
                 collect(method.getGenericReturnType(), mentioned);

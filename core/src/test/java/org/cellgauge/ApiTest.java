@@ -1,6 +1,7 @@
 package org.cellgauge;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -16,9 +17,22 @@ class ApiTest {
     @Test
     void typesForUsersAreAsTheFileOfTheApiHasThem() throws Exception {
         List<String> written = Files.readAllLines(FILE, StandardCharsets.UTF_8);
-        List<String> now = ApiListing.text(List.of(System.getProperty("cellgauge.api").split(","))).lines().toList();
+        List<String> now = ApiListing.text(types()).lines().toList();
         assertEquals("", difference(written, now),
                 "the API has changed; if that is meant: ./build :core:api, and commit core/api/cellgauge-core.api");
+    }
+
+    /** Who writes a program against the library never has to name an internal type. */
+    @Test
+    void typesForUsersMentionNoInternalOnes() throws Exception {
+        List<String> listing = ApiListing.text(types()).lines().toList();
+        List<String> mentioned = listing.subList(listing.indexOf("mentioned above") + 1, listing.size());
+        assertTrue(mentioned.stream().anyMatch(type -> type.contains("rxjava3")), "streams are mentioned");
+        assertEquals(List.of(), mentioned.stream().filter(type -> type.contains("internal.")).toList());
+    }
+
+    private static List<Class<?>> types() throws Exception {
+        return ApiListing.typesForUsers(Path.of(System.getProperty("cellgauge.api")));
     }
 
     /** Lines that only one of both has, under the type that they belong to. */

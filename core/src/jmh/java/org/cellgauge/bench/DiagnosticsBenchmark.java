@@ -2,7 +2,7 @@ package org.cellgauge.bench;
 
 import java.util.concurrent.TimeUnit;
 import org.apache.commons.math3.random.RandomGenerator;
-import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.statistics.ChainDiagnostics;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;

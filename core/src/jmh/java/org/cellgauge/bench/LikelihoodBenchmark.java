@@ -1,12 +1,12 @@
 package org.cellgauge.bench;
 
 import java.util.concurrent.TimeUnit;
-import org.cellgauge.pose.CameraState;
-import org.cellgauge.pose.PoseMode;
-import org.cellgauge.posterior.CameraLikelihood;
-import org.cellgauge.posterior.CornerCubeLikelihood;
-import org.cellgauge.posterior.MovingRigidLikelihood;
-import org.cellgauge.posterior.RigidMarkerLikelihood;
+import org.cellgauge.internal.pose.CameraState;
+import org.cellgauge.internal.pose.PoseMode;
+import org.cellgauge.internal.posterior.CameraLikelihood;
+import org.cellgauge.internal.posterior.CornerCubeLikelihood;
+import org.cellgauge.internal.posterior.MovingRigidLikelihood;
+import org.cellgauge.internal.posterior.RigidMarkerLikelihood;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;

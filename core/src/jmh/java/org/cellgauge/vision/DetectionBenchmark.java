@@ -7,6 +7,7 @@ import java.util.concurrent.TimeUnit;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.vision.BoofThreads;
 import org.cellgauge.light.ToneCurve;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;

@@ -7,8 +7,11 @@ import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.cell.CameraWriter;
+import org.cellgauge.internal.cell.CellPhrase;
+import org.cellgauge.internal.cell.InputFiles;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.light.ToneCurve;
-import org.cellgauge.warning.Listing;
 import org.cellgauge.warning.Refusal;
 
 /**
@@ -26,7 +29,7 @@ public final class CameraReader {
     public static final int MAX_BYTES = 1 << 20;
 
     /** The key of a camera file, and of a cell file, that states the tone curve. */
-    static final String TONE_CURVE = "tone_curve";
+    public static final String TONE_CURVE = "tone_curve";
 
     private static final CellPhrase WHAT = CellPhrase.CAMERA_FILE;
     private static final String PINHOLE_EXAMPLE =
@@ -304,7 +307,7 @@ public final class CameraReader {
     }
 
     /** A number as a person would write it. */
-    static String plain(double value) {
+    public static String plain(double value) {
         if (value == Math.rint(value) && Math.abs(value) < 1e15) {
             return String.valueOf((long) value);
         }

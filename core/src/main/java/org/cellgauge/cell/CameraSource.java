@@ -1,6 +1,7 @@
 package org.cellgauge.cell;
 
 import java.io.IOException;
+import org.cellgauge.internal.cell.InputFiles;
 
 /** Gives the text of the camera file that a cell names, where the cell does not come from the file system. */
 @FunctionalInterface

@@ -14,8 +14,10 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.cell.CellPhrase;
+import org.cellgauge.internal.cell.InputFiles;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.light.ToneCurve;
-import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Refusal;
 
 /**

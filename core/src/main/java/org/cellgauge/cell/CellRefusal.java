@@ -1,5 +1,6 @@
 package org.cellgauge.cell;
 
+import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.warning.RefusalKind;
 
 /** Why a cell file, a camera file or any text file cannot be used, or an image not with its cell. */

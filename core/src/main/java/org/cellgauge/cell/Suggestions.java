@@ -3,7 +3,8 @@ package org.cellgauge.cell;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Locale;
-import org.cellgauge.warning.Listing;
+import org.cellgauge.internal.cell.CellPhrase;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.warning.Refusal;
 
 /** Finds what a mistyped word was meant to be. */

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
+import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.RefusalKind;

@@ -4,22 +4,22 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.chains.CellQuantities;
-import org.cellgauge.chains.CellQuantities.PoseGroups;
-import org.cellgauge.estimate.ImageEllipses;
 import org.cellgauge.estimate.IntrinsicsEstimate;
-import org.cellgauge.estimate.Matrices;
 import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.geometry.Rotations;
-import org.cellgauge.laplace.ObjectFit;
+import org.cellgauge.internal.chains.CellQuantities;
+import org.cellgauge.internal.chains.CellQuantities.PoseGroups;
+import org.cellgauge.internal.estimate.ImageEllipses;
+import org.cellgauge.internal.estimate.Matrices;
+import org.cellgauge.internal.geometry.Rotations;
+import org.cellgauge.internal.laplace.ObjectFit;
+import org.cellgauge.internal.sampling.RunningSummary;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.Quantity;
-import org.cellgauge.sampling.RunningSummary;
 
 /** Turns running statistics of draws into estimates. */
 final class Estimates {

@@ -6,18 +6,18 @@ import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.chains.RandomPaths;
-import org.cellgauge.pose.CornerErrors;
-import org.cellgauge.pose.NoiseBelief;
-import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.internal.chains.RandomPaths;
+import org.cellgauge.internal.pose.CornerErrors;
+import org.cellgauge.internal.pose.NoiseBelief;
+import org.cellgauge.internal.sampling.RandomStreams;
+import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.CheckWarning;
-import org.cellgauge.warning.Decimal;
-import org.cellgauge.warning.Listing;
 import org.cellgauge.warning.Warning;
 
 /**
@@ -29,7 +29,7 @@ final class Observed {
     final CheckSettings settings;
     /** What is known of the corners' errors, in the terms that the model knows. */
     final CornerErrors errors;
-    /** The added noise by the squareness of markers alone: the u of {@link org.cellgauge.pose.AddedNoise}. */
+    /** The added noise by the squareness of markers alone: the u of {@link org.cellgauge.internal.pose.AddedNoise}. */
     final double noiseLevel;
     final List<Warning> warnings;
 

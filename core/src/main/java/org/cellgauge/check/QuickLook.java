@@ -5,18 +5,18 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.IntSupplier;
-import org.cellgauge.estimate.ImageEllipses;
 import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.laplace.CameraFit;
-import org.cellgauge.laplace.LinearModel;
-import org.cellgauge.laplace.ObjectFit;
-import org.cellgauge.pose.CameraState;
-import org.cellgauge.pose.PoseMode;
+import org.cellgauge.internal.estimate.ImageEllipses;
+import org.cellgauge.internal.laplace.CameraFit;
+import org.cellgauge.internal.laplace.LinearModel;
+import org.cellgauge.internal.laplace.ObjectFit;
+import org.cellgauge.internal.pose.CameraState;
+import org.cellgauge.internal.pose.PoseMode;
 
 /**
  * The third stage of a check: the poses that explain a photo best, with Laplace's approximation of their uncertainty,

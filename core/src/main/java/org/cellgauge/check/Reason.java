@@ -7,15 +7,14 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
-import org.cellgauge.chains.Diagnostics;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.estimate.VarianceSource;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.Misplacement;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.statistics.ChainDiagnostics;
-import org.cellgauge.warning.Listing;
 
 /**
  * Why a check ended as it did, in parts that any language can make a sentence of; immutable.

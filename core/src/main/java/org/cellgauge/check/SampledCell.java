@@ -2,10 +2,9 @@ package org.cellgauge.check;
 
 import java.util.Collections;
 import java.util.List;
-import org.cellgauge.chains.CellQuantities;
-import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.internal.chains.CellQuantities;
+import org.cellgauge.internal.sampling.EnsembleSnapshot;
 import org.cellgauge.sampling.Draws;
-import org.cellgauge.sampling.EnsembleSnapshot;
 import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.warning.Warning;
 

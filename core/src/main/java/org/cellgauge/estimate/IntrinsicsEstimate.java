@@ -2,6 +2,7 @@ package org.cellgauge.estimate;
 
 import java.util.Collections;
 import java.util.List;
+import org.cellgauge.internal.estimate.Matrices;
 
 /** Unknown intrinsics with their uncertainty; immutable. */
 public final class IntrinsicsEstimate {

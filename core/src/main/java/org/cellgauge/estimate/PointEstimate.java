@@ -1,5 +1,7 @@
 package org.cellgauge.estimate;
 
+import org.cellgauge.internal.estimate.Matrices;
+
 /** A point in the world with its uncertainty; immutable. */
 public final class PointEstimate {
     private final double[] meanMm;

@@ -1,12 +1,13 @@
 package org.cellgauge.estimate;
 
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.estimate.Matrices;
 
 /**
  * A pose with its uncertainty; immutable.
  *
  * <p>Order of the values and of {@link #covariance()}: x, y, z in mm, then psi, theta, phi in rad (see
- * {@link org.cellgauge.geometry.Rotations#fromEuler}). Order of {@link #tangentCovariance()}: x, y, z in mm in the
+ * {@link org.cellgauge.geometry.RigidTransform#ofEuler}). Order of {@link #tangentCovariance()}: x, y, z in mm in the
  * world, then the rotation vector in world axes in rad, {@code R = exp(w) R_mean}; it is well defined where Euler
  * angles are not.
  */

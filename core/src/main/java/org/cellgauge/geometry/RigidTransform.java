@@ -1,6 +1,7 @@
 package org.cellgauge.geometry;
 
 import java.util.Arrays;
+import org.cellgauge.internal.geometry.Rotations;
 
 /**
  * A rigid motion {@code x_a = R x_b + t} between two frames; immutable. Variables are named {@code aFromB}.

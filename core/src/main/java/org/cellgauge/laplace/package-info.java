@@ -1,2 +1,2 @@
-/** Laplace's approximation: camera and objects at their modes, covariances carried to the world, shares of variance. */
+/** The uncertainty of a layout of markers, from poses alone. */
 package org.cellgauge.laplace;

@@ -4,6 +4,7 @@ import io.reactivex.rxjava3.core.BackpressureStrategy;
 import io.reactivex.rxjava3.core.Flowable;
 import io.reactivex.rxjava3.core.Scheduler;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.internal.live.IdleThreads;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 

@@ -6,7 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
-import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.check.Diagnostics;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.statistics.ChainDiagnostics;

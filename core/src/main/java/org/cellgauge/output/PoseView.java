@@ -3,7 +3,7 @@ package org.cellgauge.output;
 import java.util.Arrays;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.statistics.Angles;
+import org.cellgauge.internal.statistics.Angles;
 
 /**
  * A pose as a result file has it: angles in (-pi, pi], NaN for what is not finite; immutable. Two are equal where a

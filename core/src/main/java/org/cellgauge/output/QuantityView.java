@@ -1,8 +1,8 @@
 package org.cellgauge.output;
 
 import java.util.Arrays;
+import org.cellgauge.internal.statistics.Angles;
 import org.cellgauge.sampling.Quantity;
-import org.cellgauge.statistics.Angles;
 import org.cellgauge.statistics.ChainDiagnostics;
 
 /** What the chains say of one quantity, as a result file has it: NaN for what does not exist; immutable. */

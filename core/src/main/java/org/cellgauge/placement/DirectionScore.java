@@ -5,10 +5,10 @@ import java.util.List;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.pose.PoseMode;
-import org.cellgauge.pose.ReferenceView;
-import org.cellgauge.sampling.RandomStreams;
-import org.cellgauge.statistics.SharedLevel;
+import org.cellgauge.internal.pose.PoseMode;
+import org.cellgauge.internal.pose.ReferenceView;
+import org.cellgauge.internal.sampling.RandomStreams;
+import org.cellgauge.internal.statistics.SharedLevel;
 
 /**
  * The test of one direction of one reference's placement: is the reference off along it by more than its stated

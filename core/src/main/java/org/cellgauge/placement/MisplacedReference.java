@@ -5,10 +5,10 @@ import java.util.Collections;
 import java.util.List;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.warning.CheckPhrase;
+import org.cellgauge.internal.warning.CheckPhrase;
+import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.warning.CheckWarning;
-import org.cellgauge.warning.Decimal;
-import org.cellgauge.warning.Listing;
 import org.cellgauge.warning.Warning;
 
 /** A reference that stands farther off than its stated precision allows; immutable. */

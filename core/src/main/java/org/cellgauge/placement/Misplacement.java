@@ -5,7 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
-import org.cellgauge.warning.Listing;
+import org.cellgauge.internal.warning.Listing;
 
 /**
  * What a misplaced reference adds: figures keep it, and if it is misplaced a stated position has a larger error

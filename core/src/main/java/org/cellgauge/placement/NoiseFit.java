@@ -12,11 +12,11 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.pose.CornerErrors;
-import org.cellgauge.pose.IntrinsicsPrior;
-import org.cellgauge.statistics.CoverageRegion;
+import org.cellgauge.internal.pose.CornerErrors;
+import org.cellgauge.internal.pose.IntrinsicsPrior;
+import org.cellgauge.internal.statistics.CoverageRegion;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.warning.CheckWarning;
-import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Warning;
 
 /**

@@ -1,11 +1,11 @@
 package org.cellgauge.placement;
 
 import org.cellgauge.cell.Placement;
-import org.cellgauge.geometry.Cholesky;
-import org.cellgauge.pose.CameraState;
-import org.cellgauge.pose.PoseMode;
-import org.cellgauge.pose.ReferenceView;
-import org.cellgauge.pose.RigidMarkerNoise;
+import org.cellgauge.internal.geometry.Cholesky;
+import org.cellgauge.internal.pose.CameraState;
+import org.cellgauge.internal.pose.PoseMode;
+import org.cellgauge.internal.pose.ReferenceView;
+import org.cellgauge.internal.pose.RigidMarkerNoise;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;

@@ -9,15 +9,15 @@ import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.laplace.CameraFit;
-import org.cellgauge.laplace.ObjectFit;
-import org.cellgauge.pose.PoseMode;
-import org.cellgauge.pose.ReferenceView;
+import org.cellgauge.internal.laplace.CameraFit;
+import org.cellgauge.internal.laplace.ObjectFit;
+import org.cellgauge.internal.pose.PoseMode;
+import org.cellgauge.internal.pose.ReferenceView;
+import org.cellgauge.internal.warning.CheckPhrase;
+import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.settings.LikelihoodModel;
-import org.cellgauge.warning.CheckPhrase;
 import org.cellgauge.warning.CheckWarning;
-import org.cellgauge.warning.Decimal;
-import org.cellgauge.warning.Listing;
 import org.cellgauge.warning.Warning;
 
 /**

@@ -5,9 +5,9 @@ import java.util.Collections;
 import java.util.List;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
-import org.cellgauge.laplace.CameraFit;
-import org.cellgauge.laplace.LinearModel;
-import org.cellgauge.laplace.ObjectFit;
+import org.cellgauge.internal.laplace.CameraFit;
+import org.cellgauge.internal.laplace.LinearModel;
+import org.cellgauge.internal.laplace.ObjectFit;
 
 /**
  * Camera and objects estimated again without the references that are named as misplaced, by Laplace's approximation;

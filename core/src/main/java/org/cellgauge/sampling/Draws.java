@@ -66,7 +66,7 @@ public final class Draws {
         if (layout.isAngle(quantity)) {
             double reference = layout.referenceRad(quantity);
             for (int i = 0; i < count; i++) {
-                series[i] = reference + org.cellgauge.statistics.Angles.difference(series[i], reference);
+                series[i] = reference + org.cellgauge.internal.statistics.Angles.difference(series[i], reference);
             }
         }
         return series;

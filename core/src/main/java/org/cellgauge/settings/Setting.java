@@ -230,7 +230,7 @@ public final class Setting<T> {
     }
 
     /** Sets it to what null stands for in a file: open, or, where it does not apply, the default. */
-    void readOpen(CheckSettings.Builder builder) {
+    public void readOpen(CheckSettings.Builder builder) {
         builder.set(this, form.open() == null ? usual : form.open());
     }
 

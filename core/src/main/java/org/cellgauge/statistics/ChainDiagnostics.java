@@ -6,6 +6,9 @@ import org.apache.commons.math3.special.Erf;
 import org.apache.commons.math3.transform.DftNormalization;
 import org.apache.commons.math3.transform.FastFourierTransformer;
 import org.apache.commons.math3.transform.TransformType;
+import org.cellgauge.internal.statistics.ParetoTail;
+import org.cellgauge.internal.statistics.Quantiles;
+import org.cellgauge.internal.statistics.RunningMoments;
 import org.jspecify.annotations.Nullable;
 
 /**

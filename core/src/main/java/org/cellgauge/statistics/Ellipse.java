@@ -1,5 +1,8 @@
 package org.cellgauge.statistics;
 
+import org.cellgauge.internal.statistics.CovarianceChecks;
+import org.cellgauge.internal.statistics.CoverageRegion;
+
 /**
  * An ellipse in the plane, with everything needed to draw it.
  *

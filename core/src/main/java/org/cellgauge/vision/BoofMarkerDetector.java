@@ -23,14 +23,15 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.CellPhrase;
 import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.cell.CellPhrase;
+import org.cellgauge.internal.vision.BoofThreads;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.light.ToneCurve;
-import org.cellgauge.warning.Decimal;
 import org.cellgauge.warning.Warning;
 
 /**

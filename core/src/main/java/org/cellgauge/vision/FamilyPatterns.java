@@ -12,7 +12,7 @@ import org.cellgauge.cell.MarkerFamily;
  * own generators draw, so that a marker here is what a user of BoofCV prints. Where its table of a dictionary is not
  * the dictionary ({@link OpenCv4x4}), BoofCV is given the right one.
  */
-final class FamilyPatterns {
+public final class FamilyPatterns {
     private static final int PIXELS_PER_CELL = 4;
 
     private final MarkerFamily family;
@@ -24,7 +24,7 @@ final class FamilyPatterns {
      *
      * @param family any family
      */
-    FamilyPatterns(MarkerFamily family) {
+    public FamilyPatterns(MarkerFamily family) {
         this.family = family;
         this.dictionary = family.isSquareBinary() ? null : dictionary(family);
         // BoofCV's default border of square-binary markers is a quarter of the width; all dictionaries have one cell
@@ -84,6 +84,30 @@ final class FamilyPatterns {
             white[i] = engine.getGray().get(pixel(i % bands), pixel(i / bands)) > 127;
         }
         return white;
+    }
+
+    /**
+     * Number of equal squares along an edge that a marker can be put together of, border included.
+     *
+     * @return at least 6
+     */
+    public int squares() {
+        return grid.squares();
+    }
+
+    /**
+     * The pattern of one marker as equal squares.
+     *
+     * @param id an id of the family
+     * @return squares x squares values row by row from the top left, true for white
+     */
+    public boolean[] whiteSquares(int id) {
+        boolean[] white = white(id);
+        boolean[] squares = new boolean[squares() * squares()];
+        for (int i = 0; i < squares.length; i++) {
+            squares[i] = white[grid.bandOf(i / squares()) * grid.bands() + grid.bandOf(i % squares())];
+        }
+        return squares;
     }
 
     private int pixel(int band) {

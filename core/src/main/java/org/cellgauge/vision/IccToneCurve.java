@@ -10,7 +10,7 @@ import org.cellgauge.light.ToneCurve;
  * <p>Format: ICC.1:2022 (profile version 4.4), sections 7.2 (header), 7.3 (tag table), 9.2 (tags), 10.6
  * (curveType) and 10.18 (parametricCurveType); version 2 profiles are alike in all that is read here.
  */
-final class IccToneCurve {
+public final class IccToneCurve {
     private static final int HEADER_BYTES = 128;
     private static final int TAG_BYTES = 12;
     private static final int MAX_TAGS = 1000;
@@ -41,7 +41,7 @@ final class IccToneCurve {
      *     there is none, or none that a power comes near
      * @throws RuntimeException if the profile is damaged
      */
-    static ToneCurve of(byte[] profile) {
+    public static ToneCurve of(byte[] profile) {
         ByteBuffer data = ByteBuffer.wrap(profile);
         int tags = Math.min(data.getInt(HEADER_BYTES), MAX_TAGS);
         ToneCurve grey = null;
@@ -162,7 +162,7 @@ final class IccToneCurve {
      * @param gamma light = grey^gamma
      * @return the curve, or null where no camera has it
      */
-    static ToneCurve gamma(double gamma) {
+    public static ToneCurve gamma(double gamma) {
         double meant = Math.rint(100 * gamma) / 100;
         return meant >= ToneCurve.LEAST_GAMMA && meant <= ToneCurve.LARGEST_GAMMA ? ToneCurve.gamma(meant) : null;
     }

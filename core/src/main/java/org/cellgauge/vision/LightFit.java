@@ -2,7 +2,7 @@ package org.cellgauge.vision;
 
 import java.util.Arrays;
 import java.util.List;
-import org.cellgauge.geometry.Cholesky;
+import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Warning;
 

@@ -1,10 +1,10 @@
 package org.cellgauge.vision;
 
 import java.util.Arrays;
-import org.cellgauge.geometry.Cholesky;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.TangentPlane;
+import org.cellgauge.internal.geometry.Cholesky;
+import org.cellgauge.internal.geometry.TangentPlane;
 
 /**
  * The edges of one marker in one image: its four sides fitted to the grey values, corners where they meet, the

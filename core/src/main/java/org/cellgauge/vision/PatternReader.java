@@ -2,7 +2,7 @@ package org.cellgauge.vision;
 
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.TangentPlane;
+import org.cellgauge.internal.geometry.TangentPlane;
 
 /**
  * Reads the cells of a marker again, once its corners, grey values and blur are known to fractions.

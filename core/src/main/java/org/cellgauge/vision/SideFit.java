@@ -1,8 +1,8 @@
 package org.cellgauge.vision;
 
 import java.util.Arrays;
-import org.cellgauge.geometry.Cholesky;
-import org.cellgauge.geometry.DampedGaussNewton;
+import org.cellgauge.internal.geometry.Cholesky;
+import org.cellgauge.internal.geometry.DampedGaussNewton;
 
 /**
  * One side of a marker fitted to the grey values of the pixels about it: position and slope of its line, width of the

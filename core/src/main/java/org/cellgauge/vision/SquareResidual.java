@@ -8,13 +8,13 @@ import georegression.struct.se.Se3_F64;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.cellgauge.geometry.DampedGaussNewton;
 import org.cellgauge.geometry.Lens;
-import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.geometry.Rotations;
-import org.cellgauge.geometry.TangentPlane;
+import org.cellgauge.internal.geometry.DampedGaussNewton;
+import org.cellgauge.internal.geometry.MarkerGeometry;
+import org.cellgauge.internal.geometry.Rotations;
+import org.cellgauge.internal.geometry.TangentPlane;
 
 /**
  * How far four corners are from being the image of any square: what remains after the best pose.

@@ -1,5 +1,7 @@
 package org.cellgauge.warning;
 
+import org.cellgauge.internal.warning.CheckPhrase;
+
 /** Why the markers of a photo cannot be checked. */
 public enum CheckRefusal implements RefusalKind {
     /** The tone curve is open, and the photo does not tell it. */

@@ -1,5 +1,7 @@
 package org.cellgauge.warning;
 
+import org.cellgauge.internal.warning.CheckPhrase;
+
 /** What a check warns of. */
 public enum CheckWarning implements WarningKind {
     /** Another sampler took over: {@link CheckPhrase#MISFIT}. */

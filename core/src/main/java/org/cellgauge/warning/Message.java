@@ -5,6 +5,8 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.internal.warning.Listing;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -50,7 +52,7 @@ public abstract class Message {
     }
 
     /** An argument as it is kept. */
-    static Object checked(Object argument) {
+    public static Object checked(Object argument) {
         if (argument instanceof WarningKind) {
             return Warning.of((WarningKind) argument);
         }
@@ -98,7 +100,7 @@ public abstract class Message {
     }
 
     /** An argument in words. */
-    static String english(Object argument, Function<MessageKind, String> patterns) {
+    public static String english(Object argument, Function<MessageKind, String> patterns) {
         if (argument instanceof Message) {
             return ((Message) argument).english(patterns);
         }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
+import org.cellgauge.internal.warning.Listing;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.cell.CameraWriter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;

@@ -16,6 +16,7 @@ import java.util.Collections;
 import java.util.OptionalDouble;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.cell.CellWriter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -15,6 +15,8 @@ import java.util.Random;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.cell.CameraWriter;
+import org.cellgauge.internal.cell.CellWriter;
 import org.cellgauge.light.ToneCurve;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;

@@ -10,13 +10,13 @@ import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.geometry.Rotations;
+import org.cellgauge.internal.geometry.Rotations;
+import org.cellgauge.internal.sampling.RandomStreams;
+import org.cellgauge.internal.statistics.CoverageRegion;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.Quantity.Axis;
-import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.statistics.CoverageRegion;
 import org.junit.jupiter.api.Test;
 
 /** Two poses that explain one small marker: both found, weighted as their chances are, and called ambiguous. */

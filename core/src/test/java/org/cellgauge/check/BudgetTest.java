@@ -10,7 +10,7 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.estimate.VarianceSource;
-import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.ObjectNoise;

@@ -7,9 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.cellgauge.chains.Diagnostics;
+import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.output.ResultJson;
-import org.cellgauge.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.LikelihoodModel;

@@ -8,7 +8,7 @@ import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.vision.Detections;

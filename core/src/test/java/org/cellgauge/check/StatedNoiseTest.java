@@ -7,7 +7,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.estimate.VarianceSource;
-import org.cellgauge.sampling.RandomStreams;
+import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.SamplerKind;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.ejml.simple.SimpleMatrix;
 import org.junit.jupiter.api.Test;
 

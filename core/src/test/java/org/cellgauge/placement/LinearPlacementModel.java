@@ -10,8 +10,8 @@ import org.apache.commons.math3.special.Erf;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.ThesisScene;
-import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.ejml.simple.SimpleEVD;
 import org.ejml.simple.SimpleMatrix;
 

@@ -7,9 +7,10 @@ import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import org.cellgauge.cell.MarkerFamily;
-import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
+import org.cellgauge.internal.vision.MarkerPattern;
 
 /** A picture of markers drawn into given quadrilaterals, by averaging 8x8 points per pixel; for undistorted cameras. */
 public final class DrawnMarkers {

@@ -8,7 +8,7 @@ import java.util.List;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.internal.overlay.ImageOrientation;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
 import java.util.Collections;
+import org.cellgauge.internal.warning.CheckPhrase;
+import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.vision.DetectionWarning;
 import org.junit.jupiter.api.Test;
 

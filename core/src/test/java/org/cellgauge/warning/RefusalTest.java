@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.Arrays;
+import org.cellgauge.internal.warning.Listing;
 import org.junit.jupiter.api.Test;
 
 class RefusalTest {

@@ -3,8 +3,8 @@ package org.cellgauge.cli;
 import java.util.Map;
 import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
-import org.cellgauge.validation.ValidationRefusal;
-import org.cellgauge.warning.CheckPhrase;
+import org.cellgauge.internal.validation.ValidationRefusal;
+import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.warning.Message;
 import org.cellgauge.warning.MessageKind;
 

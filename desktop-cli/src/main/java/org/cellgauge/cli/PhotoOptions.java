@@ -4,8 +4,8 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.desktop.render.Sensor;
+import org.cellgauge.internal.vision.MarkerPattern;
 import org.cellgauge.light.ToneCurve;
-import org.cellgauge.vision.MarkerPattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 

@@ -14,9 +14,9 @@ import java.util.stream.Collectors;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.desktop.CheckText;
 import org.cellgauge.desktop.TextTable;
+import org.cellgauge.internal.statistics.BinomialBand;
+import org.cellgauge.internal.validation.CoverageFigures;
 import org.cellgauge.output.ResultJson;
-import org.cellgauge.statistics.BinomialBand;
-import org.cellgauge.validation.CoverageFigures;
 
 /** Figures of a coverage study in tables for people, as a row of a table in Markdown, and as JSON. */
 final class StudyText {

@@ -19,18 +19,18 @@ import java.util.stream.DoubleStream;
 import org.cellgauge.desktop.CheckText;
 import org.cellgauge.desktop.TextTable;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.settings.SettingsJson;
+import org.cellgauge.internal.statistics.BinomialBand;
+import org.cellgauge.internal.validation.RankedQuantity;
+import org.cellgauge.internal.validation.RegionCoverage;
+import org.cellgauge.internal.validation.TruthPrior;
+import org.cellgauge.internal.validation.Validation;
+import org.cellgauge.internal.validation.ValidationResult;
+import org.cellgauge.internal.validation.ValidationSettings;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.LikelihoodModel;
-import org.cellgauge.settings.SettingsJson;
-import org.cellgauge.statistics.BinomialBand;
-import org.cellgauge.validation.RankedQuantity;
-import org.cellgauge.validation.RegionCoverage;
-import org.cellgauge.validation.TruthPrior;
-import org.cellgauge.validation.Validation;
-import org.cellgauge.validation.ValidationResult;
-import org.cellgauge.validation.ValidationSettings;
 
 /** A validation in tables for people, and as JSON. */
 final class ValidationText {

@@ -19,7 +19,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.desktop.render.Sensor;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.validation.CellTruth;
+import org.cellgauge.internal.validation.CellTruth;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

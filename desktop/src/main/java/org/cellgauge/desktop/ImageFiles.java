@@ -19,9 +19,9 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.internal.vision.StatedToneCurve;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
-import org.cellgauge.vision.StatedToneCurve;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 

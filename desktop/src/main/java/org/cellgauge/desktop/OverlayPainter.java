@@ -9,11 +9,11 @@ import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
-import org.cellgauge.overlay.Box;
-import org.cellgauge.overlay.Overlay;
-import org.cellgauge.overlay.PanelShape;
-import org.cellgauge.overlay.Shape;
-import org.cellgauge.overlay.ShapePaint;
+import org.cellgauge.internal.overlay.Box;
+import org.cellgauge.internal.overlay.Overlay;
+import org.cellgauge.internal.overlay.PanelShape;
+import org.cellgauge.internal.overlay.Shape;
+import org.cellgauge.internal.overlay.ShapePaint;
 import org.cellgauge.vision.GreyImage;
 
 /** Paints an overlay over its photo, without a window system and without fonts. */

@@ -4,11 +4,11 @@ import java.util.Collections;
 import java.util.EnumSet;
 import java.util.Set;
 import org.cellgauge.cell.CameraReader;
-import org.cellgauge.cell.CameraWriter;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.PixelArea;
-import org.cellgauge.geometry.SensorCalibration;
+import org.cellgauge.internal.cell.CameraWriter;
+import org.cellgauge.internal.geometry.PixelArea;
+import org.cellgauge.internal.geometry.SensorCalibration;
 
 /** The camera model of a stream of frames and how far it can be relied on; immutable. */
 final class ModelChoice {

@@ -7,7 +7,7 @@ import android.os.Build;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.Set;
-import org.cellgauge.geometry.PixelArea;
+import org.cellgauge.internal.geometry.PixelArea;
 
 /**
  * What a camera is told so that a calibration holds for its frames: no zoom, no stabilisation, no correction of the

@@ -5,7 +5,7 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.PixelArea;
+import org.cellgauge.internal.geometry.PixelArea;
 
 /** The sizes in which a camera delivers: frames to measure in and the preview that shows them; immutable. */
 final class StreamChoice {

@@ -8,11 +8,11 @@ import java.io.UncheckedIOException;
 import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cell.CameraSource;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.CellPhrase;
 import org.cellgauge.cell.CellReader;
-import org.cellgauge.cell.InputFiles;
 import org.cellgauge.cell.StatedCamera;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.cell.CellPhrase;
+import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.warning.RefusalKind;
 
 /** Cells and photos out of Android's document picker, and the example out of the app itself. */

@@ -16,11 +16,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.cellgauge.cell.CellWriter;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.internal.cell.CellWriter;
+import org.cellgauge.internal.overlay.CellOverlay;
+import org.cellgauge.internal.overlay.OverlayStyle;
 import org.cellgauge.output.ResultJson;
-import org.cellgauge.overlay.CellOverlay;
-import org.cellgauge.overlay.OverlayStyle;
 import org.cellgauge.vision.GreyImage;
 import org.cellgauge.warning.Refusal;
 

@@ -4,7 +4,7 @@ import android.content.res.AssetManager;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import org.cellgauge.cell.InputFiles;
+import org.cellgauge.internal.cell.InputFiles;
 
 /** The libraries in the app and the terms they stand under, as the build wrote them down. */
 public final class LicenceTexts {

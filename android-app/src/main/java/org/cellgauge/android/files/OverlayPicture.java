@@ -1,7 +1,7 @@
 package org.cellgauge.android.files;
 
 import android.graphics.Bitmap;
-import org.cellgauge.overlay.Overlay;
+import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.vision.GreyImage;
 
 /** Paints what a check found over the photo that it was found in. */

@@ -8,8 +8,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.internal.vision.StatedToneCurve;
 import org.cellgauge.vision.GreyImage;
-import org.cellgauge.vision.StatedToneCurve;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 

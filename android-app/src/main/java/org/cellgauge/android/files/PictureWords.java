@@ -2,8 +2,8 @@ package org.cellgauge.android.files;
 
 import org.cellgauge.check.Reason;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.overlay.LabelWords;
-import org.cellgauge.overlay.LegendWords;
+import org.cellgauge.internal.overlay.LabelWords;
+import org.cellgauge.internal.overlay.LegendWords;
 
 /** What a kept picture says, in the language that the app speaks at the moment. */
 public interface PictureWords {

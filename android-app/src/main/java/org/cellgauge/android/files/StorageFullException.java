@@ -1,6 +1,6 @@
 package org.cellgauge.android.files;
 
-import org.cellgauge.warning.Decimal;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.warning.Refusal;
 
 /** There is no room for a result; nothing of it was written. */

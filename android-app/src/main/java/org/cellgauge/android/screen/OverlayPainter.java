@@ -8,11 +8,11 @@ import android.graphics.Path;
 import android.graphics.PathEffect;
 import java.util.ArrayList;
 import java.util.List;
-import org.cellgauge.overlay.Box;
-import org.cellgauge.overlay.Overlay;
-import org.cellgauge.overlay.PanelShape;
-import org.cellgauge.overlay.Shape;
-import org.cellgauge.overlay.ShapePaint;
+import org.cellgauge.internal.overlay.Box;
+import org.cellgauge.internal.overlay.Overlay;
+import org.cellgauge.internal.overlay.PanelShape;
+import org.cellgauge.internal.overlay.Shape;
+import org.cellgauge.internal.overlay.ShapePaint;
 import org.cellgauge.vision.GreyImage;
 
 /**

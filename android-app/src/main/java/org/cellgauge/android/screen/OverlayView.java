@@ -4,8 +4,8 @@ import android.content.Context;
 import android.graphics.Canvas;
 import android.util.AttributeSet;
 import android.view.View;
-import org.cellgauge.overlay.Overlay;
-import org.cellgauge.overlay.ViewFit;
+import org.cellgauge.internal.overlay.Overlay;
+import org.cellgauge.internal.overlay.ViewFit;
 
 /** The overlay over the picture; nothing else. */
 public final class OverlayView extends View {

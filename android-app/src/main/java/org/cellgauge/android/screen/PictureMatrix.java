@@ -1,8 +1,8 @@
 package org.cellgauge.android.screen;
 
 import android.graphics.Matrix;
-import org.cellgauge.overlay.ImageOrientation;
-import org.cellgauge.overlay.ViewFit;
+import org.cellgauge.internal.overlay.ImageOrientation;
+import org.cellgauge.internal.overlay.ViewFit;
 
 /** Where pictures lie in a view: given by where core puts three corners of the image. */
 final class PictureMatrix {

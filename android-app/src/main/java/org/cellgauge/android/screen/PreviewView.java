@@ -5,7 +5,7 @@ import android.graphics.Matrix;
 import android.util.AttributeSet;
 import android.view.TextureView;
 import org.cellgauge.android.camera.CameraSetup;
-import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.internal.overlay.ImageOrientation;
 
 /** The camera's picture: it fills the view, upright however the display is turned, a front camera's mirrored. */
 public final class PreviewView extends TextureView {

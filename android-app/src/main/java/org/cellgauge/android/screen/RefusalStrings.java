@@ -2,8 +2,8 @@ package org.cellgauge.android.screen;
 
 import org.cellgauge.android.R;
 import org.cellgauge.android.files.FileRefusal;
-import org.cellgauge.cell.CellPhrase;
 import org.cellgauge.cell.CellRefusal;
+import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.MessageKind;
 

@@ -12,10 +12,10 @@ import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.ObjectRow;
 import org.cellgauge.android.state.Problem;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.overlay.EllipseShape;
-import org.cellgauge.overlay.Overlay;
-import org.cellgauge.overlay.Role;
-import org.cellgauge.overlay.Shape;
+import org.cellgauge.internal.overlay.EllipseShape;
+import org.cellgauge.internal.overlay.Overlay;
+import org.cellgauge.internal.overlay.Role;
+import org.cellgauge.internal.overlay.Shape;
 import org.cellgauge.warning.Warning;
 
 /** What a state says, in the user's language: pure text, so that the activity only has to put it in its places. */

@@ -4,8 +4,8 @@ import android.content.Context;
 import org.cellgauge.android.files.PictureWords;
 import org.cellgauge.check.Reason;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.overlay.LabelWords;
-import org.cellgauge.overlay.LegendWords;
+import org.cellgauge.internal.overlay.LabelWords;
+import org.cellgauge.internal.overlay.LegendWords;
 
 /** Words of a kept picture: those of the screen, in the language that is set when they are asked for. */
 public final class ScreenWords implements PictureWords {

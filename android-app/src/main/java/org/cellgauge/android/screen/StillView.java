@@ -8,7 +8,7 @@ import android.graphics.Paint;
 import android.util.AttributeSet;
 import android.view.View;
 import org.cellgauge.android.files.Photo;
-import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.internal.overlay.ImageOrientation;
 import org.cellgauge.vision.GreyImage;
 
 /** A held frame or a photo in place of the camera's picture. */

@@ -1,8 +1,8 @@
 package org.cellgauge.android.screen;
 
 import org.cellgauge.android.R;
+import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.vision.DetectionWarning;
-import org.cellgauge.warning.CheckPhrase;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.MessageKind;
 

@@ -7,13 +7,13 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Reason;
+import org.cellgauge.internal.overlay.CellOverlay;
+import org.cellgauge.internal.overlay.Overlay;
+import org.cellgauge.internal.overlay.OverlayStyle;
+import org.cellgauge.internal.overlay.Status;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
-import org.cellgauge.overlay.CellOverlay;
-import org.cellgauge.overlay.Overlay;
-import org.cellgauge.overlay.OverlayStyle;
-import org.cellgauge.overlay.Status;
 
 /** What the screen shows of a check: rows of the list, and the overlay. Every judgement is core's. */
 final class CheckFigures {

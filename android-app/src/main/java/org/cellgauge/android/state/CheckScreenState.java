@@ -15,9 +15,9 @@ import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.Reason;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.overlay.ImageOrientation;
+import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.live.LiveState;
-import org.cellgauge.overlay.ImageOrientation;
-import org.cellgauge.overlay.Overlay;
 
 /** All that the screen shows; immutable. The screen knows nothing else, and changes nothing but through a session. */
 public final class CheckScreenState {

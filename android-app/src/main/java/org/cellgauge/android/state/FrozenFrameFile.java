@@ -9,8 +9,8 @@ import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import org.cellgauge.android.files.Photo;
+import org.cellgauge.internal.overlay.ImageOrientation;
 import org.cellgauge.light.ToneCurve;
-import org.cellgauge.overlay.ImageOrientation;
 import org.cellgauge.vision.GreyImage;
 
 /**

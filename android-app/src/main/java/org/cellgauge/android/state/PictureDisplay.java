@@ -1,9 +1,9 @@
 package org.cellgauge.android.state;
 
-import org.cellgauge.overlay.ImageOrientation;
-import org.cellgauge.overlay.LabelWords;
-import org.cellgauge.overlay.OverlayStyle;
-import org.cellgauge.overlay.ViewFit;
+import org.cellgauge.internal.overlay.ImageOrientation;
+import org.cellgauge.internal.overlay.LabelWords;
+import org.cellgauge.internal.overlay.OverlayStyle;
+import org.cellgauge.internal.overlay.ViewFit;
 
 /** How the display shows the picture: turned by what, with how much room, what words and what letters; immutable. */
 public final class PictureDisplay {

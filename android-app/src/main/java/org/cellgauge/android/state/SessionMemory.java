@@ -2,8 +2,8 @@ package org.cellgauge.android.state;
 
 import android.os.Bundle;
 import java.util.OptionalDouble;
-import org.cellgauge.geometry.Lenses;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.geometry.Lenses;
 
 /**
  * What of a session outlives its process: what was chosen, not what was computed. The same choices and the same seed

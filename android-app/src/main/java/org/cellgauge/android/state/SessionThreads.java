@@ -3,7 +3,7 @@ package org.cellgauge.android.state;
 import io.reactivex.rxjava3.core.Flowable;
 import io.reactivex.rxjava3.core.Scheduler;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.live.IdleThreads;
+import org.cellgauge.internal.live.IdleThreads;
 import org.cellgauge.live.LiveCheck;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;

@@ -11,7 +11,7 @@ import java.util.Collections;
 import java.util.EnumSet;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.PixelArea;
+import org.cellgauge.internal.geometry.PixelArea;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

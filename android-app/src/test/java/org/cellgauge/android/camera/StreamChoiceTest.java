@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.geometry.PixelArea;
+import org.cellgauge.internal.geometry.PixelArea;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -27,7 +27,7 @@ import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.state.CheckScreenState;
 import org.cellgauge.android.state.CheckSession;
-import org.cellgauge.overlay.ImageOrientation;
+import org.cellgauge.internal.overlay.ImageOrientation;
 import org.robolectric.Robolectric;
 import org.robolectric.RuntimeEnvironment;
 import org.robolectric.android.controller.ActivityController;

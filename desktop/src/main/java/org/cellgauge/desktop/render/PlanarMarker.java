@@ -2,7 +2,7 @@ package org.cellgauge.desktop.render;
 
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.vision.MarkerPattern;
+import org.cellgauge.internal.vision.MarkerPattern;
 
 /**
  * A marker with its paper as one camera sees it: the map from a ray to a place on the paper, and the colours there.

@@ -6,7 +6,7 @@ import java.util.List;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.vision.MarkerPattern;
+import org.cellgauge.internal.vision.MarkerPattern;
 
 /**
  * What a rendered photo shows: printed markers on white paper in front of a wall (or on a table) in the plane z = 0 of

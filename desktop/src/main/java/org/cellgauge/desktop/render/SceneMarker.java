@@ -1,7 +1,7 @@
 package org.cellgauge.desktop.render;
 
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.vision.MarkerPattern;
+import org.cellgauge.internal.vision.MarkerPattern;
 
 /**
  * A printed marker of a scene.

@@ -2,9 +2,9 @@ package org.cellgauge.desktop.render;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.cellgauge.geometry.MarkerGeometry;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
 
 /** Where the corners of a scene's markers really are in its image. */
 public final class SceneTruth {

@@ -1,0 +1,277 @@
+package org.cellgauge.check;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.cellgauge.internal.sampling.OwnThreads;
+import org.cellgauge.internal.statistics.ParetoTail;
+import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
+import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.statistics.ChainDiagnostics;
+import org.cellgauge.statistics.Convergence;
+
+/** Convergence of all chains, quantity by quantity; immutable. */
+public final class Diagnostics {
+    private final Map<Quantity, ChainDiagnostics> parameters;
+    private final Convergence convergence;
+    private final double rHatMax;
+    private final double essBulkMin;
+    private final double essTailMin;
+    private final double mcseStdRelMax;
+    private final Quantity worst;
+    private final Quantity leastPrecise;
+    private final boolean[] measured;
+    private final Map<Quantity, Double> paretoK;
+    private final Quantity heaviest;
+
+    private Diagnostics(Map<Quantity, ChainDiagnostics> parameters, boolean[] judged, boolean[] measured) {
+        this.parameters = Collections.unmodifiableMap(parameters);
+        Convergence overall = Convergence.CONVERGED;
+        double rHat = 0;
+        double bulk = Double.POSITIVE_INFINITY;
+        double tail = Double.POSITIVE_INFINITY;
+        double mcse = 0;
+        Quantity worstOff = null;
+        Quantity leastKnown = null;
+        double worstBulk = Double.POSITIVE_INFINITY;
+        int i = 0;
+        for (Map.Entry<Quantity, ChainDiagnostics> e : parameters.entrySet()) {
+            boolean toMeasure = measured[i];
+            if (!judged[i++]) {
+                continue;
+            }
+            ChainDiagnostics d = e.getValue();
+            Convergence own = d.convergence();
+            boolean defined = d.status() == ChainDiagnostics.Status.OK;
+            double rank = defined ? Math.min(d.essBulk(), d.essTail()) : -1;
+            if (own.worse(overall) != overall || (own == overall && rank < worstBulk)) {
+                worstOff = e.getKey();
+                worstBulk = rank;
+            }
+            overall = overall.worse(own);
+            // NaN must stay: a maximum over what has no R-hat has none either
+            rHat = defined && !Double.isNaN(rHat) ? Math.max(rHat, d.rHat()) : Double.NaN;
+            bulk = defined && !Double.isNaN(bulk) ? Math.min(bulk, d.essBulk()) : Double.NaN;
+            tail = defined && !Double.isNaN(tail) ? Math.min(tail, d.essTail()) : Double.NaN;
+            if (toMeasure) {
+                double share = defined ? d.mcseSd() / d.std() : Double.NaN;
+                if (!Double.isNaN(mcse) && !(share <= mcse)) {
+                    mcse = share;
+                    leastKnown = e.getKey();
+                }
+            }
+        }
+        convergence = overall;
+        rHatMax = rHat;
+        essBulkMin = bulk;
+        essTailMin = tail;
+        mcseStdRelMax = mcse;
+        worst = worstOff;
+        leastPrecise = leastKnown;
+        this.measured = measured.clone();
+        paretoK = Collections.emptyMap();
+        heaviest = null;
+    }
+
+    private Diagnostics(Diagnostics d, Map<Quantity, Double> paretoK) {
+        parameters = d.parameters;
+        convergence = d.convergence;
+        rHatMax = d.rHatMax;
+        essBulkMin = d.essBulkMin;
+        essTailMin = d.essTailMin;
+        mcseStdRelMax = d.mcseStdRelMax;
+        worst = d.worst;
+        leastPrecise = d.leastPrecise;
+        measured = d.measured;
+        this.paretoK = Collections.unmodifiableMap(paretoK);
+        Quantity name = null;
+        for (Map.Entry<Quantity, Double> e : paretoK.entrySet()) {
+            name = name == null || e.getValue() > paretoK.get(name) ? e.getKey() : name;
+        }
+        heaviest = name;
+    }
+
+    /**
+     * The same with the tails of what {@link #mcseStdRelMax()} is about: once, at the end, for the fits take time.
+     *
+     * @param threads how many threads work, the calling one among them; no figure depends on it
+     * @return the diagnostics
+     */
+    public Diagnostics withTails(int threads) {
+        Quantity[] quantities = parameters.keySet().toArray(new Quantity[0]);
+        double[] k = new double[quantities.length];
+        OwnThreads.forEach(k.length, threads,
+                i -> k[i] = measured[i] ? parameters.get(quantities[i]).paretoK() : Double.NaN);
+        Map<Quantity, Double> all = new LinkedHashMap<>();
+        for (int i = 0; i < k.length; i++) {
+            if (!Double.isNaN(k[i])) {
+                all.put(quantities[i], k[i]);
+            }
+        }
+        return new Diagnostics(this, all);
+    }
+
+    /**
+     * Diagnoses draws.
+     *
+     * @param chains draws of each chain, all equally many
+     * @param layout quantities of a draw
+     * @param judged whether a quantity counts for the overall judgement; the others are reported alone
+     * @param measured whether the Monte Carlo error of its deviation counts too
+     * @param threads how many threads work, the calling one among them; no figure depends on it
+     * @return the diagnostics
+     */
+    public static Diagnostics of(List<Draws> chains, QuantityLayout layout, boolean[] judged, boolean[] measured,
+            int threads) {
+        ChainDiagnostics[] all = new ChainDiagnostics[layout.size()];
+        // quantities do not depend on each other, so the order in which threads take them changes nothing
+        OwnThreads.forEach(all.length, threads, q -> {
+            double[][] series = new double[chains.size()][];
+            for (int c = 0; c < series.length; c++) {
+                series[c] = chains.get(c).series(q);
+            }
+            all[q] = ChainDiagnostics.of(series);
+        });
+        Map<Quantity, ChainDiagnostics> parameters = new LinkedHashMap<>();
+        for (int q = 0; q < all.length; q++) {
+            parameters.put(layout.quantities().get(q), all[q]);
+        }
+        return new Diagnostics(parameters, judged, measured);
+    }
+
+    /**
+     * Diagnostics of every quantity.
+     *
+     * @return unmodifiable, in the order of the draws
+     */
+    public Map<Quantity, ChainDiagnostics> parameters() {
+        return parameters;
+    }
+
+    /**
+     * Diagnostics of one quantity.
+     *
+     * @param quantity which
+     * @return its diagnostics
+     * @throws IllegalArgumentException if draws have no such quantity
+     */
+    public ChainDiagnostics of(Quantity quantity) {
+        ChainDiagnostics found = parameters.get(quantity);
+        if (found == null) {
+            throw new IllegalArgumentException("no quantity " + quantity);
+        }
+        return found;
+    }
+
+    /**
+     * The overall judgement.
+     *
+     * @return the worst of all judged quantities
+     */
+    public Convergence convergence() {
+        return convergence;
+    }
+
+    /**
+     * Whether figures may be shown as such.
+     *
+     * @return true if converged
+     */
+    public boolean converged() {
+        return convergence == Convergence.CONVERGED;
+    }
+
+    /**
+     * Largest R-hat.
+     *
+     * @return NaN if a quantity has none
+     */
+    public double rHatMax() {
+        return rHatMax;
+    }
+
+    /**
+     * Smallest bulk effective sample size.
+     *
+     * @return NaN if a quantity has none
+     */
+    public double essBulkMin() {
+        return essBulkMin;
+    }
+
+    /**
+     * Smallest tail effective sample size.
+     *
+     * @return NaN if a quantity has none
+     */
+    public double essTailMin() {
+        return essTailMin;
+    }
+
+    /**
+     * Largest Monte Carlo error of a standard deviation, relative to it. The rotation of an object with a second pose
+     * mode is left out: rare visits to that mode make up its deviation, and {@link #parameters()} has its error. Its
+     * gripping point is not: a target is held against that.
+     *
+     * @return share; NaN if a quantity has none
+     */
+    public double mcseStdRelMax() {
+        return mcseStdRelMax;
+    }
+
+    /**
+     * The quantity whose deviation has the largest Monte Carlo error, of those that {@link #mcseStdRelMax()} is about.
+     *
+     * @return null where none is judged
+     */
+    public Quantity leastPreciseParameter() {
+        return leastPrecise;
+    }
+
+    /**
+     * Shape k of the heavier tail of each quantity's draws ({@link org.cellgauge.internal.statistics.ParetoTail}).
+     *
+     * @return unmodifiable; of the quantities that {@link #mcseStdRelMax()} is about, where k exists
+     */
+    public Map<Quantity, Double> paretoK() {
+        return paretoK;
+    }
+
+    /**
+     * The largest of these.
+     *
+     * @return NaN where there is none
+     */
+    public double paretoKMax() {
+        return heaviest == null ? Double.NaN : paretoK.get(heaviest);
+    }
+
+    /**
+     * The quantity with the heaviest tail.
+     *
+     * @return null where there is none
+     */
+    public Quantity heaviestParameter() {
+        return heaviest;
+    }
+
+    /**
+     * Whether tails are too heavy for Monte Carlo errors of standard deviations to be what is stated.
+     *
+     * @return true if the largest k is beyond {@link org.cellgauge.internal.statistics.ParetoTail#LARGEST_FOR_STD}
+     */
+    public boolean heavyTails() {
+        return paretoKMax() > ParetoTail.LARGEST_FOR_STD;
+    }
+
+    /**
+     * The quantity that is worst off.
+     *
+     * @return null where none is judged
+     */
+    public Quantity worstParameter() {
+        return worst;
+    }
+}

@@ -1,0 +1,45 @@
+package org.cellgauge.internal.estimate;
+
+/** Small helpers on matrices of rows. */
+public final class Matrices {
+    private Matrices() {
+    }
+
+    public static double[][] copy(double[][] a) {
+        double[][] out = new double[a.length][];
+        for (int i = 0; i < a.length; i++) {
+            out[i] = a[i].clone();
+        }
+        return out;
+    }
+
+    /** The leading n x n block. */
+    public static double[][] block(double[][] a, int n) {
+        double[][] out = new double[n][n];
+        for (int i = 0; i < n; i++) {
+            System.arraycopy(a[i], 0, out[i], 0, n);
+        }
+        return out;
+    }
+
+    /** a b a^T added to a symmetric out, for a of rows x n and a symmetric b of n x n row by row. */
+    public static void addSandwich(double[][] a, double[] b, int n, double[][] out) {
+        for (int i = 0; i < a.length; i++) {
+            double[] ab = new double[n];
+            for (int k = 0; k < n; k++) {
+                for (int l = 0; l < n; l++) {
+                    ab[l] += a[i][k] * b[k * n + l];
+                }
+            }
+            for (int j = 0; j <= i; j++) {
+                double s = 0;
+                for (int l = 0; l < n; l++) {
+                    s += ab[l] * a[j][l];
+                }
+                out[i][j] += s;
+                // symmetric to the last digit
+                out[j][i] = out[i][j];
+            }
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** Matrices of estimates, and their ellipses in the image. */
+package org.cellgauge.internal.estimate;

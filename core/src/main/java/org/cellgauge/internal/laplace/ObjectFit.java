@@ -1,0 +1,146 @@
+package org.cellgauge.internal.laplace;
+
+import java.util.List;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.Cholesky;
+import org.cellgauge.internal.geometry.MarkerGeometry;
+import org.cellgauge.internal.pose.CameraState;
+import org.cellgauge.internal.pose.CornerErrors;
+import org.cellgauge.internal.pose.IntrinsicsPrior;
+import org.cellgauge.internal.pose.MarkerPoseFinder;
+import org.cellgauge.internal.pose.PoseMode;
+import org.cellgauge.internal.pose.ReprojectionFit;
+
+/**
+ * One object of a photo: its corners less what they share with others at the camera's mode, and the modes of its pose
+ * before the camera. Immutable.
+ */
+public final class ObjectFit {
+    /** The object as the cell file has it. */
+    public final ObjectMarker marker;
+    /** Errors of the photo's corners, px. */
+    public final CornerErrors errors;
+    /** Its corners less what they share with others at the camera's mode, 8 values, px. */
+    public final double[] cornersPx;
+    /** Modes of its pose in the camera frame, heaviest first. */
+    public final List<PoseMode> modes;
+    /** Mode of the camera: intrinsics, shared unknowns and noise that the modes were found at. */
+    public final CameraState camera;
+
+    /**
+     * An object.
+     *
+     * @param camera mode of the camera: intrinsics, shared unknowns and noise that the modes were found at
+     */
+    public ObjectFit(ObjectMarker marker, CornerErrors errors, CameraState camera, List<PoseMode> modes) {
+        this.marker = marker;
+        this.errors = errors;
+        this.camera = camera;
+        this.modes = modes;
+        cornersPx = errors.cornersPx(marker.id(), camera.unknowns);
+    }
+
+    /** The modes of an object's pose at the intrinsics, shared unknowns and noise of a camera; empty where none is. */
+    public static List<PoseMode> modes(ObjectMarker marker, CornerErrors errors, CameraState camera) {
+        PinholeCamera lens = PinholeCamera.of(camera.lens, 1, 1, camera.intrinsics);
+        double[] corners = errors.cornersPx(marker.id(), camera.unknowns);
+        return errors.isPlain() ? MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.statedStdPx())
+                : MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.whitening(marker.id(), camera.noise));
+    }
+
+    /**
+     * An object whose corners are exactly where its pose has them: nothing is searched for.
+     *
+     * @param cameraFromObject its pose in the camera frame
+     * @return the object; null where the corners do not determine that pose
+     */
+    public static ObjectFit at(ObjectMarker marker, CornerErrors errors, CameraState camera,
+            RigidTransform cameraFromObject) {
+        PinholeCamera lens = PinholeCamera.of(camera.lens, 1, 1, camera.intrinsics);
+        ObjectFit unfitted = new ObjectFit(marker, errors, camera, List.of());
+        PoseMode mode = unfitted.fitTo(unfitted.cornersPx).modeAt(CameraState.of(cameraFromObject, lens));
+        return mode == null ? null : new ObjectFit(marker, errors, camera, List.of(mode));
+    }
+
+    /** The same object before another camera; the same where that leads to no pose. */
+    public ObjectFit at(CameraState other) {
+        List<PoseMode> found = modes(marker, errors, other);
+        return found.isEmpty() ? this : new ObjectFit(marker, errors, other, found);
+    }
+
+    /** A fit of the pose to corners of the caller's (not copied) at the caller's intrinsics, for one thread. */
+    public ReprojectionFit fitTo(double[] corners) {
+        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(marker.sizeMm()), corners,
+                IntrinsicsPrior.KNOWN, null);
+        weigh(fit);
+        return fit;
+    }
+
+    private void weigh(ReprojectionFit fit) {
+        if (errors.isPlain()) {
+            fit.setIsotropic(errors.statedStdPx());
+        } else {
+            fit.setWhitening(errors.whitening(marker.id(), camera.noise));
+        }
+    }
+
+    /**
+     * Change of the fitted pose by each unknown intrinsic and each unknown that markers share: {@code -(J^T J)^-1 J^T
+     * J_f} of the whitened derivatives.
+     *
+     * @return 6 rows
+     */
+    public double[][] answers(int modeIndex, IntrinsicsPrior intrinsicsPrior) {
+        int n = intrinsicsPrior.count() + errors.unknowns();
+        double[][] out = new double[6][n];
+        if (n == 0) {
+            return out;
+        }
+        CameraState object = modes.get(modeIndex).state();
+        object.unknowns = new double[errors.unknowns()];
+        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(marker.sizeMm()), cornersPx,
+                errors.columns(marker.id()), errors.unknowns(), intrinsicsPrior, null);
+        weigh(fit);
+        double[] j = fit.jacobianAt(object);
+        double[] normal = new double[36];
+        double[][] right = new double[n][6];
+        int all = fit.columns();
+        for (int row = 0; row < 8; row++) {
+            for (int a = 0; a < 6; a++) {
+                for (int b = 0; b < 6; b++) {
+                    normal[6 * a + b] += j[row * all + a] * j[row * all + b];
+                }
+                for (int f = 0; f < n; f++) {
+                    right[f][a] -= j[row * all + a] * j[row * all + fit.layout().intrinsics() + f];
+                }
+            }
+        }
+        Cholesky.factor(normal, 6);
+        for (int f = 0; f < n; f++) {
+            Cholesky.solveLower(normal, 6, right[f]);
+            Cholesky.solveUpper(normal, 6, right[f]);
+            for (int a = 0; a < 6; a++) {
+                out[a][f] = right[f][a];
+            }
+        }
+        return out;
+    }
+
+    /** Which of the modes a state is nearest to, in the deviations of that mode. */
+    public static int nearest(List<PoseMode> modes, CameraState state) {
+        int nearest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < modes.size(); k++) {
+            double[] step = state.stepFrom(modes.get(k).state());
+            // rotation alone tells mirrored poses apart
+            double squared = step[3] * step[3] + step[4] * step[4] + step[5] * step[5];
+            if (squared < least) {
+                least = squared;
+                nearest = k;
+            }
+        }
+        return nearest;
+    }
+}

@@ -1,0 +1,2 @@
+/** Threads of a live check. */
+package org.cellgauge.internal.live;

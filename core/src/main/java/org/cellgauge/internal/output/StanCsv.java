@@ -1,0 +1,80 @@
+package org.cellgauge.internal.output;
+
+import java.io.IOException;
+import java.util.List;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.internal.statistics.Angles;
+import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.settings.CheckSettings;
+
+/**
+ * The kept draws of a chain as Stan's command line writes them ("Stan CSV", CmdStan User's Guide, chapter "Stan CSV
+ * File Format"): comment lines, a line of names, one line per draw. Tools of the field read it, ArviZ by
+ * {@code from_cmdstan}.
+ */
+public final class StanCsv {
+    /** Most lines of a chain: longer ones are thinned, since a file of tens of megabytes serves no one. */
+    public static final int MOST_DRAWS = 10_000;
+
+    private StanCsv() {
+    }
+
+    /**
+     * Writes one chain. Angles are in (-pi, pi]; numbers keep every digit. Of more than {@value #MOST_DRAWS} draws
+     * every second, third, … is written, as Stan thins; the result's figures rest on all of them.
+     *
+     * @param result what a check found
+     * @param chain which chain, from 1
+     * @param inputName name of the photo or detections file
+     * @param version version of this program
+     * @param out receives the text; not closed
+     * @throws IOException if {@code out} throws it
+     * @throws IndexOutOfBoundsException if there is no such chain
+     */
+    public static void write(CheckResult result, int chain, String inputName, String version, Appendable out)
+            throws IOException {
+        Draws draws = result.draws().get(chain - 1);
+        CheckSettings settings = result.settings();
+        int thin = (draws.count() + MOST_DRAWS - 1) / MOST_DRAWS;
+        comment(out, "program = cellgauge");
+        comment(out, "program_version = " + version);
+        comment(out, "model = " + settings.model().likelihood().word());
+        comment(out, "method = sample (Default)");
+        comment(out, "  sample");
+        comment(out, "    num_samples = " + draws.count());
+        comment(out, "    num_warmup = " + result.warmup());
+        comment(out, "    save_warmup = false (Default)");
+        comment(out, "    thin = " + thin + (thin == 1 ? " (Default)" : ""));
+        comment(out, "    algorithm = " + result.samplerUsed().word());
+        comment(out, "id = " + chain);
+        comment(out, "data");
+        comment(out, "  file = " + inputName);
+        comment(out, "random");
+        comment(out, "  seed = " + settings.sampling().seed());
+        comment(out, "verdict = " + result.verdict().key());
+        QuantityLayout layout = result.layout();
+        List<String> names = layout.names();
+        out.append(String.join(",", names)).append('\n');
+        StringBuilder line = new StringBuilder();
+        for (int i = 0; i < draws.count(); i += thin) {
+            line.setLength(0);
+            for (int q = 0; q < names.size(); q++) {
+                double value = draws.get(q, i);
+                line.append(q == 0 ? "" : ",").append(number(layout.isAngle(q) ? Angles.wrapToPi(value) : value));
+            }
+            out.append(line.append('\n'));
+        }
+    }
+
+    private static void comment(Appendable out, String text) throws IOException {
+        out.append("# ").append(text.replaceAll("\\p{Cntrl}", " ")).append('\n');
+    }
+
+    private static String number(double value) {
+        if (Double.isNaN(value)) {
+            return "nan";
+        }
+        return Double.isInfinite(value) ? value > 0 ? "inf" : "-inf" : Double.toString(value);
+    }
+}

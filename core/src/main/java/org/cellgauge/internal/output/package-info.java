@@ -1,0 +1,2 @@
+/** Draws as Stan writes them. */
+package org.cellgauge.internal.output;

@@ -1,0 +1,33 @@
+package org.cellgauge.internal.overlay;
+
+import java.util.Collections;
+import java.util.List;
+
+/** A box behind texts, to be filled so that they stand out; immutable. */
+public final class PanelShape extends Shape {
+    private final Box box;
+
+    /**
+     * A panel.
+     *
+     * @param role what it stands for
+     * @param status how that was judged
+     * @param strokePx width of its edge, px
+     * @param box where it is
+     */
+    public PanelShape(Role role, Status status, double strokePx, Box box) {
+        super(role, status, strokePx, false);
+        this.box = box;
+    }
+
+    @Override
+    public Box bounds() {
+        return box;
+    }
+
+    @Override
+    public List<double[]> strokes() {
+        return Collections.singletonList(new double[] {box.left(), box.top(), box.right(), box.top(), box.right(),
+            box.bottom(), box.left(), box.bottom(), box.left(), box.top()});
+    }
+}

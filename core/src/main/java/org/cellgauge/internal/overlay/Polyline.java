@@ -1,0 +1,47 @@
+package org.cellgauge.internal.overlay;
+
+import java.util.Collections;
+import java.util.List;
+
+/** A line of straight pieces, closed or open; immutable. */
+public final class Polyline extends Shape {
+    private final double[] pointsPx;
+
+    /**
+     * A polyline.
+     *
+     * @param role what it stands for
+     * @param status how that was judged
+     * @param strokePx line width, px
+     * @param dashed whether it is dashed
+     * @param pointsPx u0, v0, u1, v1, …; at least two points; copied; closed where the last is the first
+     * @throws IllegalArgumentException if there are fewer than two points or one is not finite
+     */
+    public Polyline(Role role, Status status, double strokePx, boolean dashed, double... pointsPx) {
+        super(role, status, strokePx, dashed);
+        if (pointsPx.length < 4 || pointsPx.length % 2 != 0) {
+            throw new IllegalArgumentException("a polyline takes at least two points, not " + pointsPx.length
+                    + " values");
+        }
+        for (double v : pointsPx) {
+            if (!Double.isFinite(v)) {
+                throw new IllegalArgumentException("a point of a polyline is not finite");
+            }
+        }
+        this.pointsPx = pointsPx.clone();
+    }
+
+    /**
+     * The points.
+     *
+     * @return a copy, u0, v0, u1, v1, …, px
+     */
+    public double[] pointsPx() {
+        return pointsPx.clone();
+    }
+
+    @Override
+    public List<double[]> strokes() {
+        return Collections.singletonList(pointsPx.clone());
+    }
+}

@@ -1,0 +1,260 @@
+package org.cellgauge.internal.pose;
+
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.geometry.Cholesky;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.ModelSettings;
+
+/**
+ * Which intrinsics are unknown and what is known of them beforehand: a Gaussian; immutable.
+ *
+ * <p>It is kept as a chain of regressions: the deviation of unknown i from its mean, given those before it, is normal
+ * about {@code sum_k b_ik d_k} with a deviation of its own. The rows of {@code (d_i - sum_k b_ik d_k) / s_i} are
+ * independent and standard normal beforehand: {@code L^-1 d}, L the Cholesky factor of the covariance.
+ *
+ * <p>The prior is always proper: references in one plane alone do not determine a focal length, and a flat prior would
+ * leave a posterior that cannot be normalised.
+ */
+public final class IntrinsicsPrior {
+    /** All intrinsics are known. */
+    public static final IntrinsicsPrior KNOWN = new IntrinsicsPrior(new int[0], new double[0], new double[0],
+            new double[0], new double[0]);
+
+    private final int[] indices;
+    private final double[] means;
+    private final double[] stds;
+    private final double[] slopes;
+    private final double[] ownStds;
+
+    /**
+     * A prior.
+     *
+     * @param slopes by how much unknown i follows those before it, count x count row by row, lower triangle
+     * @param ownStds deviation of each given those before it
+     */
+    private IntrinsicsPrior(int[] indices, double[] means, double[] stds, double[] slopes, double[] ownStds) {
+        this.indices = indices;
+        this.means = means;
+        this.stds = stds;
+        this.slopes = slopes;
+        this.ownStds = ownStds;
+    }
+
+    /**
+     * What is known beforehand of a camera's intrinsics.
+     *
+     * @param camera as the camera file has it
+     * @param model which are unknown, and how well they are known
+     * @return the prior
+     */
+    public static IntrinsicsPrior stated(PinholeCamera camera, ModelSettings model) {
+        if (model.estimate() != Estimate.FOCAL) {
+            return KNOWN;
+        }
+        return Double.isInfinite(model.aspectPriorStd()) ? focal(camera, model.focalPriorStdPx())
+                : focalAndAspect(camera, model.focalPriorStdPx(), model.aspectPriorStd());
+    }
+
+    /**
+     * Unknown focal lengths fx and fy that know nothing of each other, each N(camera's value, std²): as in the thesis.
+     *
+     * @param camera gives the means
+     * @param stdPx standard deviation, px, positive
+     * @return the prior
+     * @throws IllegalArgumentException if the deviation is not positive and finite
+     */
+    public static IntrinsicsPrior focal(PinholeCamera camera, double stdPx) {
+        return of(camera, new int[] {PinholeCamera.FX, PinholeCamera.FY}, new double[] {stdPx, stdPx});
+    }
+
+    /**
+     * One unknown focal length, N(camera's fx, std²), and an unknown aspect ratio: {@code fy / fx} is the camera's,
+     * give or take a share of it. To first order in that share: {@code fy - fy0 = (fy0 / fx0) (fx - fx0) + fy0 t}.
+     *
+     * <p>Pixels are square, or as the calibration has them, far better than the focal length is known. Two independent
+     * focal lengths leave room for shapes of pixels that no camera has, and their posterior lies off the truth.
+     *
+     * @param camera gives the means and the ratio
+     * @param stdPx standard deviation of fx, px, positive
+     * @param aspectStd standard deviation of {@code fy / fx} as a share of the camera's, positive
+     * @return the prior of fx and fy
+     * @throws IllegalArgumentException if a deviation is not positive and finite
+     */
+    public static IntrinsicsPrior focalAndAspect(PinholeCamera camera, double stdPx, double aspectStd) {
+        double fx = camera.get(PinholeCamera.FX);
+        double fy = camera.get(PinholeCamera.FY);
+        double ofAspect = fy * aspectStd;
+        double byFocal = fy / fx;
+        IntrinsicsPrior apart = of(camera, new int[] {PinholeCamera.FX, PinholeCamera.FY},
+                new double[] {stdPx, ofAspect});
+        return new IntrinsicsPrior(apart.indices, apart.means,
+                new double[] {stdPx, Math.hypot(byFocal * stdPx, ofAspect)}, new double[] {0, 0, byFocal, 0},
+                apart.ownStds);
+    }
+
+    /**
+     * Unknown intrinsics of any choice, each Gaussian about the camera's value.
+     *
+     * @param camera gives the means
+     * @param indices indices of {@link PinholeCamera}; copied
+     * @param stds standard deviations in the units of the values, positive; copied
+     * @return the prior
+     * @throws IllegalArgumentException if a deviation is not positive and finite
+     */
+    public static IntrinsicsPrior of(PinholeCamera camera, int[] indices, double[] stds) {
+        double[] means = new double[indices.length];
+        for (int i = 0; i < indices.length; i++) {
+            means[i] = camera.get(indices[i]);
+            if (!(stds[i] > 0) || !Double.isFinite(stds[i])) {
+                throw new IllegalArgumentException("prior deviation must be positive, not " + stds[i]);
+            }
+        }
+        return new IntrinsicsPrior(indices.clone(), means, stds.clone(), new double[indices.length * indices.length],
+                stds.clone());
+    }
+
+    /**
+     * Unknown intrinsics of any choice with a joint Gaussian prior about the camera's values, as a calibration leaves
+     * them.
+     *
+     * @param camera gives the means
+     * @param indices indices of its intrinsics; copied
+     * @param covariance their covariance, count x count row by row, in the products of their units
+     * @return the prior
+     * @throws IllegalArgumentException if the covariance has another size or is not positive definite
+     */
+    public static IntrinsicsPrior joint(PinholeCamera camera, int[] indices, double[] covariance) {
+        int n = indices.length;
+        double[] root = covariance.clone();
+        if (root.length != n * n || !Cholesky.factor(root, n)) {
+            throw new IllegalArgumentException("a prior of " + n + " intrinsics needs a positive definite covariance");
+        }
+        double[] whitening = new double[n * n];
+        Cholesky.invertLower(root, n, whitening);
+        double[] means = new double[n];
+        double[] stds = new double[n];
+        double[] ownStds = new double[n];
+        double[] slopes = new double[n * n];
+        for (int i = 0; i < n; i++) {
+            means[i] = camera.get(indices[i]);
+            stds[i] = Math.sqrt(covariance[(n + 1) * i]);
+            ownStds[i] = root[(n + 1) * i];
+            for (int k = 0; k < i; k++) {
+                slopes[n * i + k] = -whitening[n * i + k] * ownStds[i];
+            }
+        }
+        return new IntrinsicsPrior(indices.clone(), means, stds, slopes, ownStds);
+    }
+
+    /**
+     * Number of unknown intrinsics.
+     *
+     * @return 0 where all are known
+     */
+    public int count() {
+        return indices.length;
+    }
+
+    /**
+     * Which intrinsic the i-th unknown is.
+     *
+     * @param i 0 to count - 1
+     * @return index of {@link PinholeCamera}
+     */
+    public int index(int i) {
+        return indices[i];
+    }
+
+    /**
+     * Prior mean of the i-th unknown.
+     *
+     * @param i 0 to count - 1
+     * @return in the unit of the value
+     */
+    public double mean(int i) {
+        return means[i];
+    }
+
+    /**
+     * Prior standard deviation of the i-th unknown.
+     *
+     * @param i 0 to count - 1
+     * @return in the unit of the value
+     */
+    public double std(int i) {
+        return stds[i];
+    }
+
+    /**
+     * Change of the i-th independent row by an unknown: an entry of {@code L^-1}.
+     *
+     * @param i row, 0 to count - 1
+     * @param k unknown, 0 to count - 1
+     * @return in the inverse of the unknown's unit
+     */
+    public double whitening(int i, int k) {
+        return i == k ? 1 / ownStds[i] : -slopes[i * indices.length + k] / ownStds[i];
+    }
+
+    /**
+     * An entry of the inverse of the covariance.
+     *
+     * @param i unknown, 0 to count - 1
+     * @param k unknown, 0 to count - 1
+     * @return in the inverse of the product of their units
+     */
+    public double information(int i, int k) {
+        double sum = 0;
+        for (int row = Math.max(i, k); row < indices.length; row++) {
+            sum += whitening(row, i) * whitening(row, k);
+        }
+        return sum;
+    }
+
+    /**
+     * The i-th independent row at a state, standard normal beforehand. Allocates nothing.
+     *
+     * @param i 0 to count - 1
+     * @param intrinsics in the order of {@link PinholeCamera}
+     * @return deviations
+     */
+    public double whitened(int i, double[] intrinsics) {
+        double d = intrinsics[indices[i]] - means[i];
+        for (int k = 0; k < i; k++) {
+            d -= slopes[i * indices.length + k] * (intrinsics[indices[k]] - means[k]);
+        }
+        return d / ownStds[i];
+    }
+
+    /**
+     * The intrinsics that have given independent rows: the inverse of {@link #whitened}. Standard normal ones give a
+     * draw of the prior, which may have a focal length that is not positive.
+     *
+     * @param rows count values
+     * @param intrinsics in the order of {@link PinholeCamera}; receives the unknown ones
+     */
+    public void setWhitened(double[] rows, double[] intrinsics) {
+        for (int i = 0; i < indices.length; i++) {
+            double d = ownStds[i] * rows[i];
+            for (int k = 0; k < i; k++) {
+                d += slopes[i * indices.length + k] * (intrinsics[indices[k]] - means[k]);
+            }
+            intrinsics[indices[i]] = means[i] + d;
+        }
+    }
+
+    /**
+     * Logarithm of the prior density at a state, up to a constant.
+     *
+     * @param intrinsics in the order of {@link PinholeCamera}
+     * @return the logarithm; -infinity where a focal length is not positive
+     */
+    public double logDensity(double[] intrinsics) {
+        double sum = 0;
+        for (int i = 0; i < indices.length; i++) {
+            double d = whitened(i, intrinsics);
+            sum -= 0.5 * d * d;
+        }
+        return intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0 ? sum : Double.NEGATIVE_INFINITY;
+    }
+}

@@ -1,0 +1,142 @@
+package org.cellgauge.internal.pose;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
+import org.cellgauge.internal.geometry.Rotations;
+
+/**
+ * Pose of one marker in the camera frame from its four corners, with both of its modes.
+ *
+ * <p>A small square seen nearly frontally has two poses that explain its corners almost equally well: its normal may be
+ * mirrored about the line of sight (Schweighofer and Pinz, "Robust pose estimation from a planar target", PAMI 2006).
+ */
+public final class MarkerPoseFinder {
+    /** Two fits closer than this angle are one mode, rad. */
+    private static final double SAME_MODE_RAD = 1e-3;
+    private static final int BASINS = 3;
+
+    private MarkerPoseFinder() {
+    }
+
+    /**
+     * The best pose of one marker, by least squares with equal weights.
+     *
+     * @param cornersPx 8 values, px
+     * @param sizeMm outer edge of the marker, mm
+     * @param camera intrinsics
+     * @return cameraFromMarker, or null if the corners are of no pose at all
+     */
+    public static RigidTransform best(double[] cornersPx, double sizeMm, PinholeCamera camera) {
+        PoseMode best = null;
+        // the smallest residuals decide: weights depend on a corner noise that is not stated here
+        for (PoseMode mode : modes(cornersPx, sizeMm, camera, 1)) {
+            if (best == null || mode.halfChiSquare() < best.halfChiSquare()) {
+                best = mode;
+            }
+        }
+        return best == null ? null : best.state().cameraFromSet();
+    }
+
+    /**
+     * The modes of the posterior of one marker's pose, flat prior.
+     *
+     * @param cornersPx 8 values, px
+     * @param sizeMm outer edge of the marker, mm
+     * @param camera intrinsics
+     * @param pixelStdPx standard deviation of each corner coordinate, px
+     * @return one or two modes, the heavier (by {@link PoseMode#logWeight()}) first; empty if the corners are of no
+     *     pose
+     */
+    public static List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double pixelStdPx) {
+        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(sizeMm), cornersPx, IntrinsicsPrior.KNOWN,
+                null);
+        fit.setIsotropic(pixelStdPx);
+        return modes(fit, cornersPx, sizeMm, camera);
+    }
+
+    /**
+     * The same with a covariance of the corners.
+     *
+     * @param cornersPx 8 values, px
+     * @param sizeMm outer edge of the marker, mm
+     * @param camera intrinsics
+     * @param whitening inverse of the Cholesky factor of the covariance, 8x8 row by row, lower triangular, 1/px
+     * @return one or two modes, the heavier first; empty if the corners are of no pose
+     */
+    public static List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double[] whitening) {
+        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(sizeMm), cornersPx, IntrinsicsPrior.KNOWN,
+                null);
+        fit.setWhitening(whitening);
+        return modes(fit, cornersPx, sizeMm, camera);
+    }
+
+    private static List<PoseMode> modes(ReprojectionFit fit, double[] cornersPx, double sizeMm, PinholeCamera camera) {
+        double[] points = MarkerGeometry.cornersMm(sizeMm);
+        RigidTransform start = TargetPnp.planar(camera, points, cornersPx);
+        if (start == null) {
+            start = TargetPnp.general(camera, points, cornersPx);
+        }
+        if (start == null) {
+            return Collections.emptyList();
+        }
+        List<PoseMode> modes = new ArrayList<>();
+        RigidTransform pose = start;
+        // from each mode found the mirrored pose is tried; a third round comes back to the first
+        for (int i = 0; i < BASINS; i++) {
+            PoseMode mode = fitFrom(fit, pose, camera);
+            if (mode == null) {
+                break;
+            }
+            boolean known = false;
+            for (PoseMode other : modes) {
+                known |= mode.state().cameraFromSet().angleRadTo(other.state().cameraFromSet()) < SAME_MODE_RAD;
+            }
+            if (!known) {
+                modes.add(mode);
+            }
+            pose = mirrored(mode.state().cameraFromSet());
+        }
+        modes.sort((a, b) -> Double.compare(b.logWeight(), a.logWeight()));
+        return modes.size() > 2 ? modes.subList(0, 2) : modes;
+    }
+
+    private static PoseMode fitFrom(ReprojectionFit fit, RigidTransform pose, PinholeCamera camera) {
+        if (!camera.lens().isWide() && !(pose.translationMm()[2] > 0)) {
+            return null;
+        }
+        CameraState state = CameraState.of(pose, camera);
+        return Double.isNaN(fit.fit(state)) ? null : fit.modeAt(state);
+    }
+
+    /**
+     * The pose whose normal is mirrored about the line of sight to the centre.
+     *
+     * @param cameraFromPlane pose of a planar set, normal along its z
+     * @return the mirrored pose, same centre
+     */
+    static RigidTransform mirrored(RigidTransform cameraFromPlane) {
+        double[] r = cameraFromPlane.rotation();
+        double[] t = cameraFromPlane.translationMm();
+        double length = Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
+        double[] sight = {t[0] / length, t[1] / length, t[2] / length};
+        double along = r[2] * sight[0] + r[5] * sight[1] + r[8] * sight[2];
+        // turning by twice the angle between normal and sight, about their common perpendicular
+        double[] axis = {r[5] * sight[2] - r[8] * sight[1], r[8] * sight[0] - r[2] * sight[2],
+            r[2] * sight[1] - r[5] * sight[0]};
+        double sine = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+        if (sine < 1e-9) {
+            return cameraFromPlane;
+        }
+        // the face looks towards the camera, so its normal is nearer to minus the line of sight
+        double angle = 2 * (along < 0 ? Math.atan2(sine, along) - Math.PI : Math.atan2(sine, along));
+        double[] turn = new double[9];
+        Rotations.exp(axis[0] / sine * angle, axis[1] / sine * angle, axis[2] / sine * angle, turn);
+        double[] turned = new double[9];
+        Rotations.multiply(turn, r, turned);
+        return RigidTransform.of(turned, t);
+    }
+}

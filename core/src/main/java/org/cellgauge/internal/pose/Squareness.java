@@ -1,0 +1,137 @@
+package org.cellgauge.internal.pose;
+
+import java.util.List;
+
+/**
+ * What four corners say of their own noise: 8 coordinates less the 6 of a pose leave 2 that no pose explains;
+ * immutable.
+ *
+ * <p>The likelihood of the noise integrated over the pose by Laplace's method about each mode (restricted likelihood:
+ * Harville, "Maximum likelihood approaches to variance component estimation", JASA 1977). With N an orthonormal basis
+ * of what the pose's derivative J leaves and z = N^T r it is, for any covariance S of the corners,
+ * {@code |J^T J|^-1/2 |N^T S N|^-1/2 exp(-z^T (N^T S N)^-1 z / 2)}: two numbers per mode instead of a fit per S.
+ */
+final class Squareness {
+    private final double[] logVolume;
+    private final double[] z;
+    private final double[] left;
+
+    /**
+     * Reads squareness off the modes of a marker.
+     *
+     * @param modes fitted with unit weights, not empty
+     * @param covariancePx2 8x8, px², what is known of the corners' errors
+     */
+    Squareness(List<PoseMode> modes, double[] covariancePx2) {
+        logVolume = new double[modes.size()];
+        z = new double[2 * modes.size()];
+        left = new double[3 * modes.size()];
+        for (int k = 0; k < logVolume.length; k++) {
+            PoseMode mode = modes.get(k);
+            logVolume[k] = mode.logWeight() + mode.halfChiSquare();
+            double[][] n = complement(mode.jacobian(0));
+            double[] r = mode.whitenedResiduals(0);
+            for (int a = 0; a < 2; a++) {
+                for (int i = 0; i < 8; i++) {
+                    z[2 * k + a] += n[a][i] * r[i];
+                }
+                for (int b = 0; b <= a; b++) {
+                    double s = 0;
+                    for (int i = 0; i < 8; i++) {
+                        for (int j = 0; j < 8; j++) {
+                            s += n[a][i] * covariancePx2[8 * i + j] * n[b][j];
+                        }
+                    }
+                    left[3 * k + a + b] = s;
+                }
+            }
+        }
+    }
+
+    /** Two orthonormal vectors orthogonal to the 6 columns of an 8x6 matrix (modified Gram-Schmidt, done twice). */
+    static double[][] complement(double[] jacobian) {
+        double[][] basis = new double[8][8];
+        int count = 0;
+        for (int c = 0; c < 14 && count < 8; c++) {
+            double[] v = new double[8];
+            double before = 0;
+            for (int i = 0; i < 8; i++) {
+                v[i] = c < 6 ? jacobian[6 * i + c] : i == c - 6 ? 1 : 0;
+                before += v[i] * v[i];
+            }
+            double after = 0;
+            for (int pass = 0; pass < 2; pass++) {
+                for (int b = 0; b < count; b++) {
+                    double s = 0;
+                    for (int i = 0; i < 8; i++) {
+                        s += basis[b][i] * v[i];
+                    }
+                    for (int i = 0; i < 8; i++) {
+                        v[i] -= s * basis[b][i];
+                    }
+                }
+                after = 0;
+                for (int i = 0; i < 8; i++) {
+                    after += v[i] * v[i];
+                }
+            }
+            // a derivative always counts; a unit vector only if enough of it is new
+            if (c < 6 || after > 0.05 * before) {
+                for (int i = 0; i < 8; i++) {
+                    basis[count][i] = v[i] / Math.sqrt(after);
+                }
+                count++;
+            }
+        }
+        return new double[][] {basis[6], basis[7]};
+    }
+
+    /**
+     * Logarithm of the integrated likelihood, up to a constant.
+     *
+     * @param addedPx2 variance added to every coordinate, px²
+     * @param inflation factor on all of the covariance
+     * @return finite if the covariance is positive definite
+     */
+    double logLikelihood(double addedPx2, double inflation) {
+        double most = Double.NEGATIVE_INFINITY;
+        double sum = 0;
+        for (int k = 0; k < logVolume.length; k++) {
+            double log = logVolume[k] - 0.5 * Math.log(determinant(k, addedPx2)) - Math.log(inflation)
+                    - 0.5 * squares(k, addedPx2) / inflation;
+            if (log > most) {
+                sum = sum * Math.exp(most - log) + 1;
+                most = log;
+            } else {
+                sum += Math.exp(log - most);
+            }
+        }
+        return most + Math.log(sum);
+    }
+
+    /**
+     * Squared length of what no pose explains, in deviations: chi-square of 2 degrees of freedom, of the mode that fits
+     * best.
+     *
+     * @param addedPx2 variance added to every coordinate, px²
+     * @return not negative
+     */
+    double chiSquare(double addedPx2) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < logVolume.length; k++) {
+            least = Math.min(least, squares(k, addedPx2));
+        }
+        return least;
+    }
+
+    private double determinant(int k, double addedPx2) {
+        return (left[3 * k] + addedPx2) * (left[3 * k + 2] + addedPx2) - left[3 * k + 1] * left[3 * k + 1];
+    }
+
+    private double squares(int k, double addedPx2) {
+        double a = z[2 * k];
+        double b = z[2 * k + 1];
+        return (a * a * (left[3 * k + 2] + addedPx2) - 2 * a * b * left[3 * k + 1] + b * b * (left[3 * k] + addedPx2))
+                / determinant(k, addedPx2);
+    }
+}

@@ -1,0 +1,71 @@
+package org.cellgauge.internal.warning;
+
+import java.math.BigDecimal;
+import java.util.Locale;
+
+/** A number as it is written, with so many decimals; immutable. Numbers are equal that are written alike. */
+public final class Decimal {
+    private final String text;
+    private final int decimals;
+
+    private Decimal(double value, int decimals) {
+        // rounds halves up; what is kept is the rounded number, so that no other way of writing can round it otherwise
+        this.text = String.format(Locale.ROOT, "%." + decimals + "f", value);
+        this.decimals = decimals;
+    }
+
+    /**
+     * A number rounded.
+     *
+     * @param value any number; NaN and infinities are kept
+     * @param decimals digits after the point, at least 0
+     * @return the number
+     */
+    public static Decimal of(double value, int decimals) {
+        return new Decimal(value, decimals);
+    }
+
+    /**
+     * A number with as many decimals as it takes to tell it from its neighbours.
+     *
+     * @param value finite
+     * @return the number
+     */
+    public static Decimal shortest(double value) {
+        return new Decimal(value, Math.max(0, BigDecimal.valueOf(value).stripTrailingZeros().scale()));
+    }
+
+    /**
+     * The number.
+     *
+     * @return rounded to {@link #decimals()}
+     */
+    public double value() {
+        return Double.parseDouble(text);
+    }
+
+    /**
+     * Digits after the point.
+     *
+     * @return at least 0
+     */
+    public int decimals() {
+        return decimals;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Decimal && text.equals(((Decimal) other).text);
+    }
+
+    @Override
+    public int hashCode() {
+        return text.hashCode();
+    }
+
+    /** The number with a point and without grouping. */
+    @Override
+    public String toString() {
+        return text;
+    }
+}

@@ -1,8 +1,0 @@
-/**
- * Log densities over plain arrays: likelihoods of a camera pose, priors, and the charts that turn an array into a pose.
- *
- * <p>A density is the sum of three ideas that do not know each other: a
- * {@link org.cellgauge.posterior.CameraLikelihood} over poses, a {@link org.cellgauge.posterior.CameraChart} that says
- * which pose an array stands for and what volume it takes, and priors. Evaluating one allocates nothing.
- */
-package org.cellgauge.posterior;
