@@ -80,6 +80,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final GreyScale scale = new GreyScale();
     private final LightFit light = new LightFit(scale);
     private final PatternReader reader;
+    private final OtherGrids otherGrids;
     /** Work space for the markers of one image, used anew for the next. */
     private final List<MarkerEdges> edges = new ArrayList<>();
     private int edgesUsed;
@@ -147,6 +148,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         this.grid = familyPatterns.grid();
         this.reader = new PatternReader(camera, grid);
+        this.otherGrids = new OtherGrids(camera, grid);
         this.residual = new SquareResidual(camera);
         view.subImage = true;
     }
@@ -368,9 +370,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (!reader.read(image, corners, scale, marker.darkGrey(), marker.brightGrey(), marker.blurPx(), white)) {
             return NONE;
         }
+        boolean[] asSeen = white.clone();
         for (int turns = 0; turns < 4; turns++) {
             if (listedId(white) != NONE) {
-                return turns;
+                double misfit = reader.misfit(image, scale, marker.darkGrey(), marker.brightGrey(), asSeen);
+                return otherGrids.explainBetter(misfit, image, corners, scale, marker) ? NONE : turns;
             }
             System.arraycopy(familyPatterns.turnedClockwise(white), 0, white, 0, white.length);
         }
