@@ -30,7 +30,9 @@ import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.internal.vision.BoofThreads;
+import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Warning;
 
@@ -51,6 +53,11 @@ import org.cellgauge.warning.Warning;
 public final class BoofMarkerDetector implements MarkerDetector {
     private static final int NONE = -1;
     private static final byte[] NO_PIXELS = new byte[0];
+    private static final int THRESHOLD_RADIUS_PX = 10;
+    /** Costs faint markers, whose black is more than 0.6 times as bright as their white; 80 those above 0.5. */
+    private static final int USUAL_PERCENT = 85;
+    /** Where markers are missing. */
+    private static final int FAINT_PERCENT = 95;
     /** Deviation of a corner that is still believed: several times the 0.4 px of real footage. */
     private static final double RESIDUAL_LIMIT_PX = 1.5;
     /**
@@ -74,6 +81,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final boolean hasChecksum;
     private final double residualLimitPerSide;
     private final BaseDetectFiducialSquare<GrayU8> squares;
+    /** Whether markers that are missing are looked for again, and their reasons, at several times the cost. */
+    private final boolean looksTwice;
+    /** Finds faint markers; null until one is missing. */
+    private BaseDetectFiducialSquare<GrayU8> faintSquares;
+    /** Says why markers are missing; null until one is. */
+    private MarkerSurvey survey;
     /** Looks at the bent image of a wide lens as well; null for others. */
     private final BaseDetectFiducialSquare<GrayU8> bentSquares;
     private final ToneCurve statedCurve;
@@ -129,6 +142,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,
             double residualLimitPerSide, ToneCurve toneCurve) {
+        this(camera, family, ids, residualLimitPerSide, toneCurve, true);
+    }
+
+    private BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,
+            double residualLimitPerSide, ToneCurve toneCurve, boolean looksTwice) {
+        this.looksTwice = looksTwice;
         this.statedCurve = toneCurve;
         this.residualLimitPerSide = residualLimitPerSide;
         this.camera = camera;
@@ -136,8 +155,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.familyPatterns = new FamilyPatterns(family);
         this.hasChecksum = familyPatterns.correctable() > 0;
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
-        this.squares = squares(family, familyPatterns);
-        this.bentSquares = camera.lens().isWide() ? squares(family, familyPatterns) : null;
+        this.squares = squares(family, familyPatterns, USUAL_PERCENT);
+        this.bentSquares = camera.lens().isWide() ? squares(family, familyPatterns, USUAL_PERCENT) : null;
         if (camera.isDistorting()) {
             squares.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), true);
         } else {
@@ -160,41 +179,64 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * @return a new detector
      */
     public static BoofMarkerDetector forCell(Cell cell) {
+        return forCell(cell, true);
+    }
+
+    /**
+     * A detector for the frames of a camera: a marker that is missing costs no second look, as long as another of the
+     * cell is seen. It finds faint markers less often than {@link #forCell} and gives fewer reasons.
+     *
+     * @param cell the cell
+     * @return a new detector
+     */
+    public static BoofMarkerDetector forFrames(Cell cell) {
+        return forCell(cell, false);
+    }
+
+    private static BoofMarkerDetector forCell(Cell cell, boolean looksTwice) {
         Set<Integer> ids = new HashSet<>();
         cell.references().forEach(r -> ids.add(r.id()));
         cell.objects().forEach(o -> ids.add(o.id()));
-        return new BoofMarkerDetector(cell.camera(), cell.family(), ids, RESIDUAL_LIMIT_PER_SIDE, cell.toneCurve());
+        return new BoofMarkerDetector(cell.camera(), cell.family(), ids, RESIDUAL_LIMIT_PER_SIDE, cell.toneCurve(),
+                looksTwice);
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family, FamilyPatterns patterns) {
-        return family.isSquareBinary() ? squareBinary(family.codeCells()) : squareHamming(patterns.dictionary());
+    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family, FamilyPatterns patterns, int percent) {
+        return family.isSquareBinary() ? squareBinary(family.codeCells(), percent)
+                : squareHamming(patterns.dictionary(), percent);
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squareBinary(int codeCells) {
+    private static BaseDetectFiducialSquare<GrayU8> squareBinary(int codeCells, int percent) {
         ConfigFiducialBinary config = new ConfigFiducialBinary(1);
         DetectFiducialSquareBinary<GrayU8> detector = new DetectFiducialSquareBinary<>(codeCells,
-                config.borderWidthFraction, config.minimumBlackBorderFraction, threshold(),
+                config.borderWidthFraction, config.minimumBlackBorderFraction, threshold(percent),
                 FactoryShapeDetector.polygon(config.squareDetector, GrayU8.class), GrayU8.class);
         // whatever looks like a marker may pass here: PatternReader judges the cells with the blur in mind
         detector.setAmbiguityThreshold(1);
         return detector;
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squareHamming(ConfigHammingMarker markers) {
+    private static BaseDetectFiducialSquare<GrayU8> squareHamming(ConfigHammingMarker markers, int percent) {
         ConfigFiducialHammingDetector config = new ConfigFiducialHammingDetector();
         DetectFiducialSquareHamming<GrayU8> detector = new DetectFiducialSquareHamming<>(markers,
-                config.minimumBlackBorderFraction, threshold(),
+                config.minimumBlackBorderFraction, threshold(percent),
                 FactoryShapeDetector.polygon(config.squareDetector, GrayU8.class), GrayU8.class);
         detector.setAmbiguousPenaltyFrac(config.ambiguousPenaltyFrac);
         return detector;
     }
 
     /**
-     * Local mean with a margin: plain grounds and weak textures then give no contours to follow. The margin costs faint
-     * markers, whose black is more than 0.6 times as bright as their white; with 0.80 it would cost those above 0.5.
+     * Local mean with a margin: plain grounds and weak textures then give no contours to follow.
+     *
+     * @param percent of the mean at which black begins
      */
-    private static LocalMeanThreshold threshold() {
-        return new LocalMeanThreshold(10, 85);
+    private static LocalMeanThreshold threshold(int percent) {
+        return new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent);
+    }
+
+    /** The usual one. */
+    static LocalMeanThreshold threshold() {
+        return threshold(USUAL_PERCENT);
     }
 
     private static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {
@@ -234,7 +276,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 }
             }
             if (bentSquares != null) {
-                lookAtBentImage(image, seen);
+                lookAgain(bentSquares, image, seen);
+            }
+            if (looksTwice && !showsAll(seen)) {
+                lookAgain(faintSquares(), image, seen);
             }
         } finally {
             view.data = NO_PIXELS;
@@ -260,20 +305,62 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         List<MarkerObservation> accepted = new ArrayList<>();
         byId.forEach((id, ofId) -> judge(id, ofId, accepted, warnings));
+        if (accepted.isEmpty() || accepted.size() < patterns.size() && looksTwice) {
+            survey(image, byId.keySet(), warnings);
+        }
         return new Detections(imageName, image.widthPx(), image.heightPx(), accepted, warnings,
                 fitted.isEmpty() ? null : light.light());
     }
 
+    /** Whether every marker of the cell is among the squares, as they were read at first. */
+    private boolean showsAll(List<Seen> seen) {
+        Set<Integer> read = new HashSet<>();
+        seen.forEach(square -> read.add(square.idRead));
+        return read.containsAll(patterns.keySet());
+    }
+
     /**
-     * Adds the squares that only the bent image of a wide lens shows as markers of the cell: far off the axis, where
-     * {@link WideDistortion} is not straight or stretches a marker out of shape. Small markers are found in it as well
-     * as in any image.
+     * A search that follows weaker contours too, for markers whose black is nearly as bright as their white. On a
+     * textured ground it takes many times as long as the usual one.
      */
-    private void lookAtBentImage(GreyImage image, List<Seen> seen) {
-        bentSquares.process(view);
+    private BaseDetectFiducialSquare<GrayU8> faintSquares() {
+        if (faintSquares == null) {
+            faintSquares = squares(family, familyPatterns, FAINT_PERCENT);
+            configure(faintSquares);
+        }
+        return faintSquares;
+    }
+
+    private void configure(BaseDetectFiducialSquare<GrayU8> detector) {
+        if (camera.isDistorting() && !camera.lens().isWide()) {
+            detector.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), false);
+        } else {
+            detector.configure(null, camera.widthPx(), camera.heightPx(), false);
+        }
+    }
+
+    private void survey(GreyImage image, Set<Integer> found, List<Warning> warnings) {
+        if (survey == null) {
+            survey = new MarkerSurvey(family, patterns.keySet(), new ConfigFiducialBinary(1).squareDetector);
+            configure(survey.squares());
+        }
+        view.data = image.luminance();
+        try {
+            survey.look(view, found, warnings);
+        } finally {
+            view.data = NO_PIXELS;
+        }
+    }
+
+    /**
+     * Adds the squares that another search shows as markers of the cell: in the bent image of a wide lens, far off the
+     * axis, where {@link WideDistortion} is not straight or stretches a marker out of shape; or with weaker contours.
+     */
+    private void lookAgain(BaseDetectFiducialSquare<GrayU8> again, GreyImage image, List<Seen> seen) {
+        again.process(view);
         int straight = seen.size();
-        for (int i = 0; i < bentSquares.getFound().size(); i++) {
-            FoundFiducial found = bentSquares.getFound().get(i);
+        for (int i = 0; i < again.getFound().size(); i++) {
+            FoundFiducial found = again.getFound().get(i);
             if (!isOfFamily(found)) {
                 continue;
             }
@@ -471,14 +558,18 @@ public final class BoofMarkerDetector implements MarkerDetector {
             }
         }
         squares.sort(Comparator.comparingDouble(c -> c.impliedStdPx));
-        for (int i = 1; i < squares.size(); i++) {
-            // outline and inner edge of one marker may both be followed: the same marker twice, not two markers
-            if (!squares.get(i).isSamePlaceAs(squares.get(0))) {
-                warnings.add(Warning.of(DetectionWarning.SEEN_TWICE, id, pixel(squares.get(0).centre(0)),
-                        pixel(squares.get(0).centre(1)), pixel(squares.get(i).centre(0)),
-                        pixel(squares.get(i).centre(1))));
-                return;
+        // outline and inner edge of one marker may both be followed: the same marker twice, not two markers
+        List<Candidate> apart = new ArrayList<>();
+        for (Candidate c : squares) {
+            if (apart.stream().noneMatch(c::isSamePlaceAs)) {
+                apart.add(c);
             }
+        }
+        if (apart.size() > 1) {
+            List<Warning> places = new ArrayList<>();
+            apart.forEach(c -> places.add(Warning.of(CheckPhrase.PLACE, pixel(c.centre(0)), pixel(c.centre(1)))));
+            warnings.add(Warning.of(DetectionWarning.SEEN_TWICE, id, places.size(), Listing.and(places)));
+            return;
         }
         if (squares.isEmpty()) {
             return;

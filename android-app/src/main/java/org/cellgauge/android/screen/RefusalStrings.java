@@ -278,6 +278,8 @@ final class RefusalStrings {
                 return R.string.refusal_check_tone_curve_open;
             case NO_REFERENCE_SEEN:
                 return R.string.refusal_check_no_reference_seen;
+            case NO_REFERENCE_LEFT:
+                return R.string.refusal_check_no_reference_left;
             case NO_CAMERA_POSE:
                 return R.string.refusal_check_no_camera_pose;
             case NO_OBJECT_POSE:
