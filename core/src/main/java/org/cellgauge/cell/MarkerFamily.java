@@ -41,6 +41,8 @@ public final class MarkerFamily {
     private final int codeCells;
     private final int size;
     private final int[] ambiguous;
+    private final boolean halfTurned;
+    private final MarkerFamily asOpenCvDraws;
 
     private MarkerFamily(String name, String dictionary, int codeCells, int size, int... ambiguous) {
         this.name = name;
@@ -48,6 +50,19 @@ public final class MarkerFamily {
         this.codeCells = codeCells;
         this.size = size;
         this.ambiguous = ambiguous;
+        this.halfTurned = false;
+        this.asOpenCvDraws = dictionary.startsWith("APRILTAG") ? new MarkerFamily(this) : this;
+    }
+
+    /** An AprilTag family whose markers are turned by half a turn. */
+    private MarkerFamily(MarkerFamily upright) {
+        this.name = upright.name;
+        this.dictionary = upright.dictionary;
+        this.codeCells = upright.codeCells;
+        this.size = upright.size;
+        this.ambiguous = upright.ambiguous;
+        this.halfTurned = true;
+        this.asOpenCvDraws = this;
     }
 
     private static MarkerFamily squareBinary(int codeCells) {
@@ -186,6 +201,25 @@ public final class MarkerFamily {
      */
     public boolean isSquareBinary() {
         return dictionary.isEmpty();
+    }
+
+    /**
+     * The family with its markers as OpenCV draws them and orders their corners: AprilTags by half a turn from the
+     * AprilTag library's, the others as they are.
+     *
+     * @return the family whose upright is OpenCV's; the same each time
+     */
+    public MarkerFamily asOpenCvDraws() {
+        return asOpenCvDraws;
+    }
+
+    /**
+     * Whether its markers are turned by half a turn against the library that they come from.
+     *
+     * @return true for AprilTags {@linkplain #asOpenCvDraws() as OpenCV draws them}
+     */
+    public boolean isHalfTurned() {
+        return halfTurned;
     }
 
     @Override

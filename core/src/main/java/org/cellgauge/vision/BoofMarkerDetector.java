@@ -57,7 +57,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     /** Costs faint markers, whose black is more than 0.6 times as bright as their white; 80 those above 0.5. */
     private static final int USUAL_PERCENT = 85;
     /** Where markers are missing. */
-    private static final int FAINT_PERCENT = 95;
+    private static final int FAINT_PERCENT = 98;
     /** Deviation of a corner that is still believed: several times the 0.4 px of real footage. */
     private static final double RESIDUAL_LIMIT_PX = 1.5;
     /**

@@ -1,6 +1,7 @@
 package org.cellgauge.vision;
 
 import boofcv.alg.drawing.FiducialImageEngine;
+import boofcv.alg.fiducial.qrcode.PackedBits32;
 import boofcv.alg.fiducial.square.FiducialSquareGenerator;
 import boofcv.alg.fiducial.square.FiducialSquareHammingGenerator;
 import boofcv.factory.fiducial.ConfigHammingMarker;
@@ -44,7 +45,19 @@ public final class FamilyPatterns {
         while (whole.encoding.size > family.size()) {
             whole.encoding.removeTail();
         }
+        if (family.isHalfTurned()) {
+            whole.encoding.forEach(marker -> turnHalf(marker.pattern));
+        }
         return whole;
+    }
+
+    /** Half a turn puts the cells in the opposite order. */
+    private static void turnHalf(PackedBits32 code) {
+        for (int i = 0, k = code.size - 1; i < k; i++, k--) {
+            int bit = code.get(i);
+            code.set(i, code.get(k));
+            code.set(k, bit);
+        }
     }
 
     /** What BoofCV calls the dictionary; null for square-binary. */

@@ -42,9 +42,15 @@ final class MarkerSurvey {
     private static final double TAIL_SHARE = 0.01;
     private static final int NEARLY_BLACK = 40;
     private static final int NEARLY_WHITE = 225;
-    /** Pixels whose steepness is looked at for blur: the steepest in a thousand. */
-    private static final double STEEPEST_SHARE = 0.001;
+    /** Grey values so many pixels apart tell how steep the steepest steps are, and how high. */
+    private static final int STEEP_PX = 2;
+    private static final int HIGH_PX = 16;
+    /** Of all differences the largest in a thousand. */
+    private static final double LARGEST_SHARE = 0.001;
+    /** Steps that are lower tell nothing of blur, grey levels. */
+    private static final int LEAST_STEP = 20;
     private static final double BLURRED_PX = 2.5;
+    private static final double LARGEST_BLUR_PX = 20;
 
     private final MarkerFamily family;
     private final Set<Integer> ids;
@@ -147,39 +153,67 @@ final class MarkerSurvey {
     /** Says of an image without any marker what may be the matter with it. */
     private static void judge(GrayU8 view, List<Warning> warnings) {
         int[] greys = new int[256];
-        int[] steps = new int[256];
         for (int y = 0; y < view.height; y++) {
-            int row = view.startIndex + y * view.stride;
             for (int x = 0; x < view.width; x++) {
-                int grey = view.data[row + x] & 0xff;
-                greys[grey]++;
-                if (x + 1 < view.width && y + 1 < view.height) {
-                    int right = (view.data[row + x + 1] & 0xff) - grey;
-                    int down = (view.data[row + view.stride + x] & 0xff) - grey;
-                    steps[(int) Math.min(255, Math.hypot(right, down))]++;
-                }
+                greys[view.unsafe_get(x, y)]++;
             }
         }
-        int pixels = view.width * view.height;
-        int bright = quantile(greys, pixels, 1 - TAIL_SHARE);
-        int dark = quantile(greys, pixels, TAIL_SHARE);
+        int bright = quantile(greys, 1 - TAIL_SHARE);
+        int dark = quantile(greys, TAIL_SHARE);
+        double blurPx = blurPx(quantile(differences(view, STEEP_PX), 1 - LARGEST_SHARE),
+                quantile(differences(view, HIGH_PX), 1 - LARGEST_SHARE));
         if (bright < NEARLY_BLACK) {
             warnings.add(Warning.of(DetectionWarning.NEARLY_BLACK, bright));
         } else if (dark > NEARLY_WHITE) {
             warnings.add(Warning.of(DetectionWarning.NEARLY_WHITE, dark));
-        } else {
-            // the steepest place of a step blurred by a Gaussian is its height over sqrt(2 pi) deviations
-            double blurPx = (bright - dark) / (Math.sqrt(2 * Math.PI)
-                    * Math.max(1, quantile(steps, pixels, 1 - STEEPEST_SHARE)));
-            if (blurPx > BLURRED_PX) {
-                warnings.add(Warning.of(DetectionWarning.BLURRED, Decimal.of(blurPx, 1)));
-            }
+        } else if (blurPx > BLURRED_PX) {
+            warnings.add(Warning.of(DetectionWarning.BLURRED, Decimal.of(blurPx, 1)));
         }
     }
 
+    /** How often each difference of grey values occurs between pixels of a distance, along rows and columns. */
+    private static int[] differences(GrayU8 view, int distancePx) {
+        int[] counts = new int[256];
+        for (int y = 0; y + distancePx < view.height; y++) {
+            for (int x = 0; x + distancePx < view.width; x++) {
+                int grey = view.unsafe_get(x, y);
+                counts[Math.abs(view.unsafe_get(x + distancePx, y) - grey)]++;
+                counts[Math.abs(view.unsafe_get(x, y + distancePx) - grey)]++;
+            }
+        }
+        return counts;
+    }
+
+    /**
+     * The blur of a step: between two pixels on both sides of it at distance d a step of height h that a Gaussian of
+     * deviation s has smeared differs by h (2 F(d / 2s) - 1), F the normal distribution; so the ratio of two such
+     * differences tells s.
+     */
+    private static double blurPx(int steep, int high) {
+        if (high < LEAST_STEP) {
+            return 0;
+        }
+        double least = 0;
+        double most = LARGEST_BLUR_PX;
+        while (most - least > 0.01) {
+            double middle = (least + most) / 2;
+            double ratio = (2 * EdgeProfile.cumulative(STEEP_PX / 2.0 / middle) - 1)
+                    / (2 * EdgeProfile.cumulative(HIGH_PX / 2.0 / middle) - 1);
+            if (ratio * high > steep) {
+                least = middle;
+            } else {
+                most = middle;
+            }
+        }
+        return most;
+    }
+
     /** The value that a share of the pixels does not exceed. */
-    private static int quantile(int[] counts, int pixels, double share) {
-        double left = share * pixels;
+    private static int quantile(int[] counts, double share) {
+        double left = 0;
+        for (int count : counts) {
+            left += share * count;
+        }
         int value = 0;
         while (value < counts.length - 1 && left > counts[value]) {
             left -= counts[value++];

@@ -46,11 +46,25 @@ public final class DrawnMarkers {
 
     /** Draws a marker with its quiet zone; corners: top-left, top-right, bottom-right, bottom-left of the marker. */
     public DrawnMarkers draw(MarkerFamily family, int id, double[] corners, double black, double white) {
-        MarkerPattern pattern = MarkerPattern.of(family, id);
+        return draw(MarkerPattern.of(family, id), corners, black, white);
+    }
+
+    public DrawnMarkers draw(MarkerPattern pattern, double[] corners, double black, double white) {
         int n = pattern.cells();
         double[] h = imageToSquare(corners);
-        for (int y = 0; y < heightPx; y++) {
-            for (int x = 0; x < widthPx; x++) {
+        int[] box = {widthPx, heightPx, 0, 0};
+        double reach = 0;
+        for (int i = 0; i < 8; i++) {
+            reach = Math.max(reach, Math.abs(corners[i] - corners[(i + 4) % 8]));
+        }
+        for (int i = 0; i < 4; i++) {
+            box[0] = (int) Math.max(0, Math.min(box[0], corners[2 * i] - reach));
+            box[1] = (int) Math.max(0, Math.min(box[1], corners[2 * i + 1] - reach));
+            box[2] = (int) Math.min(widthPx, Math.max(box[2], corners[2 * i] + reach));
+            box[3] = (int) Math.min(heightPx, Math.max(box[3], corners[2 * i + 1] + reach));
+        }
+        for (int y = box[1]; y < box[3]; y++) {
+            for (int x = box[0]; x < box[2]; x++) {
                 double sum = 0;
                 boolean touched = false;
                 for (int k = 0; k < SUB * SUB; k++) {
@@ -65,7 +79,7 @@ public final class DrawnMarkers {
                     }
                     touched = true;
                     boolean inside = s >= 0 && t >= 0 && s < 1 && t < 1;
-                    boolean isWhite = !inside || pattern.isWhite((int) (t * n), (int) (s * n));
+                    boolean isWhite = inside ? pattern.isWhite((int) (t * n), (int) (s * n)) : pattern.isWhiteAround();
                     sum += isWhite ? white : black;
                 }
                 if (touched) {

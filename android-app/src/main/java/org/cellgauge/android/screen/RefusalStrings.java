@@ -86,6 +86,8 @@ final class RefusalStrings {
                 return R.string.refusal_cell_camera_file;
             case NO_FAMILY:
                 return R.string.refusal_cell_no_family;
+            case NO_ORIENTATION:
+                return R.string.refusal_cell_no_orientation;
             case MARKER_TOO_SMALL:
                 return R.string.refusal_cell_marker_too_small;
             case TOO_LONG:
