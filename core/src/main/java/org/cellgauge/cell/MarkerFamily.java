@@ -68,7 +68,8 @@ public final class MarkerFamily {
     private static MarkerFamily squareBinary(int codeCells) {
         // four corners tell the orientation; ids are whole numbers of 32 bits, of which the large grids have more
         int bits = codeCells * codeCells - 4;
-        return new MarkerFamily("square-binary" + (codeCells == 4 ? "" : "-" + codeCells + "x" + codeCells), "", codeCells,
+        String grid = codeCells == 4 ? "" : "-" + codeCells + "x" + codeCells;
+        return new MarkerFamily("square-binary" + grid, "", codeCells,
                 bits < 31 ? 1 << bits : Integer.MAX_VALUE);
     }
 
@@ -80,7 +81,8 @@ public final class MarkerFamily {
     /** The first markers of a dictionary of OpenCV. */
     private static MarkerFamily openCv(int codeCells, int size) {
         String grid = "ARUCO_OCV_" + codeCells + "x" + codeCells + "_";
-        return new MarkerFamily((grid + size).toLowerCase(Locale.ROOT).replace('_', '-'), grid + "1000", codeCells, size);
+        return new MarkerFamily((grid + size).toLowerCase(Locale.ROOT).replace('_', '-'), grid + "1000", codeCells,
+                size);
     }
 
     /**

@@ -35,6 +35,9 @@ public enum DetectionWarning implements WarningKind {
     /** Noise and steps of grey are large against the markers' contrast: grey value of white. */
     TOO_DARK("the markers' white is only %s of 255, so that noise and steps of grey weigh heavily; give more light or "
             + "expose longer"),
+    /** Noise and steps of grey are large against the contrast of a pale print: grey values of black and of white. */
+    FAINT("the markers are faint: their black is %s and their white %s of 255, so that noise and steps of grey weigh "
+            + "heavily; print them darker, or take away what dulls them"),
     /** A shadow or a reflection lies on a marker: id, change of the light on its white, percent. */
     LIGHT_UNEVEN("marker %s: the light on its white changes by %s %% from one side to another; light it evenly, "
             + "without shadows and reflections"),

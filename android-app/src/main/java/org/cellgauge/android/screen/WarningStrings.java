@@ -49,6 +49,8 @@ final class WarningStrings {
                 return R.string.warning_too_dark;
             case LIGHT_UNEVEN:
                 return R.string.warning_light_uneven;
+            case FAINT:
+                return R.string.warning_faint;
             case INVERTED:
                 return R.string.warning_inverted;
             case MIRRORED:

@@ -6,8 +6,8 @@ import org.cellgauge.light.ToneCurve;
  * How a scene becomes a picture: blur of the lens, fall-off of the light, exposure, noise, tone curve and sharpening.
  *
  * <p>In this order: light is blurred, falls off towards the edges of the image, is multiplied by the exposure and gets
- * shot noise; the tone curve makes grey of it; black level and additive noise come on top; what is beyond black or white
- * is cut off there; the unsharp mask works on what is left, and its result is cut off and rounded to 8 bits.
+ * shot noise; the tone curve makes grey of it; black level and additive noise come on top; what is beyond black or
+ * white is cut off there; the unsharp mask works on what is left, and its result is cut off and rounded to 8 bits.
  *
  * @param blurPx standard deviation of the Gaussian point spread function, px, 0 to 20; it acts on linear light, beside
  *     the averaging over each pixel's area
@@ -70,7 +70,8 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
      */
     public Sensor(double blurPx, double noiseGrey, double fullWellElectrons, double gamma, double vignetting,
             double gradient) {
-        this(blurPx, noiseGrey, fullWellElectrons, ToneCurve.gamma(gamma), 1, 0, 1, vignetting, gradient, 0, WHITE_GREY);
+        this(blurPx, noiseGrey, fullWellElectrons, ToneCurve.gamma(gamma), 1, 0, 1, vignetting, gradient, 0,
+                WHITE_GREY);
     }
 
     private static void require(boolean holds, String rule, double value) {
