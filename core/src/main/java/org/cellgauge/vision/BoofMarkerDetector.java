@@ -54,6 +54,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private static final int NONE = -1;
     private static final byte[] NO_PIXELS = new byte[0];
     private static final int THRESHOLD_RADIUS_PX = 10;
+    /**
+     * Beyond it the margin is no white to measure edges by: with margins of a fifth and a tenth of sides of 24 px it is
+     * at most 1.01, with 0.05 at least 1.07.
+     */
+    private static final double WHITEST_OVER_MARGIN = 1.06;
     /** Costs faint markers, whose black is more than 0.6 times as bright as their white; 80 those above 0.5. */
     private static final int USUAL_PERCENT = 85;
     /** Where markers are missing. */
@@ -94,6 +99,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final LightFit light = new LightFit(scale);
     private final PatternReader reader;
     private final OtherGrids otherGrids;
+    /** Of the marker read last: see {@link PatternReader#whiteOverMargin}. */
+    private double whiteOverMargin;
     /** Work space for the markers of one image, used anew for the next. */
     private final List<MarkerEdges> edges = new ArrayList<>();
     private int edgesUsed;
@@ -460,6 +467,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         boolean[] asSeen = white.clone();
         for (int turns = 0; turns < 4; turns++) {
             if (listedId(white) != NONE) {
+                whiteOverMargin = reader.whiteOverMargin(asSeen);
                 double misfit = reader.misfit(image, scale, marker.darkGrey(), marker.brightGrey(), asSeen);
                 return otherGrids.explainBetter(misfit, image, corners, scale, marker) ? NONE : turns;
             }
@@ -506,6 +514,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (id != square.idRead || turned) {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
             light.refit(image, marker, patterns.get(id));
+        }
+        if (whiteOverMargin > WHITEST_OVER_MARGIN) {
+            warnings.add(Warning.of(DetectionWarning.MARGIN_TOO_THIN, id,
+                    (int) Math.round(100 * (whiteOverMargin - 1))));
         }
         double blurPx = light.blurInPhotoPx(marker);
         if (blurPx > (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * grid.borderCells()) * marker.cellPx()) {

@@ -145,6 +145,25 @@ final class PatternReader {
     }
 
     /**
+     * How bright the white cells of the code are against the white of the margin, by which they are expected. To be
+     * asked right after the reading.
+     *
+     * @param white the reading; at least one cell of it is white
+     * @return about 1; more where the margin is too narrow to be seen white
+     */
+    double whiteOverMargin(boolean[] white) {
+        double seen = 0;
+        double expected = 0;
+        for (int cell = 0; cell < white.length; cell++) {
+            if (white[cell]) {
+                seen += level[cell];
+                expected += expected(white, cell / bands, cell % bands, weightX, outsideX, weightY, outsideY);
+            }
+        }
+        return seen / expected;
+    }
+
+    /**
      * How far the code looks from what a reading makes it look like, between the middles of cells as well: there a
      * marker of another grid gives itself away. To be asked right after the reading.
      *

@@ -50,6 +50,11 @@ public final class DrawnMarkers {
     }
 
     public DrawnMarkers draw(MarkerPattern pattern, double[] corners, double black, double white) {
+        return draw(pattern, corners, black, white, QUIET);
+    }
+
+    /** With a margin that is a share of the side. */
+    DrawnMarkers draw(MarkerPattern pattern, double[] corners, double black, double white, double margin) {
         int n = pattern.cells();
         double[] h = imageToSquare(corners);
         int[] box = {widthPx, heightPx, 0, 0};
@@ -73,7 +78,7 @@ public final class DrawnMarkers {
                     double w = h[6] * u + h[7] * v + 1;
                     double s = (h[0] * u + h[1] * v + h[2]) / w;
                     double t = (h[3] * u + h[4] * v + h[5]) / w;
-                    if (s < -QUIET || t < -QUIET || s > 1 + QUIET || t > 1 + QUIET) {
+                    if (s < -margin || t < -margin || s > 1 + margin || t > 1 + margin) {
                         sum += grey[y * widthPx + x];
                         continue;
                     }

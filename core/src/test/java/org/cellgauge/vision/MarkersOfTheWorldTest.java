@@ -175,6 +175,15 @@ class MarkersOfTheWorldTest {
         assertEquals(List.of(), warnings(picture().image(), "tag36h11", 7));
     }
 
+    @ParameterizedTest
+    @CsvSource({"0.2, false", "0.1, false", "0.03, true"})
+    void marginThatIsTooThinIsNamed(double margin, boolean named) {
+        Detections found = detect(picture().draw(MarkerPattern.of(MarkerFamily.SQUARE_BINARY, 944),
+                square(100.3, 80.2, 26), 20, 220, margin).image(), "square-binary", 944);
+        assertEquals(named, found.warnings().stream().anyMatch(w -> w.kind() == DetectionWarning.MARGIN_TOO_THIN),
+                found.warnings().toString());
+    }
+
     @Test
     void everyPlaceOfAnIdIsNamed() {
         DrawnMarkers picture = picture();

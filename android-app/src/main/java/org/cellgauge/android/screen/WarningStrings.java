@@ -49,6 +49,8 @@ final class WarningStrings {
                 return R.string.warning_too_dark;
             case LIGHT_UNEVEN:
                 return R.string.warning_light_uneven;
+            case MARGIN_TOO_THIN:
+                return R.string.warning_margin_too_thin;
             case FAINT:
                 return R.string.warning_faint;
             case INVERTED:
