@@ -127,13 +127,13 @@ final class MarkerSurvey {
         }
     }
 
-    private static void say(DetectionWarning kind, TreeSet<Integer> seen, List<Warning> warnings) {
+    private static void say(DetectionWarning kind, Set<Integer> seen, List<Warning> warnings) {
         if (!seen.isEmpty()) {
             warnings.add(Warning.of(kind, listing(seen)));
         }
     }
 
-    private static Listing listing(TreeSet<Integer> seen) {
+    private static Listing listing(Set<Integer> seen) {
         List<Integer> named = new ArrayList<>(seen);
         return named.size() <= MOST_NAMED ? Listing.and(named) : Listing.comma(named.subList(0, MOST_NAMED));
     }
