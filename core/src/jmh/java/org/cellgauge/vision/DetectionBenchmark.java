@@ -63,7 +63,7 @@ public class DetectionBenchmark {
         Arrays.fill(sharp, LIGHT_OF_GROUND);
         boolean[] marked = new boolean[WIDTH * HEIGHT];
         FamilyPatterns patterns = new FamilyPatterns(MarkerFamily.SQUARE_BINARY);
-        int size = patterns.cells() * CELL_PX;
+        int size = patterns.grid().bands() * CELL_PX;
         for (int m = 0; m < IDS.length; m++) {
             boolean[] white = patterns.white(IDS[m]);
             int left = 200 + m % 4 * 250;
@@ -71,7 +71,7 @@ public class DetectionBenchmark {
             for (int y = -8; y < size + 8; y++) {
                 for (int x = -8; x < size + 8; x++) {
                     boolean inside = x >= 0 && y >= 0 && x < size && y < size;
-                    boolean bright = !inside || white[y / CELL_PX * patterns.cells() + x / CELL_PX];
+                    boolean bright = !inside || white[y / CELL_PX * patterns.grid().bands() + x / CELL_PX];
                     sharp[(top + y) * WIDTH + left + x] = bright ? LIGHT_OF_WHITE : LIGHT_OF_BLACK;
                     marked[(top + y) * WIDTH + left + x] = true;
                 }

@@ -162,8 +162,15 @@ public final class CellReader {
                 CameraReader.TONE_CURVE, "references", "objects", "target"));
         PinholeCamera camera = cameraOf.apply(file);
         YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm",
-                "size_std_mm", "flatness_mm", "print_gain_std_mm");
+                "size_std_mm", "flatness_mm", "print_gain_std_mm", "orientation");
         MarkerFamily family = family(markers.required("family", "family: square-binary"));
+        YamlValue orientation = markers.optional("orientation");
+        if (orientation != null) {
+            if (!orientation.is("opencv")) {
+                throw orientation.refused(CellRefusal.NO_ORIENTATION, orientation.text("orientation: opencv"));
+            }
+            family = family.asOpenCvDraws();
+        }
         generalSize = markers.optional("size_mm");
         if (generalSize != null) {
             size(generalSize);

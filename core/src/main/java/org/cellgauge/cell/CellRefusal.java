@@ -72,6 +72,9 @@ public enum CellRefusal implements RefusalKind {
     CAMERA_FILE("%s"),
     /** No such family: the name, which one may be meant. */
     NO_FAMILY("there is no marker family \"%s\"; %s"),
+    /** A way up that markers have not: the word. */
+    NO_ORIENTATION("\"%s\" is no orientation; write opencv where AprilTags are turned as OpenCV draws them, else "
+            + "delete this line"),
     /** A marker that is too small: mm. */
     MARKER_TOO_SMALL("a marker of %s mm is too small to be seen; write the outer edge of the black border in mm, not "
             + "in m"),

@@ -101,6 +101,10 @@ final class Observed {
             }
         }
         if (unseen.size() == cell.references().size()) {
+            if (!detections.warnings().isEmpty()) {
+                throw new InputRefusedException(detections.imageName(), CheckRefusal.NO_REFERENCE_LEFT,
+                        Listing.and(unseen), Listing.semicolon(detections.warnings()));
+            }
             throw new InputRefusedException(detections.imageName(), CheckRefusal.NO_REFERENCE_SEEN,
                     Listing.and(unseen));
         }

@@ -9,7 +9,6 @@ import boofcv.factory.distort.LensDistortionFactory;
 import boofcv.factory.fiducial.ConfigFiducialBinary;
 import boofcv.factory.fiducial.ConfigFiducialHammingDetector;
 import boofcv.factory.fiducial.ConfigHammingMarker;
-import boofcv.factory.fiducial.HammingDictionary;
 import boofcv.factory.shape.FactoryShapeDetector;
 import boofcv.struct.calib.CameraPinholeBrown;
 import boofcv.struct.image.GrayU8;
@@ -31,7 +30,9 @@ import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.internal.vision.BoofThreads;
+import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Warning;
 import org.jspecify.annotations.Nullable;
@@ -53,6 +54,16 @@ import org.jspecify.annotations.Nullable;
 public final class BoofMarkerDetector implements MarkerDetector {
     private static final int NONE = -1;
     private static final byte[] NO_PIXELS = new byte[0];
+    private static final int THRESHOLD_RADIUS_PX = 10;
+    /**
+     * Beyond it the margin is no white to measure edges by: with margins of a fifth and a tenth of sides of 24 px it is
+     * at most 1.01, with 0.05 at least 1.07.
+     */
+    private static final double WHITEST_OVER_MARGIN = 1.06;
+    /** Costs faint markers, whose black is more than 0.6 times as bright as their white; 80 those above 0.5. */
+    private static final int USUAL_PERCENT = 85;
+    /** Where markers are missing. */
+    private static final int FAINT_PERCENT = 98;
     /** Deviation of a corner that is still believed: several times the 0.4 px of real footage. */
     private static final double RESIDUAL_LIMIT_PX = 1.5;
     /**
@@ -69,22 +80,32 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private static final double BLUR_LIMIT_PER_BORDER_CELL = 0.17;
 
     private final PinholeCamera camera;
+    private final MarkerFamily family;
     /** Patterns of the ids to report. */
     private final Map<Integer, boolean[]> patterns = new TreeMap<>();
     private final FamilyPatterns familyPatterns;
     private final boolean hasChecksum;
     private final double residualLimitPerSide;
     private final BaseDetectFiducialSquare<GrayU8> squares;
+    /** Whether markers that are missing are looked for again, and their reasons, at several times the cost. */
+    private final boolean looksTwice;
+    /** Finds faint markers; null until one is missing. */
+    private BaseDetectFiducialSquare<GrayU8> faintSquares;
+    /** Says why markers are missing; null until one is. */
+    private MarkerSurvey survey;
     /** Looks at the bent image of a wide lens as well; null for others. */
     private final @Nullable BaseDetectFiducialSquare<GrayU8> bentSquares;
     private final @Nullable ToneCurve statedCurve;
     private final GreyScale scale = new GreyScale();
     private final LightFit light = new LightFit(scale);
     private final PatternReader reader;
+    private final OtherGrids otherGrids;
+    /** Of the marker read last: see {@link PatternReader#whiteOverMargin}. */
+    private double whiteOverMargin;
     /** Work space for the markers of one image, used anew for the next. */
     private final List<MarkerEdges> edges = new ArrayList<>();
     private int edgesUsed;
-    private final int borderCells;
+    private final MarkerGrid grid;
     private final SquareResidual residual;
     private final GrayU8 view = new GrayU8();
 
@@ -129,14 +150,21 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     public BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,
             double residualLimitPerSide, @Nullable ToneCurve toneCurve) {
+        this(camera, family, ids, residualLimitPerSide, toneCurve, true);
+    }
+
+    private BoofMarkerDetector(PinholeCamera camera, MarkerFamily family, Collection<Integer> ids,
+            double residualLimitPerSide, @Nullable ToneCurve toneCurve, boolean looksTwice) {
+        this.looksTwice = looksTwice;
         this.statedCurve = toneCurve;
         this.residualLimitPerSide = residualLimitPerSide;
         this.camera = camera;
-        this.hasChecksum = !family.isSquareBinary();
+        this.family = family;
         this.familyPatterns = new FamilyPatterns(family);
+        this.hasChecksum = familyPatterns.correctable() > 0;
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
-        this.squares = squares(family);
-        this.bentSquares = camera.lens().isWide() ? squares(family) : null;
+        this.squares = squares(family, familyPatterns, USUAL_PERCENT);
+        this.bentSquares = camera.lens().isWide() ? squares(family, familyPatterns, USUAL_PERCENT) : null;
         if (camera.isDistorting()) {
             squares.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), true);
         } else {
@@ -145,8 +173,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (bentSquares != null) {
             bentSquares.configure(null, camera.widthPx(), camera.heightPx(), false);
         }
-        this.borderCells = (int) Math.round(squares.getBorderWidthFraction() * familyPatterns.cells());
-        this.reader = new PatternReader(camera, familyPatterns.cells());
+        this.grid = familyPatterns.grid();
+        this.reader = new PatternReader(camera, grid);
+        this.otherGrids = new OtherGrids(camera, grid);
         this.residual = new SquareResidual(camera);
         view.subImage = true;
     }
@@ -158,43 +187,64 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * @return a new detector
      */
     public static BoofMarkerDetector forCell(Cell cell) {
+        return forCell(cell, true);
+    }
+
+    /**
+     * A detector for the frames of a camera: a marker that is missing costs no second look, as long as another of the
+     * cell is seen. It finds faint markers less often than {@link #forCell} and gives fewer reasons.
+     *
+     * @param cell the cell
+     * @return a new detector
+     */
+    public static BoofMarkerDetector forFrames(Cell cell) {
+        return forCell(cell, false);
+    }
+
+    private static BoofMarkerDetector forCell(Cell cell, boolean looksTwice) {
         Set<Integer> ids = new HashSet<>();
         cell.references().forEach(r -> ids.add(r.id()));
         cell.objects().forEach(o -> ids.add(o.id()));
-        return new BoofMarkerDetector(cell.camera(), cell.family(), ids, RESIDUAL_LIMIT_PER_SIDE, cell.toneCurve());
+        return new BoofMarkerDetector(cell.camera(), cell.family(), ids, RESIDUAL_LIMIT_PER_SIDE, cell.toneCurve(),
+                looksTwice);
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family) {
-        return family.isSquareBinary() ? squareBinary() : squareHamming(family);
+    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family, FamilyPatterns patterns, int percent) {
+        return family.isSquareBinary() ? squareBinary(family.codeCells(), percent)
+                : squareHamming(patterns.dictionary(), percent);
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squareBinary() {
+    private static BaseDetectFiducialSquare<GrayU8> squareBinary(int codeCells, int percent) {
         ConfigFiducialBinary config = new ConfigFiducialBinary(1);
-        DetectFiducialSquareBinary<GrayU8> detector = new DetectFiducialSquareBinary<>(config.gridWidth,
-                config.borderWidthFraction, config.minimumBlackBorderFraction, threshold(),
+        DetectFiducialSquareBinary<GrayU8> detector = new DetectFiducialSquareBinary<>(codeCells,
+                config.borderWidthFraction, config.minimumBlackBorderFraction, threshold(percent),
                 FactoryShapeDetector.polygon(config.squareDetector, GrayU8.class), GrayU8.class);
         // whatever looks like a marker may pass here: PatternReader judges the cells with the blur in mind
         detector.setAmbiguityThreshold(1);
         return detector;
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squareHamming(MarkerFamily family) {
-        ConfigHammingMarker markers = ConfigHammingMarker.loadDictionary(
-                HammingDictionary.valueOf(family.dictionaryName()));
+    private static BaseDetectFiducialSquare<GrayU8> squareHamming(ConfigHammingMarker markers, int percent) {
         ConfigFiducialHammingDetector config = new ConfigFiducialHammingDetector();
         DetectFiducialSquareHamming<GrayU8> detector = new DetectFiducialSquareHamming<>(markers,
-                config.minimumBlackBorderFraction, threshold(),
+                config.minimumBlackBorderFraction, threshold(percent),
                 FactoryShapeDetector.polygon(config.squareDetector, GrayU8.class), GrayU8.class);
         detector.setAmbiguousPenaltyFrac(config.ambiguousPenaltyFrac);
         return detector;
     }
 
     /**
-     * Local mean with a margin: plain grounds and weak textures then give no contours to follow. The margin costs faint
-     * markers, whose black is more than 0.6 times as bright as their white; with 0.80 it would cost those above 0.5.
+     * Local mean with a margin: plain grounds and weak textures then give no contours to follow.
+     *
+     * @param percent of the mean at which black begins
      */
-    private static LocalMeanThreshold threshold() {
-        return new LocalMeanThreshold(10, 85);
+    private static LocalMeanThreshold threshold(int percent) {
+        return new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent);
+    }
+
+    /** The usual one. */
+    static LocalMeanThreshold threshold() {
+        return threshold(USUAL_PERCENT);
     }
 
     private static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {
@@ -229,10 +279,15 @@ public final class BoofMarkerDetector implements MarkerDetector {
             squares.process(view);
             for (int i = 0; i < squares.getFound().size(); i++) {
                 FoundFiducial found = squares.getFound().get(i);
-                seen.add(seen(image, (int) found.id, found.distortedPixels));
+                if (isOfFamily(found)) {
+                    seen.add(seen(image, (int) found.id, found.distortedPixels));
+                }
             }
             if (bentSquares != null) {
-                lookAtBentImage(image, bentSquares, seen);
+                lookAgain(bentSquares, image, seen);
+            }
+            if (looksTwice && !showsAll(seen)) {
+                lookAgain(faintSquares(), image, seen);
             }
         } finally {
             view.data = NO_PIXELS;
@@ -258,20 +313,65 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         List<MarkerObservation> accepted = new ArrayList<>();
         byId.forEach((id, ofId) -> judge(id, ofId, accepted, warnings));
+        if (accepted.isEmpty() || accepted.size() < patterns.size() && looksTwice) {
+            survey(image, byId.keySet(), warnings);
+        }
         return new Detections(imageName, image.widthPx(), image.heightPx(), accepted, warnings,
                 fitted.isEmpty() ? null : light.light());
     }
 
+    /** Whether every marker of the cell is among the squares, as they were read at first. */
+    private boolean showsAll(List<Seen> seen) {
+        Set<Integer> read = new HashSet<>();
+        seen.forEach(square -> read.add(square.idRead));
+        return read.containsAll(patterns.keySet());
+    }
+
     /**
-     * Adds the squares that only the bent image of a wide lens shows as markers of the cell: far off the axis, where
-     * {@link WideDistortion} is not straight or stretches a marker out of shape. Small markers are found in it as well
-     * as in any image.
+     * A search that follows weaker contours too, for markers whose black is nearly as bright as their white. On a
+     * textured ground it takes many times as long as the usual one.
      */
-    private void lookAtBentImage(GreyImage image, BaseDetectFiducialSquare<GrayU8> bent, List<Seen> seen) {
-        bent.process(view);
+    private BaseDetectFiducialSquare<GrayU8> faintSquares() {
+        if (faintSquares == null) {
+            faintSquares = squares(family, familyPatterns, FAINT_PERCENT);
+            configure(faintSquares);
+        }
+        return faintSquares;
+    }
+
+    private void configure(BaseDetectFiducialSquare<GrayU8> detector) {
+        if (camera.isDistorting() && !camera.lens().isWide()) {
+            detector.configure(boofLens(camera), camera.widthPx(), camera.heightPx(), false);
+        } else {
+            detector.configure(null, camera.widthPx(), camera.heightPx(), false);
+        }
+    }
+
+    private void survey(GreyImage image, Set<Integer> found, List<Warning> warnings) {
+        if (survey == null) {
+            survey = new MarkerSurvey(family, patterns.keySet(), new ConfigFiducialBinary(1).squareDetector);
+            configure(survey.squares());
+        }
+        view.data = image.luminance();
+        try {
+            survey.look(view, found, warnings);
+        } finally {
+            view.data = NO_PIXELS;
+        }
+    }
+
+    /**
+     * Adds the squares that another search shows as markers of the cell: in the bent image of a wide lens, far off the
+     * axis, where {@link WideDistortion} is not straight or stretches a marker out of shape; or with weaker contours.
+     */
+    private void lookAgain(BaseDetectFiducialSquare<GrayU8> again, GreyImage image, List<Seen> seen) {
+        again.process(view);
         int straight = seen.size();
-        for (int i = 0; i < bent.getFound().size(); i++) {
-            FoundFiducial found = bent.getFound().get(i);
+        for (int i = 0; i < again.getFound().size(); i++) {
+            FoundFiducial found = again.getFound().get(i);
+            if (!isOfFamily(found)) {
+                continue;
+            }
             int at = 0;
             while (at < straight && !seen.get(at).isAt(found.distortedPixels)) {
                 at++;
@@ -282,6 +382,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
                 seen.set(at, seen(image, (int) found.id, found.distortedPixels));
             }
         }
+    }
+
+    /** Large grids have more ids than fit a family's numbers, and BoofCV reads the highest bits of them wrong. */
+    private boolean isOfFamily(FoundFiducial found) {
+        return found.id >= 0 && found.id < family.size();
     }
 
     /** A square that BoofCV has read, with its sides fitted where that was possible. */
@@ -321,7 +426,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         put(q.c, corners, 4);
         put(q.d, corners, 6);
         if (edgesUsed == edges.size()) {
-            edges.add(new MarkerEdges(camera, familyPatterns.cells(), borderCells));
+            edges.add(new MarkerEdges(camera, grid));
         }
         MarkerEdges own = edges.get(edgesUsed);
         boolean[] listed = patterns.get(idRead);
@@ -360,9 +465,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (!reader.read(image, corners, scale, marker.darkGrey(), marker.brightGrey(), marker.blurPx(), white)) {
             return NONE;
         }
+        boolean[] asSeen = white.clone();
         for (int turns = 0; turns < 4; turns++) {
             if (listedId(white) != NONE) {
-                return turns;
+                whiteOverMargin = reader.whiteOverMargin(asSeen);
+                double misfit = reader.misfit(image, scale, marker.darkGrey(), marker.brightGrey(), asSeen);
+                return otherGrids.explainBetter(misfit, image, corners, scale, marker) ? NONE : turns;
             }
             System.arraycopy(familyPatterns.turnedClockwise(white), 0, white, 0, white.length);
         }
@@ -407,8 +515,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
             light.refit(image, marker, patterns.get(id));
         }
+        if (whiteOverMargin > WHITEST_OVER_MARGIN) {
+            warnings.add(Warning.of(DetectionWarning.MARGIN_TOO_THIN, id,
+                    (int) Math.round(100 * (whiteOverMargin - 1))));
+        }
         double blurPx = light.blurInPhotoPx(marker);
-        if (blurPx > (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * borderCells) * marker.cellPx()) {
+        if (blurPx > (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * grid.borderCells()) * marker.cellPx()) {
             warnings.add(Warning.of(DetectionWarning.TOO_BLURRED, id, Decimal.of(blurPx, 1),
                     Decimal.of(marker.cellPx(), 1)));
             return null;
@@ -458,14 +570,18 @@ public final class BoofMarkerDetector implements MarkerDetector {
             }
         }
         squares.sort(Comparator.comparingDouble(c -> c.impliedStdPx));
-        for (int i = 1; i < squares.size(); i++) {
-            // outline and inner edge of one marker may both be followed: the same marker twice, not two markers
-            if (!squares.get(i).isSamePlaceAs(squares.get(0))) {
-                warnings.add(Warning.of(DetectionWarning.SEEN_TWICE, id, pixel(squares.get(0).centre(0)),
-                        pixel(squares.get(0).centre(1)), pixel(squares.get(i).centre(0)),
-                        pixel(squares.get(i).centre(1))));
-                return;
+        // outline and inner edge of one marker may both be followed: the same marker twice, not two markers
+        List<Candidate> apart = new ArrayList<>();
+        for (Candidate c : squares) {
+            if (apart.stream().noneMatch(c::isSamePlaceAs)) {
+                apart.add(c);
             }
+        }
+        if (apart.size() > 1) {
+            List<Warning> places = new ArrayList<>();
+            apart.forEach(c -> places.add(Warning.of(CheckPhrase.PLACE, pixel(c.centre(0)), pixel(c.centre(1)))));
+            warnings.add(Warning.of(DetectionWarning.SEEN_TWICE, id, places.size(), Listing.and(places)));
+            return;
         }
         if (squares.isEmpty()) {
             return;

@@ -1,5 +1,6 @@
 package org.cellgauge.vision;
 
+import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.warning.WarningKind;
 
 /** What a detector has to say of the markers of an image. Places are the centres of markers, px. */
@@ -13,9 +14,9 @@ public enum DetectionWarning implements WarningKind {
     /** No pose of a square explains the corners: id, u, v, what they miss it by, px, the limit, px. */
     NOT_SQUARE("marker %s at (%s, %s) px is left out: its corners miss those of a square by %s px (limit %s); look for "
             + "something that covers or bends it, or for another pattern taken for it"),
-    /** One id at two places: id, u, v of one, u, v of the other. */
-    SEEN_TWICE("marker %s is seen at (%s, %s) px and at (%s, %s) px and is left out at both; an id may stand only once "
-            + "in view: remove or cover the other"),
+    /** One id at several places: id, how many, the places as {@link CheckPhrase#PLACE}. */
+    SEEN_TWICE("marker %s is seen at %s places, %s px, and is left out; an id may stand only once in view: remove or "
+            + "cover the others"),
     /** The edges cannot be fitted, and the corners are those of the first look: id. */
     COARSE_CORNERS("marker %s: its edges are too blurred, short or covered to be measured finely; its corners are "
             + "coarse"),
@@ -34,9 +35,30 @@ public enum DetectionWarning implements WarningKind {
     /** Noise and steps of grey are large against the markers' contrast: grey value of white. */
     TOO_DARK("the markers' white is only %s of 255, so that noise and steps of grey weigh heavily; give more light or "
             + "expose longer"),
+    /** Noise and steps of grey are large against the contrast of a pale print: grey values of black and of white. */
+    FAINT("the markers are faint: their black is %s and their white %s of 255, so that noise and steps of grey weigh "
+            + "heavily; print them darker, or take away what dulls them"),
+    /** The margin is not seen white: id, by how much the code's white is brighter, percent. */
+    MARGIN_TOO_THIN("marker %s: its white margin is too thin to be measured (the white of its code is %s %% brighter), "
+            + "and its corners may be off by more than is stated; print it with a margin of a fifth of its side"),
     /** A shadow or a reflection lies on a marker: id, change of the light on its white, percent. */
     LIGHT_UNEVEN("marker %s: the light on its white changes by %s %% from one side to another; light it evenly, "
-            + "without shadows and reflections");
+            + "without shadows and reflections"),
+    /** Markers of the cell, white and black exchanged: ids. */
+    INVERTED("printed white on black: marker %s; print black markers on white paper"),
+    /** Markers of the cell as a mirror shows them: ids. */
+    MIRRORED("mirrored: marker %s; switch the mirror image of the camera off, or print them the right way round"),
+    /** Markers of the cell's family that the cell does not name: ids. */
+    OTHER_IDS("in view, but not in the cell file: marker %s; check the ids of the cell file"),
+    /** Markers of another family: how many, the family, ids, the cell's family. */
+    OTHER_FAMILY("in view are %s markers of the family %s (%s), and the cell file says %s; write the family that is "
+            + "printed"),
+    /** Nothing can be seen: grey value that 99 % of the pixels do not exceed. */
+    NEARLY_BLACK("the image is nearly black: 99 %% of it is at most %s of 255; give more light or expose longer"),
+    /** Nothing can be seen: grey value that 99 % of the pixels exceed. */
+    NEARLY_WHITE("the image is nearly white: 99 %% of it is at least %s of 255; give less light or expose less"),
+    /** Nothing is sharp: blur (standard deviation) of the sharpest edges, px. */
+    BLURRED("the image is blurred: even its sharpest edges are smeared by %s px; focus, hold still");
 
     private final String english;
 

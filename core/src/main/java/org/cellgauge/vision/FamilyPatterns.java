@@ -1,6 +1,7 @@
 package org.cellgauge.vision;
 
 import boofcv.alg.drawing.FiducialImageEngine;
+import boofcv.alg.fiducial.qrcode.PackedBits32;
 import boofcv.alg.fiducial.square.FiducialSquareGenerator;
 import boofcv.alg.fiducial.square.FiducialSquareHammingGenerator;
 import boofcv.factory.fiducial.ConfigHammingMarker;
@@ -10,18 +11,16 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The black and white cells of a family's markers, border included, marker upright: read off the pictures that BoofCV's
- * own generators draw, so that a marker here is what a user of BoofCV prints. Every family is a square lattice of equal
- * cells, a border of black ones around the code.
+ * own generators draw, so that a marker here is what a user of BoofCV prints. Where its table of a dictionary is not
+ * the dictionary ({@link OpenCv4x4}), BoofCV is given the right one.
  */
 public final class FamilyPatterns {
     private static final int PIXELS_PER_CELL = 4;
-    /** BoofCV's default border of square-binary markers is a quarter of the width: two of eight cells. */
-    private static final int BINARY_CELLS = 8;
-    private static final int BINARY_CODE_CELLS = 4;
 
+    private final MarkerFamily family;
     /** Null for families of BoofCV's that have no table. */
     private final @Nullable ConfigHammingMarker dictionary;
-    private final int cells;
+    private final MarkerGrid grid;
 
     /**
      * Patterns of a family.
@@ -29,49 +28,105 @@ public final class FamilyPatterns {
      * @param family any family
      */
     public FamilyPatterns(MarkerFamily family) {
-        if (family.isSquareBinary()) {
-            dictionary = null;
-            cells = BINARY_CELLS;
-        } else {
-            dictionary = ConfigHammingMarker.loadDictionary(HammingDictionary.valueOf(family.dictionaryName()));
-            // the border of every predefined dictionary is a whole number of cells: one
-            cells = (int) Math.round(dictionary.gridWidth / (1 - 2 * dictionary.borderWidthFraction));
+        this.family = family;
+        this.dictionary = family.isSquareBinary() ? null : dictionary(family);
+        // BoofCV's default border of square-binary markers is a quarter of the width; all dictionaries have one cell
+        this.grid = MarkerGrid.of(family.codeCells(), dictionary == null ? family.codeCells() : 2);
+    }
+
+    private static ConfigHammingMarker dictionary(MarkerFamily family) {
+        HammingDictionary name = HammingDictionary.valueOf(family.dictionaryName());
+        ConfigHammingMarker whole = ConfigHammingMarker.loadDictionary(name);
+        if (name == HammingDictionary.ARUCO_OCV_4x4_1000) {
+            whole.encoding.reset();
+            for (int id = 0; id < family.size(); id++) {
+                whole.addMarker(OpenCv4x4.code(id));
+            }
+            whole.minimumHamming = OpenCv4x4.smallestDistance(family.size());
+        }
+        while (whole.encoding.size > family.size()) {
+            whole.encoding.removeTail();
+        }
+        if (family.isHalfTurned()) {
+            whole.encoding.forEach(marker -> turnHalf(marker.pattern));
+        }
+        return whole;
+    }
+
+    /** Half a turn puts the cells in the opposite order. */
+    private static void turnHalf(PackedBits32 code) {
+        for (int i = 0, k = code.size - 1; i < k; i++, k--) {
+            int bit = code.get(i);
+            code.set(i, code.get(k));
+            code.set(k, bit);
         }
     }
 
-    /** Cells along an edge, border included. */
-    public int cells() {
-        return cells;
+    /** What BoofCV calls the dictionary; null for square-binary. */
+    ConfigHammingMarker dictionary() {
+        return dictionary;
+    }
+
+    /** The lattice of the family's markers. */
+    MarkerGrid grid() {
+        return grid;
     }
 
     /**
      * The pattern of one marker.
      *
      * @param id an id of the family
-     * @return cells x cells values row by row from the top left, true for white
+     * @return bands x bands values row by row from the top left, true for white
      */
-    public boolean[] white(int id) {
-        int width = cells * PIXELS_PER_CELL;
+    boolean[] white(int id) {
+        int width = (int) (grid.cells() * PIXELS_PER_CELL);
         FiducialImageEngine engine = new FiducialImageEngine();
         engine.configure(0, width);
         if (dictionary == null) {
             FiducialSquareGenerator generator = new FiducialSquareGenerator(engine);
             generator.setMarkerWidth(width);
             generator.setWhiteBorderDoc(0);
-            generator.generate((long) id, BINARY_CODE_CELLS);
+            generator.generate((long) id, family.codeCells());
         } else {
             FiducialSquareHammingGenerator generator = new FiducialSquareHammingGenerator(dictionary);
             generator.setRenderer(engine);
             generator.setMarkerWidth(width);
             generator.generate(id);
         }
-        boolean[] white = new boolean[cells * cells];
+        int bands = grid.bands();
+        boolean[] white = new boolean[bands * bands];
         for (int i = 0; i < white.length; i++) {
-            int column = i % cells * PIXELS_PER_CELL + PIXELS_PER_CELL / 2;
-            int row = i / cells * PIXELS_PER_CELL + PIXELS_PER_CELL / 2;
-            white[i] = engine.getGray().get(column, row) > 127;
+            white[i] = engine.getGray().get(pixel(i % bands), pixel(i / bands)) > 127;
         }
         return white;
+    }
+
+    /**
+     * Number of equal squares along an edge that a marker can be put together of, border included.
+     *
+     * @return at least 6
+     */
+    public int squares() {
+        return grid.squares();
+    }
+
+    /**
+     * The pattern of one marker as equal squares.
+     *
+     * @param id an id of the family
+     * @return squares x squares values row by row from the top left, true for white
+     */
+    public boolean[] whiteSquares(int id) {
+        boolean[] white = white(id);
+        boolean[] squares = new boolean[squares() * squares()];
+        for (int i = 0; i < squares.length; i++) {
+            squares[i] = white[grid.bandOf(i / squares()) * grid.bands() + grid.bandOf(i % squares())];
+        }
+        return squares;
+    }
+
+    private int pixel(int band) {
+        return (int) (grid.middle(band) * PIXELS_PER_CELL);
     }
 
     /**
@@ -87,14 +142,15 @@ public final class FamilyPatterns {
     /**
      * A pattern turned by a quarter.
      *
-     * @param white a pattern of {@link #cells()} squared values
+     * @param white a pattern of bands x bands values
      * @return the pattern turned clockwise
      */
     boolean[] turnedClockwise(boolean[] white) {
+        int bands = grid.bands();
         boolean[] turned = new boolean[white.length];
-        for (int row = 0; row < cells; row++) {
-            for (int column = 0; column < cells; column++) {
-                turned[row * cells + column] = white[(cells - 1 - column) * cells + row];
+        for (int row = 0; row < bands; row++) {
+            for (int column = 0; column < bands; column++) {
+                turned[row * bands + column] = white[(bands - 1 - column) * bands + row];
             }
         }
         return turned;

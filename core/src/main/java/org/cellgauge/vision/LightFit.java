@@ -47,6 +47,8 @@ final class LightFit {
     private static final double OVERSHOOT = 0.025;
     /** Difference of white and black below which steps of grey weigh heavily, grey levels. */
     private static final double DARK_CONTRAST = 40;
+    /** White from which on a low contrast is the print's doing and not the light's, grey levels. */
+    private static final double FAINT_WHITE = 128;
     /** A power this near to the one that the file says bears it out. */
     private static final double CONFIRMED_POWER = 0.35;
     private static final int MOST_MARKERS = 5;
@@ -675,8 +677,13 @@ final class LightFit {
             warnings.add(Warning.of(DetectionWarning.SHARPENED, percent(Math.max(maskOvershoot,
                     median(overshoot)))));
         }
-        if (median(contrast) < DARK_CONTRAST) {
-            warnings.add(Warning.of(DetectionWarning.TOO_DARK, (int) Math.round(median(white))));
+        double medianWhite = median(white);
+        double medianContrast = median(contrast);
+        if (medianContrast < DARK_CONTRAST && medianWhite > FAINT_WHITE) {
+            warnings.add(Warning.of(DetectionWarning.FAINT, (int) Math.round(medianWhite - medianContrast),
+                    (int) Math.round(medianWhite)));
+        } else if (medianContrast < DARK_CONTRAST) {
+            warnings.add(Warning.of(DetectionWarning.TOO_DARK, (int) Math.round(medianWhite)));
         }
     }
 

@@ -84,8 +84,8 @@ final class MarkerEdges {
     /** Where the marker is looked at under a wide lens; null for others. */
     private final @Nullable TangentPlane plane;
     private final boolean distorted;
-    private final int cells;
-    private final int borderCells;
+    private final MarkerGrid grid;
+    private final int bands;
     private final EdgeProfile profile = new EdgeProfile();
     private final SideFit[] sides = {new SideFit(), new SideFit(), new SideFit(), new SideFit()};
 
@@ -155,20 +155,19 @@ final class MarkerEdges {
      * Edges of markers of one family in images of one camera.
      *
      * @param camera camera of the images
-     * @param cells cells along a marker's edge, border included
-     * @param borderCells cells of the black border on each side
+     * @param grid lattice of the family's markers
      */
-    MarkerEdges(PinholeCamera camera, int cells, int borderCells) {
+    MarkerEdges(PinholeCamera camera, MarkerGrid grid) {
         this.lens = camera.lens();
         this.intrinsics = camera.intrinsics();
         this.plane = lens.isWide() ? new TangentPlane(camera) : null;
         this.distorted = camera.isDistorting();
-        this.cells = cells;
-        this.borderCells = borderCells;
+        this.grid = grid;
+        this.bands = grid.bands();
         for (int r = 0; r < ROWS; r++) {
-            ends[r] = new double[cells + 1];
-            endSlope[r] = new double[cells + 1];
-            endCosine[r] = new double[cells + 1];
+            ends[r] = new double[bands + 1];
+            endSlope[r] = new double[bands + 1];
+            endCosine[r] = new double[bands + 1];
         }
     }
 
@@ -467,7 +466,7 @@ final class MarkerEdges {
         for (SideFit side : sides) {
             shortest = Math.min(shortest, side.lengthPx);
         }
-        return shortest / cells;
+        return shortest / grid.cells();
     }
 
     // ---- geometry
@@ -588,13 +587,13 @@ final class MarkerEdges {
     private boolean whiteCell(int i, int row, int along) {
         switch (i) {
             case 0:
-                return white[row * cells + along];
+                return white[row * bands + along];
             case 1:
-                return white[along * cells + cells - 1 - row];
+                return white[along * bands + bands - 1 - row];
             case 2:
-                return white[(cells - 1 - row) * cells + cells - 1 - along];
+                return white[(bands - 1 - row) * bands + bands - 1 - along];
             default:
-                return white[(cells - 1 - along) * cells + row];
+                return white[(bands - 1 - along) * bands + row];
         }
     }
 
@@ -629,15 +628,15 @@ final class MarkerEdges {
 
     /** How far the line before a row moves outwards with the outline, per px of each of the four sides. */
     private double frame(int row) {
-        return 1 - 2.0 * (borderCells + row) / cells;
+        return 1 - 2 * grid.line(grid.borderBands() + row) / grid.cells();
     }
 
     private void setPattern(int i) {
         SideFit side = sides[i];
-        rows = Math.min(ROWS, cells - 2 * borderCells);
+        rows = Math.min(ROWS, grid.codeCells());
         double stretch = 1 + 2 * shiftPx / side.lengthPx;
         for (int r = 0; r <= rows; r++) {
-            double z = (double) (borderCells + r) / cells;
+            double z = grid.line(grid.borderBands() + r) / grid.cells();
             fromSide(i, 0.2, z, side);
             double t0 = point[0];
             double d0 = point[1];
@@ -649,13 +648,14 @@ final class MarkerEdges {
         for (int r = 0; r < rows; r++) {
             int count = 0;
             boolean inWhite = false;
-            for (int k = 0; k <= cells; k++) {
-                boolean here = k < cells && whiteCell(i, borderCells + r, k);
+            for (int k = 0; k <= bands; k++) {
+                boolean here = k < bands && whiteCell(i, grid.borderBands() + r, k);
                 if (here != inWhite) {
-                    fromSide(i, (double) k / cells, (double) (borderCells + r) / cells, side);
+                    fromSide(i, grid.line(k) / grid.cells(), grid.line(grid.borderBands() + r) / grid.cells(), side);
                     double t0 = point[0];
                     double z0 = point[1];
-                    fromSide(i, (double) k / cells, (borderCells + r + 1.0) / cells, side);
+                    fromSide(i, grid.line(k) / grid.cells(), grid.line(grid.borderBands() + r + 1) / grid.cells(),
+                            side);
                     double slope = (point[0] - t0) / (point[1] - z0);
                     double cosine = 1 / Math.sqrt(1 + slope * slope);
                     // white that has spread begins earlier and ends later
@@ -1052,11 +1052,11 @@ final class MarkerEdges {
             double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
             profile.turn(side.normalX, side.normalY);
             setPattern(i);
-            double cell = side.lengthPx / cells;
+            double cell = side.lengthPx / grid.cells();
             double band = Math.max(1.5, 2 * std);
             double shallow = Math.max(depth[0] - band, depth[0] / 2);
             double deep = Math.min(depth[0] + band, depth[0] + 0.7 * cell);
-            double halfLength = side.lengthPx / 2 - borderCells * cell;
+            double halfLength = side.lengthPx / 2 - grid.borderCells() * cell;
             double lightDark = scale.light(side.unknowns[SideFit.DARK]);
             double contrast = scale.light(side.unknowns[SideFit.BRIGHT]) - lightDark;
             double darkSlope = scale.lightByGrey(side.unknowns[SideFit.DARK]);
@@ -1136,7 +1136,7 @@ final class MarkerEdges {
         shiftPx = Math.max(-LARGEST_SHIFT_PX, Math.min(LARGEST_SHIFT_PX, shiftPx + step));
         shiftInformation = 1 / inverse[0];
         // the inner edge of a side follows its own line by 1 - b and the opposite one's by b
-        double b = (double) borderCells / cells;
+        double b = grid.borderCells() / grid.cells();
         for (int i = 0; i < CORNERS; i++) {
             int opposite = (i + 2) % CORNERS;
             double own = 0;

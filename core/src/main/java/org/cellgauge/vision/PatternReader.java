@@ -19,38 +19,64 @@ final class PatternReader {
     private static final double READING_VARIANCE_PX2 = 1.0 / 12 + 1.0 / 6;
     private static final int POINTS = 3;
     private static final double POINT_SPACING = 0.15;
+    /** Where a cell is looked at again to see whether it is one: so far from its middle both ways, cells. */
+    private static final double OFF_MIDDLE = 0.33;
 
     private final Lens lens;
     private final double[] intrinsics;
     /** Where the marker is looked at under a wide lens; null for others. */
     private final @Nullable TangentPlane plane;
-    private final int cells;
+    private final MarkerGrid grid;
+    private final int bands;
     private final double[] level;
     private final double[] weightX;
     private final double[] weightY;
     private final double[] outsideX;
     private final double[] outsideY;
+    private final double[] middles;
+    /** Two places in each band of the code. */
+    private final double[] places;
+    private final double[] placeWeightX;
+    private final double[] placeWeightY;
+    private final double[] placeOutsideX;
+    private final double[] placeOutsideY;
     private final double[] homography = new double[8];
     private final double[] ray = new double[3];
     private final double[] uv = new double[2];
     private final double[] ideal = new double[8];
+    /** Blur of the last reading along both axes of the marker, cells. */
+    private double blurX;
+    private double blurY;
 
     /**
      * A reader.
      *
      * @param camera camera of the images
-     * @param cells cells along a marker's edge, border included
+     * @param grid lattice of the markers
      */
-    PatternReader(PinholeCamera camera, int cells) {
+    PatternReader(PinholeCamera camera, MarkerGrid grid) {
         this.lens = camera.lens();
         this.intrinsics = camera.intrinsics();
         this.plane = lens.isWide() ? new TangentPlane(camera) : null;
-        this.cells = cells;
-        this.level = new double[cells * cells];
-        this.weightX = new double[cells * cells];
-        this.weightY = new double[cells * cells];
-        this.outsideX = new double[cells];
-        this.outsideY = new double[cells];
+        this.grid = grid;
+        this.bands = grid.bands();
+        this.level = new double[bands * bands];
+        this.weightX = new double[bands * bands];
+        this.weightY = new double[bands * bands];
+        this.outsideX = new double[bands];
+        this.outsideY = new double[bands];
+        this.middles = new double[bands];
+        for (int i = 0; i < bands; i++) {
+            middles[i] = grid.middle(i);
+        }
+        this.places = new double[2 * grid.codeCells()];
+        for (int i = 0; i < places.length; i++) {
+            places[i] = grid.middle(grid.borderBands() + i / 2) + (i % 2 == 0 ? -OFF_MIDDLE : OFF_MIDDLE);
+        }
+        this.placeWeightX = new double[places.length * bands];
+        this.placeWeightY = new double[places.length * bands];
+        this.placeOutsideX = new double[places.length];
+        this.placeOutsideY = new double[places.length];
     }
 
     /**
@@ -73,16 +99,18 @@ final class PatternReader {
         }
         sample(image, scale, darkGrey, brightGrey);
         double blur = Math.sqrt(blurPx * blurPx + READING_VARIANCE_PX2);
-        weights(blur * cells / meanLength(cornersPx, 0, 1, 3, 2), weightX, outsideX);
-        weights(blur * cells / meanLength(cornersPx, 0, 3, 1, 2), weightY, outsideY);
+        blurX = blur * grid.cells() / meanLength(cornersPx, 0, 1, 3, 2);
+        blurY = blur * grid.cells() / meanLength(cornersPx, 0, 3, 1, 2);
+        weights(middles, blurX, weightX, outsideX);
+        weights(middles, blurY, weightY, outsideY);
         for (int round = 0; round < MAX_ROUNDS; round++) {
             int worst = -1;
             double worstExcess = 0;
-            for (int row = 0; row < cells; row++) {
-                for (int column = 0; column < cells; column++) {
-                    int cell = row * cells + column;
-                    double ownShare = weightY[row * cells + row] * weightX[column * cells + column];
-                    double off = level[cell] - expected(white, row, column);
+            for (int row = 0; row < bands; row++) {
+                for (int column = 0; column < bands; column++) {
+                    int cell = row * bands + column;
+                    double ownShare = weightY[row * bands + row] * weightX[column * bands + column];
+                    double off = level[cell] - expected(white, row, column, weightX, outsideX, weightY, outsideY);
                     double excess = (white[cell] ? -off : off) / ownShare - 0.5;
                     if (excess > worstExcess) {
                         worstExcess = excess;
@@ -99,28 +127,91 @@ final class PatternReader {
         return false;
     }
 
-    private double expected(boolean[] white, int row, int column) {
-        double sum = 0;
-        for (int r = 0; r < cells; r++) {
-            double inRow = outsideX[column];
-            for (int c = 0; c < cells; c++) {
-                if (white[r * cells + c]) {
-                    inRow += weightX[column * cells + c];
-                }
-            }
-            sum += weightY[row * cells + r] * inRow;
+    /**
+     * Reads a marker whose code is not known at all.
+     *
+     * @param white replaced by the reading
+     * @return as {@link #read}
+     */
+    boolean readAnew(GreyImage image, double[] cornersPx, GreyScale scale, double darkGrey, double brightGrey,
+            double blurPx, boolean[] white) {
+        if (!setHomography(cornersPx)) {
+            return false;
         }
-        return sum + outsideY[row];
+        sample(image, scale, darkGrey, brightGrey);
+        for (int i = 0; i < white.length; i++) {
+            white[i] = level[i] > 0.5;
+        }
+        return read(image, cornersPx, scale, darkGrey, brightGrey, blurPx, white);
     }
 
-    /** Share of each cell, and of the white around the marker, in the light that reaches each cell's middle. */
-    private void weights(double blurCells, double[] weight, double[] outside) {
-        for (int i = 0; i < cells; i++) {
+    /**
+     * How bright the white cells of the code are against the white of the margin, by which they are expected. To be
+     * asked right after the reading.
+     *
+     * @param white the reading; at least one cell of it is white
+     * @return about 1; more where the margin is too narrow to be seen white
+     */
+    double whiteOverMargin(boolean[] white) {
+        double seen = 0;
+        double expected = 0;
+        for (int cell = 0; cell < white.length; cell++) {
+            if (white[cell]) {
+                seen += level[cell];
+                expected += expected(white, cell / bands, cell % bands, weightX, outsideX, weightY, outsideY);
+            }
+        }
+        return seen / expected;
+    }
+
+    /**
+     * How far the code looks from what a reading makes it look like, between the middles of cells as well: there a
+     * marker of another grid gives itself away. To be asked right after the reading.
+     *
+     * @return root of the mean squared deviation at four places of each cell of the code, as a share of the step from
+     *     black to white
+     */
+    double misfit(GreyImage image, GreyScale scale, double darkGrey, double brightGrey, boolean[] white) {
+        weights(places, blurX, placeWeightX, placeOutsideX);
+        weights(places, blurY, placeWeightY, placeOutsideY);
+        double dark = scale.light(darkGrey);
+        double contrast = scale.light(Math.min(255, brightGrey)) - dark;
+        double sum = 0;
+        for (int row = 0; row < places.length; row++) {
+            for (int column = 0; column < places.length; column++) {
+                double seen = (lightAt(image, scale, places[column], places[row]) - dark) / contrast;
+                double off = seen - expected(white, row, column, placeWeightX, placeOutsideX, placeWeightY,
+                        placeOutsideY);
+                sum += off * off;
+            }
+        }
+        return Math.sqrt(sum) / places.length;
+    }
+
+    /** Light where a row and a column of places cross that weights were taken for. */
+    private double expected(boolean[] white, int row, int column, double[] ofX, double[] beyondX, double[] ofY,
+            double[] beyondY) {
+        double sum = 0;
+        for (int r = 0; r < bands; r++) {
+            double inRow = beyondX[column];
+            for (int c = 0; c < bands; c++) {
+                if (white[r * bands + c]) {
+                    inRow += ofX[column * bands + c];
+                }
+            }
+            sum += ofY[row * bands + r] * inRow;
+        }
+        return sum + beyondY[row];
+    }
+
+    /** Share of each band, and of the white around the marker, in the light that reaches each place along an axis. */
+    private void weights(double[] at, double blurCells, double[] weight, double[] outside) {
+        for (int i = 0; i < at.length; i++) {
             double sum = 0;
-            double below = EdgeProfile.cumulative((-i - 0.5) / blurCells);
-            for (int k = 0; k < cells; k++) {
-                double above = EdgeProfile.cumulative((k + 1 - i - 0.5) / blurCells);
-                weight[i * cells + k] = above - below;
+            double below = EdgeProfile.cumulative(-at[i] / blurCells);
+            for (int k = 0; k < bands; k++) {
+                double above = EdgeProfile.cumulative((grid.line(k + 1) - at[i]) / blurCells);
+                weight[i * bands + k] = above - below;
                 sum += above - below;
                 below = above;
             }
@@ -138,25 +229,31 @@ final class PatternReader {
         double dark = scale.light(darkGrey);
         // what is clipped reads as 255, however bright it was
         double contrast = scale.light(Math.min(255, brightGrey)) - dark;
-        for (int row = 0; row < cells; row++) {
-            for (int column = 0; column < cells; column++) {
+        for (int row = 0; row < bands; row++) {
+            for (int column = 0; column < bands; column++) {
                 double sum = 0;
                 for (int k = 0; k < POINTS * POINTS; k++) {
-                    double x = (column + 0.5 + POINT_SPACING * (k % POINTS - POINTS / 2)) / cells;
-                    double y = (row + 0.5 + POINT_SPACING * (k / POINTS - POINTS / 2)) / cells;
-                    double w = homography[6] * x + homography[7] * y + 1;
-                    double xn = (homography[0] * x + homography[1] * y + homography[2]) / w;
-                    double yn = (homography[3] * x + homography[4] * y + homography[5]) / w;
-                    if (plane != null) {
-                        plane.toImage(xn, yn, uv, 0);
-                    } else {
-                        lens.project(intrinsics, xn, yn, 1, uv, 0);
-                    }
-                    sum += scale.tabulatedLight(image.interpolate(uv[0], uv[1]));
+                    sum += lightAt(image, scale, middles[column] + POINT_SPACING * (k % POINTS - POINTS / 2),
+                            middles[row] + POINT_SPACING * (k / POINTS - POINTS / 2));
                 }
-                level[row * cells + column] = (sum / (POINTS * POINTS) - dark) / contrast;
+                level[row * bands + column] = (sum / (POINTS * POINTS) - dark) / contrast;
             }
         }
+    }
+
+    /** Light at a place of the marker, in cells to the right and down from its top left. */
+    private double lightAt(GreyImage image, GreyScale scale, double right, double down) {
+        double x = right / grid.cells();
+        double y = down / grid.cells();
+        double w = homography[6] * x + homography[7] * y + 1;
+        double xn = (homography[0] * x + homography[1] * y + homography[2]) / w;
+        double yn = (homography[3] * x + homography[4] * y + homography[5]) / w;
+        if (plane != null) {
+            plane.toImage(xn, yn, uv, 0);
+        } else {
+            lens.project(intrinsics, xn, yn, 1, uv, 0);
+        }
+        return scale.tabulatedLight(image.interpolate(uv[0], uv[1]));
     }
 
     private boolean setHomography(double[] cornersPx) {

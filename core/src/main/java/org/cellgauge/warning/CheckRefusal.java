@@ -10,6 +10,8 @@ public enum CheckRefusal implements RefusalKind {
     /** No reference is seen: ids. */
     NO_REFERENCE_SEEN("none of the references %s is in the photo; check the marker family of the cell file, the light "
             + "and the focus"),
+    /** No reference is left: ids, what the detector says of them. */
+    NO_REFERENCE_LEFT("none of the references %s can be used: %s"),
     /** No camera pose fits. */
     NO_CAMERA_POSE("no camera pose explains the corners of the references; check their ids, positions and sizes in the "
             + "cell file"),

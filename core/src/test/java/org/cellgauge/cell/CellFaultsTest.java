@@ -57,10 +57,11 @@ class CellFaultsTest {
             fault("name in place of an id", "  5:", "  box:", "line 10, objects.box: ", "no marker id"),
             fault("unknown family", "square-binary", "square_binry", "line 3, markers.family: ",
                     "did you mean \"square-binary\"?"),
-            fault("family in the library's spelling", "square-binary", "APRILTAG_36h11", "markers.family: ",
-                    "did you mean \"apriltag-36h11\"?"),
-            fault("marker that another one looks like", "family: square-binary", "family: aruco-ocv-4x4-1000",
-                    "line 7, references.944: ", "looks like another", "another id"),
+            fault("way up that is none", "size_mm: 47}", "size_mm: 47, orientation: upright}",
+                    "line 3, markers.orientation: ", "no orientation", "write opencv"),
+            fault("marker that looks the same when turned", AS_FAR_AS_FIRST_ID,
+                    AS_FAR_AS_FIRST_ID.replace("square-binary", "aruco-original").replace("944", "1023"),
+                    "line 7, references.1023: ", "looks like another", "another id"),
             fault("size of 0", "size_mm: 47}", "size_mm: 0}", "line 3, markers.size_mm: ", "greater than 0", "mm"),
             fault("negative size", "size_mm: 100}", "size_mm: -100}", "line 8, references.22.size_mm: ",
                     "greater than 0", "got -100"),
@@ -142,6 +143,9 @@ class CellFaultsTest {
             fault("tag of a program's own", "size_mm: 47}", "size_mm: !java.lang.Double 47}",
                     "line 3, markers.size_mm: ", "tag", "delete"));
     }
+
+    private static final String AS_FAR_AS_FIRST_ID = CellReaderTest.CELL.substring(
+            CellReaderTest.CELL.indexOf("square-binary"), CellReaderTest.CELL.indexOf("944") + 3);
 
     private static Arguments fault(String name, String from, String to, String... parts) {
         return arguments(name, from, to, parts);

@@ -2,7 +2,9 @@ package org.cellgauge.cell;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -71,6 +73,17 @@ class CellWriterTest {
     void everyKeyComesBack() {
         Cell cell = CellReaderTest.read(CellReaderTest.CELL);
         assertSame(cell, again(cell));
+    }
+
+    @Test
+    void markersAreTheSameWayUpAgain() {
+        String text = CellReaderTest.CELL.replace("{family: square-binary,", "{family: tag36h11, orientation: opencv,")
+                .replace("944", "94").replace("1234", "123").replace("911", "91");
+        Cell cell = CellReaderTest.read(text);
+        assertTrue(cell.family().isHalfTurned());
+        assertSame(cell, again(cell));
+        assertFalse(CellReaderTest.read(text.replace(" orientation: opencv,", "")).family().isHalfTurned());
+        assertThrows(InputRefusedException.class, () -> CellReaderTest.read(text.replace(": opencv", ": upright")));
     }
 
     @Test

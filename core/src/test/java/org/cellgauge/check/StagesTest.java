@@ -10,12 +10,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.internal.sampling.RandomStreams;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.vision.DetectionWarning;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Warning;
 import org.junit.jupiter.api.Test;
 
 /** Every stage of a check is whole by itself, and what comes after it changes nothing in it. */
@@ -37,6 +41,17 @@ class StagesTest {
         Detections noisy = scene.detections(0.3, RandomStreams.of(1), 0, 0);
         assertNotEquals(Observed.of(cell, noisy, SETTINGS).photoSeed(),
                 Observed.of(cell, scene.exactDetections(), SETTINGS).photoSeed());
+    }
+
+    @Test
+    void whatTheDetectorSaysIsSaidWhereNoReferenceIsLeft() {
+        List<Warning> said = List.of(Warning.of(DetectionWarning.MIRRORED, Listing.and(List.of(22))),
+                Warning.of(DetectionWarning.NEARLY_BLACK, 12));
+        Detections exact = scene.exactDetections();
+        String refusal = assertThrows(InputRefusedException.class, () -> Observed.of(cell, new Detections("a.png",
+                exact.widthPx(), exact.heightPx(), List.of(), said), SETTINGS)).getMessage();
+        assertTrue(refusal.startsWith("a.png: none of the references "), refusal);
+        assertTrue(refusal.endsWith(" can be used: " + said.get(0) + "; " + said.get(1)), refusal);
     }
 
     /** Corners without noise: the mode is the truth, and the references fit, without any chain. */

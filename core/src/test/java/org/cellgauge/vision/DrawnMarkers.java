@@ -10,6 +10,7 @@ import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
+import org.cellgauge.internal.vision.MarkerPattern;
 
 /** A picture of markers drawn into given quadrilaterals, by averaging 8x8 points per pixel; for undistorted cameras. */
 public final class DrawnMarkers {
@@ -45,12 +46,30 @@ public final class DrawnMarkers {
 
     /** Draws a marker with its quiet zone; corners: top-left, top-right, bottom-right, bottom-left of the marker. */
     public DrawnMarkers draw(MarkerFamily family, int id, double[] corners, double black, double white) {
-        FamilyPatterns pattern = new FamilyPatterns(family);
-        boolean[] cells = pattern.white(id);
+        return draw(MarkerPattern.of(family, id), corners, black, white);
+    }
+
+    public DrawnMarkers draw(MarkerPattern pattern, double[] corners, double black, double white) {
+        return draw(pattern, corners, black, white, QUIET);
+    }
+
+    /** With a margin that is a share of the side. */
+    DrawnMarkers draw(MarkerPattern pattern, double[] corners, double black, double white, double margin) {
         int n = pattern.cells();
         double[] h = imageToSquare(corners);
-        for (int y = 0; y < heightPx; y++) {
-            for (int x = 0; x < widthPx; x++) {
+        int[] box = {widthPx, heightPx, 0, 0};
+        double reach = 0;
+        for (int i = 0; i < 8; i++) {
+            reach = Math.max(reach, Math.abs(corners[i] - corners[(i + 4) % 8]));
+        }
+        for (int i = 0; i < 4; i++) {
+            box[0] = (int) Math.max(0, Math.min(box[0], corners[2 * i] - reach));
+            box[1] = (int) Math.max(0, Math.min(box[1], corners[2 * i + 1] - reach));
+            box[2] = (int) Math.min(widthPx, Math.max(box[2], corners[2 * i] + reach));
+            box[3] = (int) Math.min(heightPx, Math.max(box[3], corners[2 * i + 1] + reach));
+        }
+        for (int y = box[1]; y < box[3]; y++) {
+            for (int x = box[0]; x < box[2]; x++) {
                 double sum = 0;
                 boolean touched = false;
                 for (int k = 0; k < SUB * SUB; k++) {
@@ -59,13 +78,13 @@ public final class DrawnMarkers {
                     double w = h[6] * u + h[7] * v + 1;
                     double s = (h[0] * u + h[1] * v + h[2]) / w;
                     double t = (h[3] * u + h[4] * v + h[5]) / w;
-                    if (s < -QUIET || t < -QUIET || s > 1 + QUIET || t > 1 + QUIET) {
+                    if (s < -margin || t < -margin || s > 1 + margin || t > 1 + margin) {
                         sum += grey[y * widthPx + x];
                         continue;
                     }
                     touched = true;
                     boolean inside = s >= 0 && t >= 0 && s < 1 && t < 1;
-                    boolean isWhite = !inside || cells[(int) (t * n) * n + (int) (s * n)];
+                    boolean isWhite = inside ? pattern.isWhite((int) (t * n), (int) (s * n)) : pattern.isWhiteAround();
                     sum += isWhite ? white : black;
                 }
                 if (touched) {

@@ -37,7 +37,7 @@ class MarkerEdgesTest {
     private static double[] light(double[] cornersPx, double blurPx) {
         int n = SIZE_PX * SUB;
         boolean[] cells = new FamilyPatterns(FAMILY).white(ID);
-        int count = new FamilyPatterns(FAMILY).cells();
+        int count = new FamilyPatterns(FAMILY).grid().bands();
         double[] toImage = new double[8];
         assertTrue(Homography.ofUnitSquare(cornersPx, toImage));
         double[] h = inverse(toImage);

@@ -31,8 +31,9 @@ class CheckWarningTest {
         says("marker 944 at (300, 220) px is left out: its corners miss those of a square by 6.3 px (limit 2.9); look "
                 + "for something that covers or bends it, or for another pattern taken for it",
                 DetectionWarning.NOT_SQUARE, 944, 300, 220, n(6.31, 1), n(2.9, 1));
-        says("marker 5 is seen at (150, 201) px and at (420, 250) px and is left out at both; an id may stand only "
-                + "once in view: remove or cover the other", DetectionWarning.SEEN_TWICE, 5, 150, 201, 420, 250);
+        says("marker 5 is seen at 2 places, (150, 201) and (420, 250) px, and is left out; an id may stand only once "
+                + "in view: remove or cover the others", DetectionWarning.SEEN_TWICE, 5, 2, Listing.and(Arrays.asList(
+                Warning.of(CheckPhrase.PLACE, 150, 201), Warning.of(CheckPhrase.PLACE, 420, 250))));
         says("marker 5: its edges are too blurred, short or covered to be measured finely; its corners are coarse",
                 DetectionWarning.COARSE_CORNERS, 5);
     }

@@ -20,6 +20,7 @@ import org.cellgauge.desktop.render.Backdrop;
 import org.cellgauge.desktop.render.CellSimulation;
 import org.cellgauge.desktop.render.GreyJpeg;
 import org.cellgauge.desktop.render.GreyPng;
+import org.cellgauge.desktop.render.Misprints;
 import org.cellgauge.desktop.render.Scene;
 import org.cellgauge.desktop.render.SceneTruth;
 import org.cellgauge.desktop.render.Sensor;
@@ -47,6 +48,8 @@ import picocli.CommandLine.Spec;
             "The written files are named on standard output.",
             "Exit codes: 0 done, 1 internal error, 2 usage, 3 input refused."})
 public final class SimulateCommand implements Callable<Integer> {
+
+    private static final double WHITE_GREY = 255;
 
     @Spec
     private CommandSpec spec;
@@ -153,6 +156,37 @@ public final class SimulateCommand implements Callable<Integer> {
             description = "White paper on each side of a marker as a share of its size (${DEFAULT-VALUE}).")
     private double quietZone;
 
+    @Option(names = "--black-level", paramLabel = "GREY", defaultValue = "0",
+            preprocessor = PoseArgument.MayBeNegative.class,
+            description = "What the camera adds to every grey value; below 0 blacks are cut off (${DEFAULT-VALUE}).")
+    private double blackLevelGrey;
+
+    @Option(names = "--clip", paramLabel = "GREY", defaultValue = "255",
+            description = "Grey value at which the sensor is full: what is brighter has it (${DEFAULT-VALUE}).")
+    private double clipGrey;
+
+    @Option(names = "--ink", paramLabel = "SHARE",
+            description = "Light that the prints' black throws back, 0 to 1; paper throws back 0.85. 0.43 makes faint "
+                    + "markers (0.05).")
+    private Double ink;
+
+    @Option(names = "--mirrored", paramLabel = "all|ID[,ID...]",
+            description = "Markers that are printed with left and right exchanged (none).")
+    private String mirrored;
+
+    @Option(names = "--inverted", paramLabel = "all|ID[,ID...]",
+            description = "Markers that are printed white on black (none).")
+    private String inverted;
+
+    @Option(names = "--turned", paramLabel = "all|ID=QUARTERS", preprocessor = PoseArgument.MayBeNegative.class,
+            description = "Prints turned in their places by quarters clockwise; all=2 is how OpenCV draws AprilTags. "
+                    + "Repeat it for more (none).")
+    private List<String> turned = new ArrayList<>();
+
+    @Option(names = "--exchanged", paramLabel = "ID,ID",
+            description = "Two markers that stand in each other's places. Repeat it for more (none).")
+    private List<String> exchanged = new ArrayList<>();
+
     /**
      * Renders the photos.
      *
@@ -162,7 +196,7 @@ public final class SimulateCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         Sensor sensor = sensor();
-        CellSimulation.Settings settings = settings();
+        settings(Misprints.NONE);
         if (count < 1 || count > 100_000) {
             throw usage("--count: must be between 1 and 100000, not " + count);
         }
@@ -179,8 +213,10 @@ public final class SimulateCommand implements Callable<Integer> {
             if (Files.exists(out) && !Files.isDirectory(out)) {
                 throw usage("--out: " + out + " is a file, not a folder");
             }
+            Misprints misprints = PrintArguments.misprints(spec.commandLine(), cell, inverted, mirrored, turned,
+                    exchanged, ink);
             CheckOutput output = CheckOutput.into(out);
-            run(cell, new CellSimulation(cell, camera, poses, settings), poses, sensor, output);
+            run(cell, new CellSimulation(cell, camera, poses, settings(misprints)), poses, sensor, output);
             return CommandLine.ExitCode.OK;
         } catch (InputRefusedException | CheckOutput.UnwritableException e) {
             err.println(CommandWords.of(e));
@@ -227,13 +263,14 @@ public final class SimulateCommand implements Callable<Integer> {
     private Sensor sensor() {
         try {
             return PhotoOptions.unsharp(new Sensor(blurPx, noiseGrey, fullWellElectrons,
-                    PhotoOptions.toneCurve(toneCurve, gamma), exposure, 0, 1, vignetting, gradient), unsharp);
+                    PhotoOptions.toneCurve(toneCurve, gamma), exposure, 0, 1, vignetting, gradient, blackLevelGrey,
+                    clipGrey), unsharp);
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
         }
     }
 
-    private CellSimulation.Settings settings() {
+    private CellSimulation.Settings settings(Misprints misprints) {
         if (!placementErrors.equals("none") && !placementErrors.equals("draw")) {
             throw usage("--placement-errors: must be 'none' or 'draw', not '" + placementErrors + "'");
         }
@@ -257,7 +294,7 @@ public final class SimulateCommand implements Callable<Integer> {
             double degrees = Double.parseDouble(jitter[jitter.length - 1].trim());
             if (jitter.length == 2 && mm >= 0 && degrees >= 0 && Double.isFinite(mm + degrees)) {
                 return new CellSimulation.Settings(seed, placementErrors.equals("draw"), mm, Math.toRadians(degrees),
-                        texture, quietZone, printGainMm);
+                        texture, quietZone, printGainMm, misprints);
             }
         } catch (NumberFormatException e) {
             // said below, as for negative values
@@ -291,6 +328,27 @@ public final class SimulateCommand implements Callable<Integer> {
         }
         if (printGainMm != 0) {
             settings.put("print_gain_mm", printGainMm);
+        }
+        if (blackLevelGrey != 0) {
+            settings.put("black_level_grey", blackLevelGrey);
+        }
+        if (clipGrey != WHITE_GREY) {
+            settings.put("clip_grey", clipGrey);
+        }
+        if (ink != null) {
+            settings.put("ink_reflectance", ink);
+        }
+        if (mirrored != null) {
+            settings.put("mirrored", mirrored);
+        }
+        if (inverted != null) {
+            settings.put("inverted", inverted);
+        }
+        if (!turned.isEmpty()) {
+            settings.put("turned", String.join(" ", turned));
+        }
+        if (!exchanged.isEmpty()) {
+            settings.put("exchanged", String.join(" ", exchanged));
         }
         settings.put("vignetting", vignetting);
         settings.put("gradient", gradient);

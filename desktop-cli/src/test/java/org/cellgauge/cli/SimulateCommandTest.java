@@ -162,12 +162,64 @@ class SimulateCommandTest {
         "--camera-pose=1,2", "--camera-jitter=1", "--camera-jitter=-1,0", "--name=../a", "--name=", "--unknown",
         "--vignetting=2", "--gradient=2", "--quiet-zone=-1", "--shot-noise=-1", "--seed=1.5", "--tone-curve=bright",
         "--tone-curve=gamma 9", "--exposure=0", "--unsharp=1", "--unsharp=-1,1", "--unsharp=1,0", "--jpeg=0",
-        "--jpeg=101", "--print-gain=3", "--print-gain=NaN"})
+        "--jpeg=101", "--print-gain=3", "--print-gain=NaN", "--black-level=200", "--clip=300", "--ink=2",
+        "--mirrored=7", "--inverted=some", "--turned=22", "--turned=22=x", "--exchanged=22", "--exchanged=all"})
     void badOptionIsAUsageErrorAndWritesNothing(String option) {
         Path target = folder.resolve("photos");
         assertEquals(2, simulate(target, option));
         assertFalse(err.isBlank());
         assertFalse(Files.exists(target));
+    }
+
+    /**
+     * Grey values of the first photo, which has no noise and no blur, tell the print: marker 22 has its only black
+     * corner of the code at the lower left, a cell and a half from the middle both ways, and paper all around.
+     */
+    @Test
+    void printsAreWrongAsAskedFor() throws IOException {
+        String[] plain = {"--noise=0", "--blur-px=0", "--vignetting=0", "--gradient=0",
+            "--camera-pose=0,0,200,180,0,0"};
+        // of light 0.05 and 0.85; image x is along world x, image y against world y
+        int black = 13;
+        int white = 217;
+        assertArrayEquals(new int[] {white, black, white, white}, codeCornersOfMarker22(plain));
+        assertArrayEquals(new int[] {white, white, black, white}, codeCornersOfMarker22(plain, "--mirrored=all"));
+        assertArrayEquals(new int[] {black, white, black, black}, codeCornersOfMarker22(plain, "--inverted=22,944"));
+        assertArrayEquals(new int[] {black, white, white, white}, codeCornersOfMarker22(plain, "--turned=22=1"));
+        assertArrayEquals(new int[] {white, white, white, black}, codeCornersOfMarker22(plain, "--turned=all=2"));
+        assertArrayEquals(new int[] {white, 102, white, white}, codeCornersOfMarker22(plain, "--ink=0.4"));
+        assertArrayEquals(new int[] {200, 33, 200, 200}, codeCornersOfMarker22(plain, "--black-level=20",
+                "--clip=200"));
+    }
+
+    /** Top left, bottom left, bottom right, top right. */
+    private int[] codeCornersOfMarker22(String[] plain, String... more) throws IOException {
+        Path target = Files.createTempDirectory(folder, "prints");
+        List<String> options = new ArrayList<>(List.of(plain));
+        options.addAll(List.of(more));
+        assertEquals(0, simulate(target, options.toArray(new String[0])), err);
+        BufferedImage image = ImageIO.read(target.resolve("photo.png").toFile());
+        // 47 mm at 200 mm and 300 px are 70.5 px, a cell 8.8 px
+        int off = (int) Math.round(1.5 * 47 / 8 * 300 / 200);
+        int[] greys = new int[4];
+        for (int i = 0; i < 4; i++) {
+            int column = 160 + (i < 2 ? -off : off);
+            int row = 120 + (i == 0 || i == 3 ? -off : off);
+            greys[i] = image.getRaster().getSample(column, row, 0);
+        }
+        return greys;
+    }
+
+    @Test
+    void exchangedMarkersStandInEachOthersPlaces() throws IOException {
+        Path target = folder.resolve("photos");
+        assertEquals(0, simulate(target, "--exchanged", "22,944"));
+        JsonObject references = JsonParser.parseString(Files.readString(target.resolve("photo.truth.json")))
+                .getAsJsonObject().getAsJsonObject("references");
+        assertEquals("[200.0,0.0,0.0]", references.getAsJsonObject("22").getAsJsonObject("actual").get("position_mm")
+                .toString());
+        assertEquals("[0.0,0.0,0.0]", references.getAsJsonObject("22").getAsJsonObject("nominal").get("position_mm")
+                .toString());
     }
 
     @Test

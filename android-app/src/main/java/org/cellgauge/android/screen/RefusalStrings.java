@@ -86,6 +86,8 @@ final class RefusalStrings {
                 return R.string.refusal_cell_camera_file;
             case NO_FAMILY:
                 return R.string.refusal_cell_no_family;
+            case NO_ORIENTATION:
+                return R.string.refusal_cell_no_orientation;
             case MARKER_TOO_SMALL:
                 return R.string.refusal_cell_marker_too_small;
             case TOO_LONG:
@@ -278,6 +280,8 @@ final class RefusalStrings {
                 return R.string.refusal_check_tone_curve_open;
             case NO_REFERENCE_SEEN:
                 return R.string.refusal_check_no_reference_seen;
+            case NO_REFERENCE_LEFT:
+                return R.string.refusal_check_no_reference_left;
             case NO_CAMERA_POSE:
                 return R.string.refusal_check_no_camera_pose;
             case NO_OBJECT_POSE:

@@ -49,6 +49,24 @@ final class WarningStrings {
                 return R.string.warning_too_dark;
             case LIGHT_UNEVEN:
                 return R.string.warning_light_uneven;
+            case MARGIN_TOO_THIN:
+                return R.string.warning_margin_too_thin;
+            case FAINT:
+                return R.string.warning_faint;
+            case INVERTED:
+                return R.string.warning_inverted;
+            case MIRRORED:
+                return R.string.warning_mirrored;
+            case OTHER_IDS:
+                return R.string.warning_other_ids;
+            case OTHER_FAMILY:
+                return R.string.warning_other_family;
+            case NEARLY_BLACK:
+                return R.string.warning_nearly_black;
+            case NEARLY_WHITE:
+                return R.string.warning_nearly_white;
+            case BLURRED:
+                return R.string.warning_blurred;
             default:
                 return NONE;
         }
@@ -149,6 +167,8 @@ final class WarningStrings {
 
     private static int of(CheckPhrase kind) {
         switch (kind) {
+            case PLACE:
+                return R.string.phrase_place;
             case MISFIT:
                 return R.string.warning_part_misfit;
             case SMALL_MARKER:

@@ -77,13 +77,14 @@ final class Wording {
     }
 
     private String listing(Listing listing) {
+        int more = listing.join() == Listing.Join.SEMICOLON ? R.string.list_sentences : R.string.list_more;
         int last = listing.join() == Listing.Join.AND ? R.string.list_two
-                : listing.join() == Listing.Join.OR ? R.string.list_or : R.string.list_more;
+                : listing.join() == Listing.Join.OR ? R.string.list_or : more;
         String text = "";
         int count = listing.items().size();
         for (int i = 0; i < count; i++) {
             String item = argument(listing.items().get(i));
-            text = i == 0 ? item : get(i == count - 1 ? last : R.string.list_more, text, item);
+            text = i == 0 ? item : get(i == count - 1 ? last : more, text, item);
         }
         return text;
     }

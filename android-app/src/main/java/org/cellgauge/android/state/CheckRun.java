@@ -50,7 +50,7 @@ final class CheckRun {
         this.cell = document.cell().withCamera(camera);
         this.focalEstimated = focalEstimated;
         this.photo = photo;
-        this.detector = BoofMarkerDetector.forCell(cell);
+        this.detector = photo != null ? BoofMarkerDetector.forCell(cell) : BoofMarkerDetector.forFrames(cell);
     }
 
     /**

@@ -182,9 +182,11 @@ public class WarningWordsTest {
 
     @Test
     public void placesInTheImageAreNotGrouped() {
-        Warning square = Warning.of(DetectionWarning.SEEN_TWICE, 1234, 1500, 201, 2420, 1250);
+        Warning square = Warning.of(DetectionWarning.SEEN_TWICE, 1234, 2, Listing.and(Arrays.asList(
+                Warning.of(CheckPhrase.PLACE, 1500, 201), Warning.of(CheckPhrase.PLACE, 2420, 1250))));
         String german = plain(in("de").message(square));
-        assertTrue(german, german.startsWith("Marker 1234 ist bei (1500; 201) px und bei (2420; 1250) px"));
+        assertTrue(german,
+                german.startsWith("Marker 1234 ist an 2 Stellen zu sehen, (1500; 201) und (2420; 1250) px,"));
         assertEquals(square.toString(), plain(in("en").message(square)));
     }
 

@@ -43,6 +43,9 @@ public final class CellWriter {
         out.append("camera:\n").append(CameraWriter.text(cell.camera(), "  "));
         // every marker states its own size and placement: what was common to them in the original is not known here
         out.append("markers: {family: ").append(cell.family().familyName());
+        if (cell.family().isHalfTurned()) {
+            out.append(", orientation: opencv");
+        }
         print(out, "size_std_mm", cell.prints().sizeStdMm(), PrintPrecision.USUAL.sizeStdMm());
         print(out, "flatness_mm", cell.prints().flatnessMm(), PrintPrecision.USUAL.flatnessMm());
         print(out, "print_gain_std_mm", cell.prints().printGainStdMm(), PrintPrecision.USUAL.printGainStdMm());

@@ -3,14 +3,19 @@ package org.cellgauge.internal.vision;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.vision.FamilyPatterns;
 
-/** The black and white cells of a marker, seen from the front with the marker upright; immutable. */
+/**
+ * The black and white cells of a marker, seen from the front with the marker upright; immutable. A pattern whose border
+ * is not a whole number of cells wide is put together of halves of cells.
+ */
 public final class MarkerPattern {
     private final int cells;
     private final boolean[] white;
+    private final boolean whiteAround;
 
-    private MarkerPattern(int cells, boolean[] white) {
+    private MarkerPattern(int cells, boolean[] white, boolean whiteAround) {
         this.cells = cells;
         this.white = white;
+        this.whiteAround = whiteAround;
     }
 
     /**
@@ -27,7 +32,7 @@ public final class MarkerPattern {
                     + ", not " + id);
         }
         FamilyPatterns patterns = new FamilyPatterns(family);
-        return new MarkerPattern(patterns.cells(), patterns.white(id));
+        return new MarkerPattern(patterns.squares(), patterns.whiteSquares(id), true);
     }
 
     /**
@@ -36,7 +41,60 @@ public final class MarkerPattern {
      * @return an all black pattern of one cell
      */
     public static MarkerPattern solidBlack() {
-        return new MarkerPattern(1, new boolean[1]);
+        return new MarkerPattern(1, new boolean[1], true);
+    }
+
+    /**
+     * The pattern with black and white exchanged, the paper around it included.
+     *
+     * @return another pattern
+     */
+    public MarkerPattern inverted() {
+        boolean[] out = new boolean[white.length];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = !white[i];
+        }
+        return new MarkerPattern(cells, out, !whiteAround);
+    }
+
+    /**
+     * The pattern as a mirror shows it, left and right exchanged.
+     *
+     * @return another pattern
+     */
+    public MarkerPattern mirrored() {
+        boolean[] out = new boolean[white.length];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = white[i / cells * cells + cells - 1 - i % cells];
+        }
+        return new MarkerPattern(cells, out, whiteAround);
+    }
+
+    /**
+     * The pattern turned in its place.
+     *
+     * @param quarters by how many quarters clockwise; negative: counter-clockwise
+     * @return another pattern
+     */
+    public MarkerPattern turnedClockwise(int quarters) {
+        boolean[] out = white;
+        for (int turn = 0; turn < Math.floorMod(quarters, 4); turn++) {
+            boolean[] next = new boolean[out.length];
+            for (int i = 0; i < next.length; i++) {
+                next[i] = out[(cells - 1 - i % cells) * cells + i / cells];
+            }
+            out = next;
+        }
+        return new MarkerPattern(cells, out, whiteAround);
+    }
+
+    /**
+     * Whether the paper around the marker is white.
+     *
+     * @return false for an {@linkplain #inverted() inverted} one
+     */
+    public boolean isWhiteAround() {
+        return whiteAround;
     }
 
     /**

@@ -10,6 +10,8 @@ public enum CheckPhrase implements WarningKind {
     MISFIT("importance efficiency %s %%, acceptance %s %%"),
     /** A marker that is small in the image: id, shortest side, px. */
     SMALL_MARKER("%s (%s px)"),
+    /** A place in the image: u, v, px. */
+    PLACE("(%s, %s)"),
     /** The prior of the camera pose: deviations of position, mm, and orientation, rad. */
     WEAK_PRIOR("N(initial estimate, %s mm, %s rad)"),
     /** A shift: mm, world axis. */

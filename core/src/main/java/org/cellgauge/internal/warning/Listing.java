@@ -16,7 +16,9 @@ public final class Listing {
         /** One of them. */
         OR(" or "),
         /** No word. */
-        COMMA(", ");
+        COMMA(", "),
+        /** No word, between things that have commas of their own. */
+        SEMICOLON("; ");
 
         private final String english;
 
@@ -69,6 +71,17 @@ public final class Listing {
     }
 
     /**
+     * Several sentences or the like, with nothing but semicolons between them.
+     *
+     * @param items as arguments of a {@link Message}
+     * @return the row
+     * @throws IllegalArgumentException if one is none
+     */
+    public static Listing semicolon(List<?> items) {
+        return new Listing(Join.SEMICOLON, items);
+    }
+
+    /**
      * What stands before the last of them.
      *
      * @return never null
@@ -104,7 +117,8 @@ public final class Listing {
     public String english(Function<MessageKind, String> patterns) {
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < items.size(); i++) {
-            text.append(i == 0 ? "" : i == items.size() - 1 ? join.english : ", ")
+            boolean ownWord = i == items.size() - 1 || join == Join.SEMICOLON;
+            text.append(i == 0 ? "" : ownWord ? join.english : ", ")
                     .append(Message.english(items.get(i), patterns));
         }
         return text.toString();

@@ -39,9 +39,10 @@ public final class CellSimulation {
      * @param textureContrast as in {@link Backdrop#textured}
      * @param quietZone as in {@link Scene#quietZone}
      * @param printGainMm as in {@link Scene#printGainMm}
+     * @param misprints what is wrong with the prints
      */
     public record Settings(long seed, boolean placementErrors, double jitterMm, double jitterRad,
-            double textureContrast, double quietZone, double printGainMm) {
+            double textureContrast, double quietZone, double printGainMm, Misprints misprints) {
         /**
          * Prints without a gain.
          *
@@ -54,7 +55,7 @@ public final class CellSimulation {
          */
         public Settings(long seed, boolean placementErrors, double jitterMm, double jitterRad,
                 double textureContrast, double quietZone) {
-            this(seed, placementErrors, jitterMm, jitterRad, textureContrast, quietZone, 0);
+            this(seed, placementErrors, jitterMm, jitterRad, textureContrast, quietZone, 0, Misprints.NONE);
         }
     }
 
@@ -147,20 +148,25 @@ public final class CellSimulation {
                 .backdrop(settings.textureContrast() > 0
                         ? Backdrop.textured(settings.textureContrast(), settings.seed()) : Backdrop.plain())
                 .quietZone(settings.quietZone()).printGainMm(settings.printGainMm());
-        String family = cell.family().familyName();
         for (Reference reference : cell.references()) {
             RigidTransform actual = settings.placementErrors() ? reference.drawn(placement)
                     : reference.worldFromMarker();
             references.put(reference.id(), actual);
-            scene.marker(family, reference.id(), reference.sizeMm(), actual);
+        }
+        Misprints misprints = settings.misprints();
+        Map<Integer, RigidTransform> objects = new LinkedHashMap<>(worldFromObjects);
+        misprints.exchange(references, objects);
+        for (Reference reference : cell.references()) {
+            scene.marker(misprints.print(cell.family(), reference.id(), reference.sizeMm(),
+                    references.get(reference.id())));
         }
         for (ObjectMarker object : cell.objects()) {
-            if (worldFromObjects.containsKey(object.id())) {
-                scene.marker(family, object.id(), object.sizeMm(), worldFromObjects.get(object.id()));
+            if (objects.containsKey(object.id())) {
+                scene.marker(misprints.print(cell.family(), object.id(), object.sizeMm(), objects.get(object.id())));
             }
         }
         Scene built = scene.build();
-        return new Photo(built, references, new LinkedHashMap<>(worldFromObjects),
+        return new Photo(built, references, objects,
                 SceneRenderer.render(built, sensor, stream(index, NOISE_STREAM)));
     }
 

@@ -87,7 +87,8 @@ final class PlanarMarker {
                 } else if (!front) {
                     value = WHITE * light;
                 } else {
-                    value = light * (isDark(marker.pattern(), row, column, darkGrows) ? BLACK : WHITE);
+                    value = light * (isDark(marker.pattern(), row, column, darkGrows)
+                            ? marker.inkReflectance() : WHITE);
                 }
                 out[row * bands + column] = value;
             }
@@ -101,7 +102,8 @@ final class PlanarMarker {
         boolean all = true;
         for (int r = cellBefore(row); r <= cellAfter(row); r++) {
             for (int c = cellBefore(column); c <= cellAfter(column); c++) {
-                boolean dark = r >= 0 && c >= 0 && r < cells && c < cells && !pattern.isWhite(r, c);
+                boolean within = r >= 0 && c >= 0 && r < cells && c < cells;
+                boolean dark = within ? !pattern.isWhite(r, c) : !pattern.isWhiteAround();
                 any |= dark;
                 all &= dark;
             }

@@ -63,7 +63,7 @@ public final class SceneRenderer {
             }
         } else {
             for (int i = 0; i < light.length; i++) {
-                light[i] = (float) Math.min(255, Math.max(0, exposure.grey(light[i])));
+                light[i] = (float) exposure.grey(light[i]);
             }
             UnsharpMask.of(sensor).apply(light, width, height, grey);
         }
@@ -102,7 +102,7 @@ public final class SceneRenderer {
             for (int i = 0; i < light.length; i++) {
                 double level = exposure.grey(light[i]);
                 own[i] = rounded(level);
-                light[i] = (float) Math.min(255, Math.max(0, level));
+                light[i] = (float) level;
             }
             if (mask != null) {
                 mask.apply(light, tile.columns, tile.rows, own);
@@ -144,14 +144,15 @@ public final class SceneRenderer {
                 for (int block = 0; block < across; block++) {
                     double light = sensor.exposure() * Backdrop.MEAN_REFLECTANCE
                             * lamp.at((block + 0.5) * BLOCK_PX, row + 0.5 * BLOCK_PX);
-                    level[block] = 255 * sensor.toneCurve().grey(light);
+                    level[block] = 255 * sensor.toneCurve().grey(light) + sensor.blackLevelGrey();
                     std[block] = gain * noiseGrey(sensor, light);
                 }
             }
             int at = random.nextInt(NOISE_TABLE);
             for (int column = 0; column < width; column++) {
                 int block = column / BLOCK_PX;
-                grey[row * width + column] = rounded(level[block] + std[block] * noise[at++ & NOISE_TABLE - 1]);
+                grey[row * width + column] =
+                        rounded(sensor.cutOff(level[block] + std[block] * noise[at++ & NOISE_TABLE - 1]));
             }
         }
     }
@@ -229,7 +230,7 @@ public final class SceneRenderer {
             this.random = random;
         }
 
-        /** Grey levels; what is below 0 or above 255 has to be cut off. */
+        /** Grey levels, not rounded yet. */
         double grey(double light) {
             double level = sensor.exposure() == 1 ? light : sensor.exposure() * light;
             if (sensor.fullWellElectrons() > 0) {
@@ -238,11 +239,11 @@ public final class SceneRenderer {
             if (!sensor.toneCurve().isLinear()) {
                 level = sensor.toneCurve().grey(level);
             }
-            level *= 255;
+            level = 255 * level + sensor.blackLevelGrey();
             if (sensor.noiseGrey() > 0) {
                 level += sensor.noiseGrey() * random.nextGaussian();
             }
-            return level;
+            return sensor.cutOff(level);
         }
     }
 

@@ -6,8 +6,8 @@ import org.cellgauge.light.ToneCurve;
  * How a scene becomes a picture: blur of the lens, fall-off of the light, exposure, noise, tone curve and sharpening.
  *
  * <p>In this order: light is blurred, falls off towards the edges of the image, is multiplied by the exposure and gets
- * shot noise; the tone curve makes grey of it; additive noise comes on top; what is beyond black or white is cut off
- * there; the unsharp mask works on what is left, and its result is cut off and rounded to 8 bits.
+ * shot noise; the tone curve makes grey of it; black level and additive noise come on top; what is beyond black or
+ * white is cut off there; the unsharp mask works on what is left, and its result is cut off and rounded to 8 bits.
  *
  * @param blurPx standard deviation of the Gaussian point spread function, px, 0 to 20; it acts on linear light, beside
  *     the averaging over each pixel's area
@@ -23,9 +23,13 @@ import org.cellgauge.light.ToneCurve;
  * @param vignetting share of the light lost in the corners of the image against its centre, 0 to 0.9 (quadratic)
  * @param gradient change of the light from the left edge of the image to the right as a share of its mean, -1 to 1;
  *     half as much from top to bottom
+ * @param blackLevelGrey what is added to every grey value, grey levels, -100 to 100; below 0 the darkest is cut off
+ * @param clipGrey grey value at which the sensor is full, 100 to 255
  */
 public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, ToneCurve toneCurve, double exposure,
-        double unsharpAmount, double unsharpRadiusPx, double vignetting, double gradient) {
+        double unsharpAmount, double unsharpRadiusPx, double vignetting, double gradient, double blackLevelGrey,
+        double clipGrey) {
+    private static final double WHITE_GREY = 255;
     /** Sharp, without noise, linear, evenly lit: the picture holds nothing but the scene's geometry. */
     public static final Sensor IDEAL = new Sensor(0, 0, 0, 1, 0, 0);
     /** A usual industrial camera in focus: blur 0.7 px, noise 2 grey levels, some fall-off of the light. */
@@ -48,6 +52,9 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
                 + "20 px", unsharpRadiusPx);
         require(vignetting >= 0 && vignetting <= 0.9, "vignetting must be between 0 and 0.9", vignetting);
         require(gradient >= -1 && gradient <= 1, "gradient must be between -1 and 1", gradient);
+        require(blackLevelGrey >= -100 && blackLevelGrey <= 100, "black level must be between -100 and 100 grey levels",
+                blackLevelGrey);
+        require(clipGrey >= 100 && clipGrey <= 255, "clipping must be at a grey value between 100 and 255", clipGrey);
     }
 
     /**
@@ -63,7 +70,8 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
      */
     public Sensor(double blurPx, double noiseGrey, double fullWellElectrons, double gamma, double vignetting,
             double gradient) {
-        this(blurPx, noiseGrey, fullWellElectrons, ToneCurve.gamma(gamma), 1, 0, 1, vignetting, gradient);
+        this(blurPx, noiseGrey, fullWellElectrons, ToneCurve.gamma(gamma), 1, 0, 1, vignetting, gradient, 0,
+                WHITE_GREY);
     }
 
     private static void require(boolean holds, String rule, double value) {
@@ -80,7 +88,7 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
      */
     public Sensor withBlurPx(double px) {
         return new Sensor(px, noiseGrey, fullWellElectrons, toneCurve, exposure, unsharpAmount, unsharpRadiusPx,
-                vignetting, gradient);
+                vignetting, gradient, blackLevelGrey, clipGrey);
     }
 
     /**
@@ -91,7 +99,7 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
      */
     public Sensor withNoiseGrey(double grey) {
         return new Sensor(blurPx, grey, fullWellElectrons, toneCurve, exposure, unsharpAmount, unsharpRadiusPx,
-                vignetting, gradient);
+                vignetting, gradient, blackLevelGrey, clipGrey);
     }
 
     /**
@@ -102,7 +110,7 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
      */
     public Sensor withFullWellElectrons(double electrons) {
         return new Sensor(blurPx, noiseGrey, electrons, toneCurve, exposure, unsharpAmount, unsharpRadiusPx,
-                vignetting, gradient);
+                vignetting, gradient, blackLevelGrey, clipGrey);
     }
 
     /**
@@ -123,7 +131,7 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
      */
     public Sensor withToneCurve(ToneCurve curve) {
         return new Sensor(blurPx, noiseGrey, fullWellElectrons, curve, exposure, unsharpAmount, unsharpRadiusPx,
-                vignetting, gradient);
+                vignetting, gradient, blackLevelGrey, clipGrey);
     }
 
     /**
@@ -134,7 +142,7 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
      */
     public Sensor withExposure(double factor) {
         return new Sensor(blurPx, noiseGrey, fullWellElectrons, toneCurve, factor, unsharpAmount, unsharpRadiusPx,
-                vignetting, gradient);
+                vignetting, gradient, blackLevelGrey, clipGrey);
     }
 
     /**
@@ -146,7 +154,7 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
      */
     public Sensor withUnsharp(double amount, double radiusPx) {
         return new Sensor(blurPx, noiseGrey, fullWellElectrons, toneCurve, exposure, amount, radiusPx, vignetting,
-                gradient);
+                gradient, blackLevelGrey, clipGrey);
     }
 
     /**
@@ -158,6 +166,23 @@ public record Sensor(double blurPx, double noiseGrey, double fullWellElectrons, 
      */
     public Sensor withUnevenLight(double corners, double leftToRight) {
         return new Sensor(blurPx, noiseGrey, fullWellElectrons, toneCurve, exposure, unsharpAmount, unsharpRadiusPx,
-                corners, leftToRight);
+                corners, leftToRight, blackLevelGrey, clipGrey);
+    }
+
+    /**
+     * The same sensor with other ends of its scale.
+     *
+     * @param blackGrey what is added to every grey value, grey levels
+     * @param fullGrey grey value at which the sensor is full
+     * @return a new sensor
+     */
+    public Sensor withScale(double blackGrey, double fullGrey) {
+        return new Sensor(blurPx, noiseGrey, fullWellElectrons, toneCurve, exposure, unsharpAmount, unsharpRadiusPx,
+                vignetting, gradient, blackGrey, fullGrey);
+    }
+
+    /** A grey value that a pixel can have: what is beyond the sensor's ends is cut off. */
+    double cutOff(double grey) {
+        return Math.min(clipGrey, Math.max(0, grey));
     }
 }
