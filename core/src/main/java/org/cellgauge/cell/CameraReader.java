@@ -42,6 +42,8 @@ public final class CameraReader {
     private static final int BORDER_SIDES = 4;
     private static final String SYMMETRIC = "symmetric";
     private static final String SYMMETRIC_EXAMPLE = "symmetric: [1, k1, k2, k3, k4]";
+    /** No marker can be read in an image that is narrower, px. */
+    private static final int MIN_SIDE_PX = 16;
     private static final int MAX_SIDE_PX = 30_000;
     // 0.05 image widths is a field of view of 169 degrees, 1000 one of 0.06 degrees: no lens of this model is outside
     private static final double MIN_FOCAL_PER_SIDE = 0.05;
@@ -145,9 +147,9 @@ public final class CameraReader {
         YamlValue skew = pinhole.optional("skew");
         k[PinholeCamera.SKEW] = skew == null ? 0 : skew.number(CellPhrase.SKEW);
         int width = pinhole.required("width", CellPhrase.IMAGE_WIDTH)
-                .whole(1, MAX_SIDE_PX, CellPhrase.CALIBRATED_WIDTH);
+                .whole(MIN_SIDE_PX, MAX_SIDE_PX, CellPhrase.CALIBRATED_WIDTH);
         int height = pinhole.required("height", CellPhrase.IMAGE_HEIGHT)
-                .whole(1, MAX_SIDE_PX, CellPhrase.CALIBRATED_HEIGHT);
+                .whole(MIN_SIDE_PX, MAX_SIDE_PX, CellPhrase.CALIBRATED_HEIGHT);
         if (fisheye) {
             readFisheye(file, k);
         }

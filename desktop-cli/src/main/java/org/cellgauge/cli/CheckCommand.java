@@ -2,7 +2,6 @@ package org.cellgauge.cli;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStreamWriter;
 import java.io.PrintWriter;
 import java.io.Writer;
@@ -10,14 +9,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
@@ -30,8 +28,10 @@ import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.desktop.CheckText;
 import org.cellgauge.desktop.HtmlReport;
 import org.cellgauge.desktop.ImageFiles;
+import org.cellgauge.desktop.MachineRefusal;
 import org.cellgauge.desktop.OverlayPainter;
 import org.cellgauge.desktop.Pictures;
+import org.cellgauge.desktop.Sha256;
 import org.cellgauge.desktop.SummaryCsv;
 import org.cellgauge.desktop.TextTable;
 import org.cellgauge.desktop.WholeFiles;
@@ -40,6 +40,7 @@ import org.cellgauge.internal.output.StanCsv;
 import org.cellgauge.internal.overlay.CellOverlay;
 import org.cellgauge.internal.vision.BoofThreads;
 import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
@@ -93,7 +94,7 @@ public final class CheckCommand implements Callable<Integer> {
     private Path cellFile;
 
     @Parameters(paramLabel = "IMAGE", arity = "0..*",
-            description = "Photos of the cell (PNG, JPEG, BMP, TIFF, GIF), or folders of them.")
+            description = "Photos of the cell (PNG, JPEG, BMP, TIFF, GIF, WebP, PGM, PPM), or folders of them.")
     private List<Path> images = new ArrayList<>();
 
     @Option(names = "--detections", paramLabel = "FILE", arity = "1..*",
@@ -141,7 +142,7 @@ public final class CheckCommand implements Callable<Integer> {
 
     private int run(CheckInput.Inputs inputs, CheckOutput output) {
         PrintWriter err = spec.commandLine().getErr();
-        inputs.remarks().forEach(err::println);
+        inputs.remarks().forEach(remark -> err.println(Printable.of(remark)));
         Run run = new Run(inputs.inputs().size(), inputs.isBatch(), output);
         for (CheckInput input : inputs.inputs()) {
             try {
@@ -151,13 +152,15 @@ public final class CheckCommand implements Callable<Integer> {
             } catch (CheckOutput.UnwritableException e) {
                 run.endOfTable();
                 throw e;
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | OutOfMemoryError e) {
                 // one photo must not cost the others their results
-                run.refused(input, ExitCodes.INTERNAL_ERROR, "internal error", e);
-            } catch (OutOfMemoryError e) {
-                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(
-                        input.file().toString(), CommandRefusal.MEMORY,
-                        (int) (Runtime.getRuntime().maxMemory() / (1 << 20))));
+                Optional<Refusal> limit = MachineRefusal.behind(e);
+                if (limit.isPresent()) {
+                    run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(
+                            limit.get().withPlace(Place.of(input.file().toString())), e));
+                } else {
+                    run.refused(input, ExitCodes.INTERNAL_ERROR, "internal error", (RuntimeException) e);
+                }
             }
         }
         return run.finish();
@@ -173,22 +176,26 @@ public final class CheckCommand implements Callable<Integer> {
         }
         GreyImage photo;
         Detections detections;
+        String sha256;
         if (input.isDetections()) {
-            detections = withRemarks(DetectionsFile.read(input.file()), input.file());
+            byte[] bytes = DetectionsFile.bytes(input.file());
+            sha256 = Sha256.of(bytes);
+            detections = withRemarks(DetectionsFile.read(bytes, input.file().toString()), input.file());
             InputChecks.imageSize(cell, detections.widthPx(), detections.heightPx(), input.file().toString());
             stages.end("detections file");
             photo = photoBeside(input.file(), detections);
         } else {
-            photo = ImageFiles.read(input.file());
+            String name = input.file().toString();
+            byte[] bytes = ImageFiles.bytes(input.file());
+            sha256 = Sha256.of(bytes);
+            photo = ImageFiles.decode(bytes, name, (width, height) -> InputChecks.imageSize(cell, width, height, name));
             stages.end("image file");
-            InputChecks.imageSize(cell, photo.widthPx(), photo.heightPx(), input.file().toString());
             if (detector == null) {
                 detector = BoofMarkerDetector.forCell(cell);
             }
             detections = detector.detect(photo, input.file().toString());
             stages.end("detection");
         }
-        String sha256 = sha256(input.file());
         CheckResult result = CellCheck.run(cell, detections, settings);
         stages.end("check");
         return new Outcome(result, photo, sha256);
@@ -239,32 +246,14 @@ public final class CheckCommand implements Callable<Integer> {
             if (!Files.isRegularFile(photo) || Files.isSameFile(photo, file)) {
                 return null;
             }
-            GreyImage image = ImageFiles.read(photo);
-            return image.widthPx() == detections.widthPx() && image.heightPx() == detections.heightPx() ? image : null;
+            String shown = photo.toString();
+            return ImageFiles.decode(ImageFiles.bytes(photo), shown, (width, height) -> {
+                if (width != detections.widthPx() || height != detections.heightPx()) {
+                    throw new InputRefusedException(shown, CommandRefusal.OTHER_PHOTO);
+                }
+            });
         } catch (InvalidPathException | InputRefusedException | IOException e) {
             return null;
-        }
-    }
-
-    private static String sha256(Path file) {
-        try (InputStream in = Files.newInputStream(file)) {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            byte[] buffer = new byte[1 << 16];
-            int n = in.read(buffer);
-            while (n >= 0) {
-                digest.update(buffer, 0, n);
-                n = in.read(buffer);
-            }
-            StringBuilder hex = new StringBuilder();
-            for (byte b : digest.digest()) {
-                hex.append(String.format(Locale.ROOT, "%02x", b));
-            }
-            return hex.toString();
-        } catch (IOException e) {
-            throw new InputRefusedException(Refusal.at(Place.of(file.toString()), CommandRefusal.NOT_READABLE,
-                    String.valueOf(e.getMessage())), e);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
         }
     }
 
@@ -326,7 +315,8 @@ public final class CheckCommand implements Callable<Integer> {
                 stdout.print(batch && done > 1 ? ",\n" + text.stripTrailing() : text.stripTrailing());
             } else if (!batch) {
                 String word = CheckText.word(result.verdict());
-                String line = CheckText.wrap(word + "  " + input.file() + ": " + result.reason(), "      ");
+                String line = CheckText.wrap(word + "  " + Printable.of(input.file().toString()) + ": "
+                        + result.reason(), "      ");
                 stdout.print(Main.coloured(word, ExitCodes.of(result.verdict())) + line.substring(word.length()));
                 stdout.print(CheckText.of(result, CommandWords::of));
             }
@@ -406,7 +396,7 @@ public final class CheckCommand implements Callable<Integer> {
         private void progress(CheckInput input, String what) {
             if (batch) {
                 long now = System.nanoTime();
-                err.printf(Locale.ROOT, "[%d/%d] %s: %s (%.2f s)%n", done, count, input.name(), what,
+                err.printf(Locale.ROOT, "[%d/%d] %s: %s (%.2f s)%n", done, count, Printable.of(input.name()), what,
                         (now - startedNs) * 1e-9);
                 err.flush();
                 startedNs = now;

@@ -4,10 +4,8 @@ import org.cellgauge.warning.RefusalKind;
 
 /** What the commands themselves refuse. */
 enum CommandRefusal implements RefusalKind {
-    /** A file that was read cannot be read again: what the system says. */
-    NOT_READABLE("it cannot be read (%s); check the disk"),
-    /** Too little memory: MB that there are. */
-    MEMORY("this takes more memory than Java may use (%s MB); use smaller images, fewer chains or fewer iterations"),
+    /** A photo of another size than a detections file states. */
+    OTHER_PHOTO("it is of another size than the detections file states"),
     /** A cell that does not say how noisy corners are. */
     NO_CORNER_NOISE("pixel_std_px is 'auto', which says nothing of the noise to simulate; give it with --pixel-std, "
             + "for instance 0.3"),
@@ -15,6 +13,9 @@ enum CommandRefusal implements RefusalKind {
     NO_DISTANCE("no distance of the camera makes markers %s px wide; give another --marker-px or --camera-pose"),
 
     // ---- places for results
+
+    /** Standard output takes no more. */
+    OUTPUT_LOST("not all of it could be written; the disk is full, or the program that reads it has ended"),
 
     /** A file in place of a folder. */
     OUT_IS_FILE("this is a file, not a folder; name a folder with --out"),

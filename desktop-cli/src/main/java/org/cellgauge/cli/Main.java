@@ -10,6 +10,8 @@ import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.desktop.MachineRefusal;
+import org.cellgauge.internal.warning.Printable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -50,7 +52,34 @@ public final class Main implements Callable<Integer> {
      * @param args the arguments as typed
      */
     public static void main(String[] args) {
-        System.exit(commandLine().execute(args));
+        System.exit(run(commandLine(), args));
+    }
+
+    /**
+     * Executes a command line to its exit code: also where the virtual machine gives up, and where nobody takes what
+     * was printed.
+     *
+     * @param commandLine of {@link #commandLine()}
+     * @param args the arguments as typed
+     * @return the exit code
+     */
+    static int run(CommandLine commandLine, String... args) {
+        int code;
+        try {
+            code = commandLine.execute(args);
+        } catch (Error e) {
+            // picocli hands on no errors
+            Main main = commandLine.getCommand();
+            code = main.report(e, MachineRefusal.behind(e).isPresent() ? ExitCodes.INPUT_REFUSED
+                    : ExitCodes.INTERNAL_ERROR, commandLine);
+        }
+        // a full disk or a closed pipe: print streams keep it to themselves
+        if (commandLine.getOut().checkError() || System.out.checkError()) {
+            commandLine.getErr().println("standard output: " + CommandRefusal.OUTPUT_LOST.english());
+            commandLine.getErr().flush();
+            return ExitCodes.moreSerious(code, ExitCodes.INPUT_REFUSED);
+        }
+        return code;
     }
 
     /**
@@ -62,11 +91,14 @@ public final class Main implements Callable<Integer> {
         Main main = new Main();
         main.commandLine = new CommandLine(main);
         main.commandLine.setUsageHelpWidth(HELP_WIDTH);
+        // a photo may be called @args.png; its text is no option
+        main.commandLine.setExpandAtFiles(false);
         // a mistyped option after "--detections FILE" must not pass for one more file
         main.commandLine.setUnmatchedOptionsAllowedAsOptionParameters(false);
         main.commandLine.setParameterExceptionHandler((e, args) -> usage(e));
         main.commandLine.setExecutionExceptionHandler((e, command, parsed) -> main.report(e,
-                e instanceof InputRefusedException ? ExitCodes.INPUT_REFUSED : ExitCodes.INTERNAL_ERROR, command));
+                e instanceof InputRefusedException || MachineRefusal.behind(e).isPresent() ? ExitCodes.INPUT_REFUSED
+                        : ExitCodes.INTERNAL_ERROR, command));
         return main.commandLine;
     }
 
@@ -101,13 +133,13 @@ public final class Main implements Callable<Integer> {
      * @param command the command it happened in
      * @return the exit code
      */
-    int report(Exception e, int exitCode, CommandLine command) {
+    int report(Throwable e, int exitCode, CommandLine command) {
         PrintWriter err = command.getErr();
         if (exitCode == ExitCodes.INTERNAL_ERROR) {
             err.println("Internal error: " + inShort(e)
                     + (debug ? "" : ". Run it again with --debug for the stack trace, and please report it."));
         } else {
-            err.println(CommandWords.of(e));
+            err.println(MachineRefusal.behind(e).map(CommandWords::of).orElseGet(() -> CommandWords.of(e)));
         }
         if (debug) {
             e.printStackTrace(err);
@@ -118,7 +150,7 @@ public final class Main implements Callable<Integer> {
 
     /** An unexpected error in a line. */
     static String inShort(Throwable e) {
-        String message = e.getMessage() == null ? "" : ": " + e.getMessage().replaceAll("\\p{Cntrl}", " ");
+        String message = e.getMessage() == null ? "" : ": " + Printable.shortened(e.getMessage());
         return e.getClass().getSimpleName() + message;
     }
 

@@ -4,16 +4,22 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.ChainsView;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 
-/** The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is unknown is left empty. */
+/**
+ * The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is unknown is left
+ * empty. A text that begins like a formula has an apostrophe before it.
+ */
 public final class SummaryCsv {
     private static final String[] COLUMNS = {"input", "name", "verdict", "object", "seen", "x_mm", "y_mm", "z_mm",
         "std_x_mm", "std_y_mm", "std_z_mm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_std_x_mm", "grip_std_y_mm",
         "grip_std_z_mm", "worst_std_mm", "target_std_mm", "within_target", "converged", "r_hat_max", "ess_bulk_min",
         "ess_tail_min", "mcse_std_rel_max", "reason"};
+
+    private static final String FORMULA = "=+-@";
 
     private final StringBuilder text = new StringBuilder();
 
@@ -35,16 +41,17 @@ public final class SummaryCsv {
 
     /** Adds the row of an input that gave no result. */
     public void add(CheckInput input, String verdict, String reason) {
-        List<String> cells = new ArrayList<>(List.of(input.file().toString(), input.name(), verdict));
+        List<String> cells = new ArrayList<>(List.of(text(input.file().toString()), text(input.name()), verdict));
         while (cells.size() < COLUMNS.length - 1) {
             cells.add("");
         }
-        cells.add(reason);
+        cells.add(text(reason));
         line(cells);
     }
 
     private void row(CheckInput input, ResultView view, ResultRow object) {
-        List<String> cells = new ArrayList<>(List.of(input.file().toString(), input.name(), view.verdict().key()));
+        List<String> cells = new ArrayList<>(List.of(text(input.file().toString()), text(input.name()),
+                view.verdict().key()));
         boolean seen = object != null && object.seen();
         cells.add(object == null ? "" : String.valueOf(object.id().getAsInt()));
         cells.add(object == null ? "" : String.valueOf(seen));
@@ -64,7 +71,7 @@ public final class SummaryCsv {
         cells.add(number(chains.essBulkMin()));
         cells.add(number(chains.essTailMin()));
         cells.add(number(chains.mcseStdRelMax()));
-        cells.add(view.reason());
+        cells.add(text(view.reason()));
         line(cells);
     }
 
@@ -72,6 +79,12 @@ public final class SummaryCsv {
         for (int i = 0; i < 3; i++) {
             cells.add(values == null ? "" : number(values[i]));
         }
+    }
+
+    /** A text that no program of tables takes for a formula, however a file is called. */
+    private static String text(String text) {
+        String printable = Printable.of(text);
+        return printable.isEmpty() || FORMULA.indexOf(printable.charAt(0)) < 0 ? printable : "'" + printable;
     }
 
     private static String number(double value) {

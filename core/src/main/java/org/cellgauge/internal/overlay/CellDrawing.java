@@ -539,7 +539,7 @@ final class CellDrawing {
     private Panel banner(Status status, String headline, String reason) {
         Panel panel = new Panel(Role.BANNER, status);
         double pad = 6 * unit;
-        double inner = width - 8 * unit - 2 * pad;
+        double inner = Math.max(0, width - 8 * unit - 2 * pad);
         double cap = HEADLINE_CAP_U * unit;
         double indent = 0;
         double y = pad + StrokeFont.ASCENT * cap;
@@ -571,7 +571,7 @@ final class CellDrawing {
         Panel panel = new Panel(Role.LEGEND, Status.NEUTRAL);
         double pad = 5 * unit;
         double cap = SMALL_CAP_U * unit;
-        double inner = width - 8 * unit - 2 * pad;
+        double inner = Math.max(0, width - 8 * unit - 2 * pad);
         double sample = 1.8 * cap;
         double u = pad;
         double baseline = pad + StrokeFont.ASCENT * cap;
@@ -760,6 +760,9 @@ final class CellDrawing {
         double w = (inCaps + markCaps) * cap + 2 * pad;
         double h = (StrokeFont.ASCENT + StrokeFont.DESCENT / 2 + (lines.size() - 1) * StrokeFont.LINE_SPACING) * cap
                 + 2 * pad;
+        if (!placer.hasRoom(w, h)) {
+            return;
+        }
         Box box = placer.place(w, h, target);
         leader(box, target, status);
         shapes.add(new PanelShape(Role.LABEL, status, unit, box));
@@ -781,7 +784,11 @@ final class CellDrawing {
         }
         double inCaps = StrokeFont.widthInCapHeights(text);
         double cap = Math.min(fitting(inCaps, 0), SMALL_CAP_U * letter);
-        Box box = placer.place(inCaps * cap, (StrokeFont.ASCENT + StrokeFont.DESCENT) * cap, target);
+        double h = (StrokeFont.ASCENT + StrokeFont.DESCENT) * cap;
+        if (!placer.hasRoom(inCaps * cap, h)) {
+            return;
+        }
+        Box box = placer.place(inCaps * cap, h, target);
         leader(box, target, status);
         shapes.add(new TextShape(Role.LABEL, status, BOLD, box.left(), box.top() + StrokeFont.ASCENT * cap, cap, text));
     }
