@@ -49,6 +49,8 @@ public final class CameraReader {
     private static final double MIN_FOCAL_PER_SIDE = 0.05;
     private static final double MAX_FOCAL_PER_SIDE = 1000;
     private static final double MAX_FOCAL_RATIO = 3;
+    /** How far from the middle the principal points of whole images are, at most, in sides. */
+    private static final double MIDDLE_SHARE = 0.1;
     private static final int BORDER_POINTS = 16;
     private static final int STEPS_FROM_CENTRE = 32;
 
@@ -262,12 +264,21 @@ public final class CameraReader {
         }
         judgePrincipalPoint(pinhole, "cx", k[PinholeCamera.CX], width, CellPhrase.WIDTH);
         judgePrincipalPoint(pinhole, "cy", k[PinholeCamera.CY], height, CellPhrase.HEIGHT);
+        if (isMiddle(k[PinholeCamera.CX], height) && isMiddle(k[PinholeCamera.CY], width)
+                && !isMiddle(k[PinholeCamera.CX], width) && !isMiddle(k[PinholeCamera.CY], height)) {
+            throw pinhole.optional("cx").refused(CellRefusal.PRINCIPAL_POINT_TURNED, plain(k[PinholeCamera.CX]),
+                    plain(k[PinholeCamera.CY]), height, width);
+        }
         if (k[PinholeCamera.CX] == 0 && k[PinholeCamera.CY] == 0) {
             throw pinhole.optional("cx").refused(CellRefusal.PRINCIPAL_POINT_ZERO);
         }
         if (Math.abs(k[PinholeCamera.SKEW]) > 0.5 * k[PinholeCamera.FX]) {
             throw pinhole.optional("skew").refused(CellRefusal.SKEW, plain(k[PinholeCamera.SKEW]));
         }
+    }
+
+    private static boolean isMiddle(double c, int side) {
+        return Math.abs(c / side - 0.5) <= MIDDLE_SHARE;
     }
 
     private static void judgePrincipalPoint(YamlMapping pinhole, String key, double c, int side, CellPhrase name) {

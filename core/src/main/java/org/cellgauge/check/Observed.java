@@ -6,6 +6,7 @@ import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.chains.RandomPaths;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.NoiseBelief;
@@ -27,6 +28,9 @@ final class Observed {
     final Cell cell;
     final Detections detections;
     final CheckSettings settings;
+    /** How far from the middle the principal point of a whole image is, at most, in sides. */
+    private static final double USUAL_OFFSET = 0.2;
+
     /** What is known of the corners' errors, in the terms that the model knows. */
     final CornerErrors errors;
     /** The added noise by the squareness of markers alone: the u of {@link org.cellgauge.internal.pose.AddedNoise}. */
@@ -59,6 +63,7 @@ final class Observed {
             throw new InputRefusedException(detections.imageName(), CheckRefusal.TONE_CURVE_OPEN);
         }
         List<Warning> warnings = new ArrayList<>(detections.warnings());
+        warnOfPrincipalPoint(cell.camera(), warnings);
         warnOfReferencesNotSeen(cell, detections, warnings);
         CornerErrors found = CornerErrors.of(cell, detections).withOutliersSetAside();
         found.setAside().forEach((id, factor) ->
@@ -71,6 +76,16 @@ final class Observed {
         // the thesis' likelihood has no corner noise for shared errors to be a part of
         CornerErrors errors = found.isPlain() || rigid ? found : found.fixedAt(noiseLevel);
         return new Observed(cell, detections, settings, errors, noiseLevel, warnings);
+    }
+
+    private static void warnOfPrincipalPoint(PinholeCamera camera, List<Warning> warnings) {
+        double cx = camera.get(PinholeCamera.CX);
+        double cy = camera.get(PinholeCamera.CY);
+        if (Math.abs(cx / camera.widthPx() - 0.5) > USUAL_OFFSET
+                || Math.abs(cy / camera.heightPx() - 0.5) > USUAL_OFFSET) {
+            warnings.add(Warning.of(CheckWarning.PRINCIPAL_POINT_OFF, Decimal.of(cx, 0), Decimal.of(cy, 0),
+                    camera.widthPx(), camera.heightPx(), Decimal.of(100 * USUAL_OFFSET, 0)));
+        }
     }
 
     private static void warnOfReferencesNotSeen(Cell cell, Detections detections, List<Warning> warnings) {

@@ -116,6 +116,8 @@ class CameraReaderTest {
             fault("focal length in mm", "fx: 529.0", "fx: 4.2", "line 3, pinhole.fx: ", "not in mm"),
             fault("focal lengths that contradict", "fy: 528.5", "fy: 52.85", "line 4, pinhole.fy: ", "contradict"),
             fault("focal length not a number", "fx: 529.0", "fx: .NaN", "line 3, pinhole.fx: ", "finite"),
+            fault("principal point of a portrait image", "cx: 316.5\n  cy: 226.75",
+                    "cx: 240\n  cy: 320", "line 5, pinhole.cx: ", "(240, 320)", "480 x 640"),
             fault("principal point far away", "cx: 316.5", "cx: 3165", "line 5, pinhole.cx: ", "far outside", "640"),
             fault("width of 0", "width: 640", "width: 0", "line 7, pinhole.width: ", "from 1 to 30000"),
             fault("fraction of a pixel", "height: 480", "height: 480.5", "line 8, pinhole.height: ", "whole number"),

@@ -111,7 +111,8 @@ public final class ImageFiles {
         try (InputStream in = Files.newInputStream(file)) {
             bytes = in.readNBytes(MAX_BYTES + 1);
         } catch (NoSuchFileException e) {
-            throw refused(e, name, ImageRefusal.NO_SUCH_FILE);
+            throw refused(e, name, name.indexOf('\uFFFD') < 0 ? ImageRefusal.NO_SUCH_FILE
+                    : ImageRefusal.NAME_NOT_UTF_8);
         } catch (AccessDeniedException e) {
             throw refused(e, name, ImageRefusal.NOT_PERMITTED);
         } catch (IOException | OutOfMemoryError e) {

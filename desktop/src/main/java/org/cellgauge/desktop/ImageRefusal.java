@@ -8,6 +8,8 @@ public enum ImageRefusal implements RefusalKind {
     IS_FOLDER("is a folder, not an image; name a file in it"),
     /** It does not exist. */
     NO_SUCH_FILE("there is no such file; check the name"),
+    /** Its name has bytes that are no characters of UTF-8, and Java cannot ask for it. */
+    NAME_NOT_UTF_8("there is no such file, or its name is not UTF-8; rename it, or name the folder that it is in"),
     /** Nothing is in it. */
     EMPTY("the file is empty; copy it again from the camera"),
     /** It may not be read. */
