@@ -119,7 +119,7 @@ class CameraReaderTest {
             fault("principal point of a portrait image", "cx: 316.5\n  cy: 226.75",
                     "cx: 240\n  cy: 320", "line 5, pinhole.cx: ", "(240, 320)", "480 x 640"),
             fault("principal point far away", "cx: 316.5", "cx: 3165", "line 5, pinhole.cx: ", "far outside", "640"),
-            fault("width of 0", "width: 640", "width: 0", "line 7, pinhole.width: ", "from 1 to 30000"),
+            fault("width of 0", "width: 640", "width: 0", "line 7, pinhole.width: ", "from 16 to 30000"),
             fault("fraction of a pixel", "height: 480", "height: 480.5", "line 8, pinhole.height: ", "whole number"),
             fault("mistyped key", "  skew:", "  skw:", "line 9, pinhole.skw: ", "did you mean \"skew\"?"),
             fault("four radial coefficients", "  - 0.05\n", "  - 0.05\n  - 0\n  - 0\n",
