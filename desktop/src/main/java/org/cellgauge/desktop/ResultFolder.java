@@ -1,4 +1,4 @@
-package org.cellgauge.cli;
+package org.cellgauge.desktop;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
@@ -9,24 +9,35 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.cellgauge.desktop.WholeFiles;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 
 /** The folder that results, or rendered photos, go to. */
-final class CheckOutput {
+public final class ResultFolder {
     private final Path folder;
 
-    private CheckOutput(Path folder) {
+    private ResultFolder(Path folder) {
         this.folder = folder;
     }
 
     /** The folder cannot take results: a run has no use in going on. */
-    static final class UnwritableException extends RuntimeException {
+    public static final class UnwritableException extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
-        UnwritableException(String message, Throwable cause) {
-            super(message, cause);
+        private final transient Refusal refusal;
+
+        UnwritableException(Refusal refusal, Throwable cause) {
+            super(refusal.toString(), cause);
+            this.refusal = refusal;
+        }
+
+        /**
+         * Folder, what is wrong, remedy.
+         *
+         * @return the refusal
+         */
+        public Refusal refusal() {
+            return refusal;
         }
     }
 
@@ -37,7 +48,7 @@ final class CheckOutput {
      * @return the folder
      * @throws UnwritableException if it cannot be made or written to; the message says what to do
      */
-    static CheckOutput into(Path folder) {
+    public static ResultFolder into(Path folder) {
         Path existing = folder.toAbsolutePath().normalize();
         while (existing.getParent() != null && !Files.exists(existing)) {
             existing = existing.getParent();
@@ -48,7 +59,7 @@ final class CheckOutput {
         if (!Files.isWritable(existing)) {
             throw unwritable(existing, new AccessDeniedException(existing.toString()));
         }
-        return new CheckOutput(folder);
+        return new ResultFolder(folder);
     }
 
     /**
@@ -57,7 +68,7 @@ final class CheckOutput {
      * @param files content by file name
      * @throws UnwritableException if they cannot be written
      */
-    void write(Map<String, WholeFiles.Content> files) {
+    public void write(Map<String, WholeFiles.Content> files) {
         Map<Path, WholeFiles.Content> contents = new LinkedHashMap<>();
         files.forEach((name, content) -> contents.put(folder.resolve(name), content));
         try {
@@ -66,6 +77,16 @@ final class CheckOutput {
         } catch (IOException e) {
             throw unwritable(folder, e);
         }
+    }
+
+    /**
+     * A file in it.
+     *
+     * @param name its name
+     * @return its path
+     */
+    public Path file(String name) {
+        return folder.resolve(name);
     }
 
     /** Deletes chains of an earlier run with more of them than this one. */
@@ -95,17 +116,17 @@ final class CheckOutput {
         Place place = Place.of(folder.toString());
         Refusal why;
         if (e instanceof FileAlreadyExistsException) {
-            why = Refusal.at(place, CommandRefusal.OUT_IS_FILE);
+            why = Refusal.at(place, FolderRefusal.OUT_IS_FILE);
         } else if (e instanceof AccessDeniedException) {
-            why = Refusal.at(place, CommandRefusal.OUT_NOT_PERMITTED);
+            why = Refusal.at(place, FolderRefusal.OUT_NOT_PERMITTED);
         } else if (e instanceof NoSuchFileException) {
-            why = Refusal.at(place, CommandRefusal.OUT_NOT_MADE);
+            why = Refusal.at(place, FolderRefusal.OUT_NOT_MADE);
         } else {
             String reason = e instanceof FileSystemException && ((FileSystemException) e).getReason() != null
                     ? ((FileSystemException) e).getReason() : e.getMessage();
-            why = Refusal.at(place, CommandRefusal.OUT_NOT_WRITTEN, String.valueOf(reason));
+            why = Refusal.at(place, FolderRefusal.OUT_NOT_WRITTEN, String.valueOf(reason));
         }
-        return new UnwritableException(why.toString(), e);
+        return new UnwritableException(why, e);
     }
 
     @Override
