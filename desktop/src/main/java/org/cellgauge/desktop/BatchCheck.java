@@ -46,7 +46,6 @@ import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.Message;
 import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.Warning;
-import org.cellgauge.warning.WarningKind;
 
 /**
  * Checks photos and detections files of one cell, one after the other, and writes what it finds into a folder: result
@@ -210,23 +209,6 @@ public final class BatchCheck {
     private record Picture(byte[] png, byte[] jpeg) {
     }
 
-    /** What the batch warns of besides the check. */
-    private enum Remark implements WarningKind {
-        /** Markers of a detections file that the cell does not know: ids. */
-        FOREIGN_MARKERS("the detections file names markers that are not in the cell file: %s; they are ignored");
-
-        private final String english;
-
-        Remark(String english) {
-            this.english = english;
-        }
-
-        @Override
-        public String english() {
-            return english;
-        }
-    }
-
     /**
      * Checks inputs.
      *
@@ -292,6 +274,7 @@ public final class BatchCheck {
 
     /** A stored result as the target of now judges it. */
     private Result rejudged(CheckInput input) {
+        Found found = found(input);
         String file = input.file().toString();
         Path path = with.folder.file(resultFile(input));
         if (!Files.exists(path)) {
@@ -299,7 +282,7 @@ public final class BatchCheck {
         }
         StoredResult stored = ResultReader.stored(path);
         ResultView view = stored.view();
-        if (!Sha256.of(input.file()).equals(stored.record().inputSha256())) {
+        if (!found.sha256().equals(stored.record().inputSha256())) {
             throw new InputRefusedException(file, BatchRefusal.OTHER_INPUT);
         }
         if (!CellView.of(cell).equals(view.cell())) {
@@ -315,7 +298,7 @@ public final class BatchCheck {
         if (!judged.equals(view)) {
             record = record.withJudgedOn(with.day);
         }
-        return new Result(new StoredResult(judged, record), null, found(input));
+        return new Result(new StoredResult(judged, record), null, found);
     }
 
     /** The settings of now as a result made with them holds them, but for the target. */
@@ -346,7 +329,7 @@ public final class BatchCheck {
             return detections;
         }
         List<Warning> warnings = new ArrayList<>(detections.warnings());
-        warnings.add(Warning.of(Remark.FOREIGN_MARKERS, Listing.comma(foreign)));
+        warnings.add(Warning.of(BatchWarning.FOREIGN_MARKERS, Listing.comma(foreign)));
         return new Detections(detections.imageName(), detections.widthPx(), detections.heightPx(), detections.markers(),
                 warnings, detections.light());
     }
