@@ -37,15 +37,15 @@ public final class HtmlReport {
             + "@media (prefers-color-scheme:dark){:root{--ink:#e4e8ec;--paper:#15191e;--line:#3b4754;--faint:#2a323a;"
             + "--link:#8ab8f0;--pass:#6fd08c;--fail:#ff8a80;--doubt:#ffb74d;--none:#aab4be}}"
             + "body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:76rem;padding:0 1rem;"
-            + "color:var(--ink);background:var(--paper);overflow-wrap:anywhere}a{color:var(--link)}"
+            + "color:var(--ink);background:var(--paper);overflow-wrap:break-word}a{color:var(--link)}"
             + "h1{font-size:1.5rem}h2{font-size:1.2rem;margin-top:2.5rem;border-top:1px solid var(--line);"
             + "padding-top:1rem}h3{font-size:1rem;margin-bottom:.3rem}"
             + "table{border-collapse:collapse;margin:.4rem 0 1rem}th,td{padding:.15rem .7rem;text-align:right;"
             + "border-bottom:1px solid var(--faint);font-variant-numeric:tabular-nums;vertical-align:top}"
             + "th:first-child,td:first-child,.text{text-align:left}th{font-weight:600}"
-            + "td:first-child,.verdict{overflow-wrap:normal}"
+            + "td:first-child{min-width:6rem}td.text,td:first-child,h1,pre{overflow-wrap:anywhere}"
             + "img,svg.plot{max-width:100%;height:auto;border:1px solid var(--line)}"
-            + ".verdict{font-weight:700}.verdict svg{width:1em;height:1em;vertical-align:-.12em}"
+            + ".verdict{font-weight:700;white-space:nowrap}.verdict svg{width:1em;height:1em;vertical-align:-.12em}"
             + ".pass{color:var(--pass)}.fail,.refused{color:var(--fail)}.not-converged,.ambiguous{color:var(--doubt)}"
             + ".no-target{color:var(--none)}.caution{font-weight:700;color:var(--doubt)}details{margin:.5rem 0}"
             + "summary{cursor:pointer}pre{white-space:pre-wrap}"
@@ -65,6 +65,9 @@ public final class HtmlReport {
     private static final Map<Setting<?>, String> OPEN = Map.of(
             SettingTable.ITERATIONS, "as many as the precision takes",
             SettingTable.TARGET_STD_MM, "as the cell file has it");
+
+    /** The header of what is words and no number. */
+    private static final String SOURCE = "source";
 
     private final CellFile cellFile;
     private final CellView cell;
@@ -296,7 +299,7 @@ public final class HtmlReport {
             return;
         }
         out.append("<h3>Where the variance comes from</h3>\n");
-        header("", "source", "share of the variance", "share in x", "share in y", "share in z",
+        header("", SOURCE, "share of the variance", "share in x", "share in y", "share in z",
                 "taken away: off the deviation");
         for (ResultRow row : view.points()) {
             for (BudgetShare part : row.budget()) {
@@ -501,7 +504,7 @@ public final class HtmlReport {
         header = cells;
         out.append("<table>\n<tr class=\"head\">");
         for (String cell : cells) {
-            out.append("<th>").append(escape(cell)).append("</th>");
+            out.append(cell.equals(SOURCE) ? "<th class=\"text\">" : "<th>").append(escape(cell)).append("</th>");
         }
         out.append("</tr>\n");
     }
@@ -509,7 +512,8 @@ public final class HtmlReport {
     private void row(String... html) {
         out.append("<tr>");
         for (int i = 0; i < html.length; i++) {
-            out.append(header[i].isEmpty() || i == 0 ? "<td>" : "<td data-of=\"" + escape(header[i]) + "\">")
+            String words = header[i].equals(SOURCE) ? " class=\"text\"" : "";
+            out.append(header[i].isEmpty() ? "<td>" : "<td data-of=\"" + escape(header[i]) + "\"" + words + ">")
                     .append(html[i]).append("</td>");
         }
         out.append("</tr>\n");
