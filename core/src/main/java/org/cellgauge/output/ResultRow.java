@@ -288,8 +288,8 @@ public final class ResultRow extends Value {
 
     @Override
     @Nullable Object[] figures() {
-        double @Nullable [] ellipse = ellipse95Px == null ? null : new double[] {ellipse95Px.centreX(), ellipse95Px.centreY(),
-            ellipse95Px.semiMajor(), ellipse95Px.semiMinor(), ellipse95Px.angleRad()};
+        double @Nullable [] ellipse = ellipse95Px == null ? null : new double[] {ellipse95Px.centreX(),
+            ellipse95Px.centreY(), ellipse95Px.semiMajor(), ellipse95Px.semiMinor(), ellipse95Px.angleRad()};
         return new @Nullable Object[] {kind, id, mean, covariance, pose, modes, budget, ellipse, verdict, withinTarget,
             laplace};
     }

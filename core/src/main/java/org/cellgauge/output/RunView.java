@@ -2,8 +2,8 @@ package org.cellgauge.output;
 
 import java.util.OptionalDouble;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.settings.SettingTable;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.SettingTable;
 import org.jspecify.annotations.Nullable;
 
 /** How a result was sampled; immutable. */

@@ -334,7 +334,8 @@ class CheckCommandTest {
         assertEquals(faulty.toString(), refusal.get("file").getAsString());
         assertEquals(1, refusal.get("line").getAsInt());
         assertTrue(call.err().contains(lines.get(1).get("reason").getAsString()), call.err());
-        assertEquals(lines.get(2), JsonParser.parseString(check("--detections", corners, "--json", "--target", 5).out()));
+        CommandCall alone = check("--detections", corners, "--json", "--target", 5);
+        assertEquals(lines.get(2), JsonParser.parseString(alone.out()));
         CommandCall refused = check("--detections", faulty, "--json");
         assertEquals(3, refused.code());
         assertEquals(lines.get(1), JsonParser.parseString(refused.out()));

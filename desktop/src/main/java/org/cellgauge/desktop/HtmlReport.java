@@ -57,7 +57,8 @@ public final class HtmlReport {
             + "tr{border-bottom:1px solid var(--line);padding:.3rem 0}"
             + "td,td:first-child{display:flex;justify-content:space-between;gap:1rem;text-align:right;border:0;"
             + "padding:.05rem 0}td:first-child{font-weight:600}td.text{text-align:left}"
-            + "td[data-of]::before{content:attr(data-of);flex:none;max-width:50%;text-align:left}td:empty{display:none}}"
+            + "td[data-of]::before{content:attr(data-of);flex:none;max-width:50%;text-align:left}"
+            + "td:empty{display:none}}"
             + "@media print{:root{--ink:#000;--paper:#fff}section{break-inside:auto}h2,h3{break-after:avoid}"
             + "tr{break-inside:avoid}}";
 

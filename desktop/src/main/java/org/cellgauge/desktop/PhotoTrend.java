@@ -9,9 +9,9 @@ import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 
 /**
- * Positions over the photos of a batch: how far they scatter, and whether they drift. Photos whose figures are not to be
- * trusted do not count. Errors that all photos share, such as those of placed references, move all of them alike and do
- * not show here; so the scatter of an object that stands still is usually less than its stated deviation.
+ * Positions over the photos of a batch: how far they scatter, and whether they drift. Photos whose figures are not to
+ * be trusted do not count. Errors that all photos share, such as those of placed references, move all of them alike and
+ * do not show here; so the scatter of an object that stands still is usually less than its stated deviation.
  */
 final class PhotoTrend {
     private static final String[] AXES = {"x", "y", "z"};
@@ -97,9 +97,9 @@ final class PhotoTrend {
         for (String cell : header) {
             head.append("<th>").append(cell).append("</th>");
         }
-        return "<section id=\"photos\">\n<h2>Over the photos</h2>\n<p>Photos with figures to trust, in the order of the "
-                + "batch. What they share, such as errors of placed references, moves all alike and does not scatter."
-                + "</p>\n<table>\n<tr class=\"head\">" + head + "</tr>\n" + rows + "</table>\n" + plots
+        return "<section id=\"photos\">\n<h2>Over the photos</h2>\n<p>Photos with figures to trust, in the order of "
+                + "the batch. What they share, such as errors of placed references, moves all alike and does not "
+                + "scatter.</p>\n<table>\n<tr class=\"head\">" + head + "</tr>\n" + rows + "</table>\n" + plots
                 + "</section>\n";
     }
 
