@@ -20,6 +20,7 @@ import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.internal.overlay.CellOverlay;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.output.ResultReader;
+import org.cellgauge.output.ResultRecord;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
@@ -100,7 +101,7 @@ enum Target {
             Cell cell = Scenes.cell(root, "lifted-4");
             CheckResult result = CellCheck.run(cell, DetectionsFile.read(
                     Scenes.detections().getBytes(StandardCharsets.UTF_8), "a.json"), SHORT);
-            return List.of(ResultJson.of(result, "a.json", "0".repeat(64), "0").getBytes(StandardCharsets.UTF_8));
+            return List.of(ResultJson.of(result, RECORD).getBytes(StandardCharsets.UTF_8));
         }
 
         @Override
@@ -136,11 +137,12 @@ enum Target {
             CheckResult result = CellCheck.run(cell, detections, SHORT);
             Oracle.judge(cell, detections, result);
             CellOverlay.of(result);
-            ResultView read = ResultReader.of(ResultJson.of(result, "a.json", "0".repeat(64), "0"), "a.result.json");
+            ResultView read = ResultReader.of(ResultJson.of(result, RECORD), "a.result.json");
             Oracle.require(read.verdict() == result.verdict(), "another verdict is read than was written");
         }
     };
 
+    private static final ResultRecord RECORD = ResultRecord.of("a.json", "0".repeat(64), "0");
     private static final CheckSettings SHORT = CheckSettings.builder().chains(2).iterations(1000).build();
 
     /** Inputs without a fault, of which mutations are made. */

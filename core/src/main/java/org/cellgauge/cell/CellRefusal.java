@@ -151,6 +151,11 @@ public enum CellRefusal implements RefusalKind {
     }
 
     @Override
+    public String code() {
+        return "cell-" + RefusalKind.super.code();
+    }
+
+    @Override
     public String english() {
         return english;
     }

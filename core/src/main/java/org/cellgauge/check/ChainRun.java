@@ -154,7 +154,7 @@ final class ChainRun {
     private boolean undecided() {
         OptionalDouble target = observed.cell.targetStdMm();
         CellModes modes = quickLook.modes;
-        if (!target.isPresent() || !Judgement.undecided(diagnostics, modes.objects, target.getAsDouble())) {
+        if (!target.isPresent() || !TargetTest.undecided(diagnostics, modes.objects, target.getAsDouble())) {
             return false;
         }
         // no target is held against two poses

@@ -43,6 +43,11 @@ public enum ResultRefusal implements RefusalKind {
     }
 
     @Override
+    public String code() {
+        return "result-" + RefusalKind.super.code();
+    }
+
+    @Override
     public String english() {
         return english;
     }

@@ -29,6 +29,20 @@ public final class Misfit {
         this.shownStdPx = shownStdPx;
     }
 
+    /**
+     * A misfit found earlier.
+     *
+     * @param kind what is contradicted
+     * @param markerId the one marker of {@link Kind#MARKER}, else empty
+     * @param times how many times worse than stated the fit is
+     * @param statedStdPx the stated noise of corners, px; NaN for {@link Kind#REFERENCES}
+     * @param shownStdPx the noise that the photo shows, px; NaN but for {@link Kind#NOISE}
+     * @return the misfit
+     */
+    public static Misfit of(Kind kind, OptionalInt markerId, double times, double statedStdPx, double shownStdPx) {
+        return new Misfit(kind, markerId, times, statedStdPx, shownStdPx);
+    }
+
     static Misfit ofNoise(double times, double statedStdPx, double shownStdPx) {
         return new Misfit(Kind.NOISE, OptionalInt.empty(), times, statedStdPx, shownStdPx);
     }

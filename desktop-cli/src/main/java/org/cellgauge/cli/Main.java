@@ -4,14 +4,19 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import java.time.Clock;
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Properties;
 import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.desktop.BatchCheck;
 import org.cellgauge.desktop.MachineRefusal;
-import org.cellgauge.internal.warning.Printable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -136,7 +141,7 @@ public final class Main implements Callable<Integer> {
     int report(Throwable e, int exitCode, CommandLine command) {
         PrintWriter err = command.getErr();
         if (exitCode == ExitCodes.INTERNAL_ERROR) {
-            err.println("Internal error: " + inShort(e)
+            err.println("Internal error: " + BatchCheck.inShort(e)
                     + (debug ? "" : ". Run it again with --debug for the stack trace, and please report it."));
         } else {
             err.println(MachineRefusal.behind(e).map(CommandWords::of).orElseGet(() -> CommandWords.of(e)));
@@ -146,12 +151,6 @@ public final class Main implements Callable<Integer> {
         }
         err.flush();
         return exitCode;
-    }
-
-    /** An unexpected error in a line. */
-    static String inShort(Throwable e) {
-        String message = e.getMessage() == null ? "" : ": " + Printable.shortened(e.getMessage());
-        return e.getClass().getSimpleName() + message;
     }
 
     /** A word in the colour of its meaning, where a terminal shows it and the user has not asked for none. */
@@ -175,6 +174,26 @@ public final class Main implements Callable<Integer> {
             throw new UncheckedIOException(e);
         }
         return properties.getProperty("version");
+    }
+
+    /**
+     * The day of today, for results. Where {@code SOURCE_DATE_EPOCH} (seconds since 1970, UTC) is set, as builds that
+     * are to be repeated set it, that day.
+     *
+     * @return as in {@code 2026-11-28}
+     */
+    static String day() {
+        return day(System.getenv("SOURCE_DATE_EPOCH"), Clock.systemDefaultZone());
+    }
+
+    static String day(String epochSeconds, Clock clock) {
+        try {
+            return epochSeconds == null ? LocalDate.now(clock).toString()
+                    : LocalDate.ofInstant(Instant.ofEpochSecond(Long.parseLong(epochSeconds)), ZoneOffset.UTC)
+                            .toString();
+        } catch (NumberFormatException | DateTimeException e) {
+            return LocalDate.now(clock).toString();
+        }
     }
 
     /** The version as {@code --version} shows it. */

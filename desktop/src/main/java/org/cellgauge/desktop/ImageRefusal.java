@@ -46,6 +46,11 @@ public enum ImageRefusal implements RefusalKind {
     }
 
     @Override
+    public String code() {
+        return "image-" + RefusalKind.super.code();
+    }
+
+    @Override
     public String english() {
         return english;
     }

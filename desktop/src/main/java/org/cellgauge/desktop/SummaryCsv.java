@@ -2,8 +2,6 @@ package org.cellgauge.desktop;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.Verdict;
 import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.ChainsView;
 import org.cellgauge.output.ResultRow;
@@ -29,8 +27,7 @@ public final class SummaryCsv {
     }
 
     /** Adds the rows of a result: each object of the cell, or one row where it has none. */
-    public void add(CheckInput input, CheckResult result) {
-        ResultView view = ResultView.of(result);
+    public void add(CheckInput input, ResultView view) {
         if (view.objects().isEmpty()) {
             row(input, view, null);
         }
@@ -62,9 +59,7 @@ public final class SummaryCsv {
         numbers(cells, grip != null ? grip.std() : null);
         cells.add(seen ? number(view.worstStdMm(object)) : "");
         cells.add(number(view.targetStdMm().orElse(Double.NaN)));
-        boolean judged = seen && view.targetStdMm().isPresent() && view.trusted();
-        cells.add(judged ? String.valueOf(object.verdict() == Verdict.PASS
-                && (grip == null || grip.verdict() == Verdict.PASS)) : "");
+        cells.add(seen && object.withinTarget() != null ? String.valueOf(object.withinTarget()) : "");
         ChainsView chains = view.chains();
         cells.add(String.valueOf(chains.converged()));
         cells.add(number(chains.rHatMax()));
