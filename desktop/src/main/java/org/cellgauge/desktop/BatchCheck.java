@@ -394,7 +394,8 @@ public final class BatchCheck {
                                 limit.get().withPlace(Place.of(input.file().toString())), e));
                     } else {
                         failed(input, InputOutcome.Kind.INTERNAL_ERROR,
-                                new InputOutcome.Failure("internal-error", inShort(e), null, (RuntimeException) e));
+                                new InputOutcome.Failure("internal-error", inShort(e), null, (RuntimeException) e),
+                                null);
                     }
                 }
             }
@@ -414,6 +415,9 @@ public final class BatchCheck {
             if (with.folder != null) {
                 try {
                     files(input, result);
+                } catch (InputRefusedException e) {
+                    failed(input, InputOutcome.Kind.REFUSED, failure(e), result.stored());
+                    return;
                 } catch (ResultFolder.UnwritableException e) {
                     // what was computed is at least told
                     unwritable = e;
@@ -467,17 +471,21 @@ public final class BatchCheck {
         }
 
         private void refused(CheckInput input, InputRefusedException e) {
-            Refusal refusal = e.refusal();
-            failed(input, InputOutcome.Kind.REFUSED, new InputOutcome.Failure(refusal.kind().code(),
-                    with.words.apply(refusal), refusal.place(), e));
+            failed(input, InputOutcome.Kind.REFUSED, failure(e), null);
         }
 
-        private void failed(CheckInput input, InputOutcome.Kind kind, InputOutcome.Failure why) {
+        private InputOutcome.Failure failure(InputRefusedException e) {
+            Refusal refusal = e.refusal();
+            return new InputOutcome.Failure(refusal.kind().code(), with.words.apply(refusal), refusal.place(), e);
+        }
+
+        private void failed(CheckInput input, InputOutcome.Kind kind, InputOutcome.Failure why, StoredResult computed) {
             if (with.folder != null && !with.storedOnly) {
                 // what an earlier run found must not be taken for the answer of this one
                 with.folder.deleteResults(input.name());
             }
-            InputOutcome outcome = tell(input, kind, null, record(input, null), why);
+            InputOutcome outcome = tell(input, kind, computed,
+                    computed == null ? record(input, null) : computed.record(), why);
             summary.add(input, outcome.word(), why.message());
             report.add(input, outcome.word(), why.message());
         }

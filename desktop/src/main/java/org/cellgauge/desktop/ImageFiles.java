@@ -243,13 +243,11 @@ public final class ImageFiles {
             try {
                 int width = reader.getWidth(0);
                 int height = reader.getHeight(0);
-                Iterator<ImageTypeSpecifier> types = reader.getImageTypes(0);
-                int bits = types.hasNext() ? bits(types.next().getColorModel()) : 0;
-                if (bits > MAX_BITS) {
-                    throw new InputRefusedException(name, ImageRefusal.DEPTH, bits);
+                if (format == ImageFormat.TIFF) {
+                    judgeDepth(reader, name);
                 }
                 judge(width, height, name, size);
-                if (format == ImageFormat.JPEG && bits == 0) {
+                if (format == ImageFormat.JPEG && !reader.getImageTypes(0).hasNext()) {
                     // the JPEG reader offers no type for CMYK colours it cannot convert
                     throw new InputRefusedException(name, ImageRefusal.CMYK);
                 }
@@ -269,6 +267,15 @@ public final class ImageFiles {
             return grey(name, image);
         } finally {
             reader.dispose();
+        }
+    }
+
+    /** Only TIFF has more than 16 bits: of such a photo that is the fault, whatever its size. */
+    private static void judgeDepth(ImageReader reader, String name) throws IOException {
+        Iterator<ImageTypeSpecifier> types = reader.getImageTypes(0);
+        int bits = types.hasNext() ? bits(types.next().getColorModel()) : 0;
+        if (bits > MAX_BITS) {
+            throw new InputRefusedException(name, ImageRefusal.DEPTH, bits);
         }
     }
 

@@ -11,7 +11,7 @@ import org.cellgauge.warning.Place;
  *
  * @param input what was checked
  * @param kind whether there is a result
- * @param result the result; null where there is none
+ * @param result the result; null where there is none. A refused input has one where only its files could not be written
  * @param record what the input is, and by what it was checked
  * @param refusal why there is no result; null where there is one
  * @param number its place in the batch, from 1
@@ -64,7 +64,8 @@ public record InputOutcome(CheckInput input, Kind kind, StoredResult result, Res
     /**
      * The outcome as JSON in one line, which has the same shape for every input.
      *
-     * @return the result file's object; without a result {@link ResultJson#refused}
+     * @return the result file's object, also where its files could not be written; without a result
+     *     {@link ResultJson#refused}
      */
     public String jsonLine() {
         return result != null ? ResultJson.line(result)
