@@ -10,7 +10,7 @@ final class LabelPlacer {
     /** Price of covering what better stays visible. */
     private static final double SOFT = 200;
     /** Share of the image that labels may take. */
-    private static final double MOST_LABELLED = 0.35;
+    private static final double MOST_LABELLED = 0.2;
     /** Steps of the fine grid in one of the coarse grid. */
     private static final int COARSE = 8;
     /** The two grids meet to within rounding. */
