@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.cellgauge.cell.InputRefusedException;
@@ -230,8 +231,12 @@ public final class ResultReader {
     }
 
     private static PoseView pose(Node pose) {
-        return PoseView.read(pose.at("frame").text(), pose.at("mean").numbers(6), pose.at("covariance").matrix(6),
-                pose.at("tangent_base").numbers(3), pose.at("tangent_covariance").matrix(6));
+        String frame = pose.at("frame").text();
+        double[] mean = pose.at("mean").numbers(6);
+        double[] base = pose.at("tangent_base").numbers(3);
+        double[][] covariance = pose.at("covariance").matrix(6);
+        double[][] tangent = pose.at("tangent_covariance").matrix(6);
+        return pose.possible(() -> PoseView.read(frame, mean, covariance, base, tangent));
     }
 
     private static List<ModeView> modes(Node around) {
@@ -255,6 +260,9 @@ public final class ResultReader {
             shares.add(object.at(name + "_axes").at(axis));
             gains.add(object.at(name + "_gain_axes").at(axis));
         }
+        if (shares.get(0).keys().isEmpty()) {
+            throw shares.get(0).refused(ResultRefusal.NOT_POSSIBLE, "no source of variance");
+        }
         List<BudgetShare> all = new ArrayList<>();
         for (String key : shares.get(0).keys()) {
             all.add(new BudgetShare(shares.get(0).source(key), column(shares, key), column(gains, key)));
@@ -275,7 +283,8 @@ public final class ResultReader {
         }
         double[] centre = ellipse.at("centre").numbers(2);
         double[] axes = ellipse.at("semi_axes").numbers(2);
-        return new Ellipse(centre[0], centre[1], axes[0], axes[1], ellipse.at("angle_rad").number());
+        double angle = ellipse.at("angle_rad").number();
+        return ellipse.possible(() -> new Ellipse(centre[0], centre[1], axes[0], axes[1], angle));
     }
 
     // ---- what figures rest on
@@ -544,20 +553,23 @@ public final class ResultReader {
             return member == null ? null : member.text();
         }
 
-        ToneCurve toneCurve() {
+        /** What is made of values that stand here. */
+        <T> T possible(Supplier<T> made) {
             try {
-                return ToneCurve.of(text());
+                return made.get();
             } catch (IllegalArgumentException e) {
-                throw refused(ResultRefusal.UNKNOWN_WORD, text());
+                throw refused(ResultRefusal.NOT_POSSIBLE, String.valueOf(e.getMessage()));
             }
         }
 
+        ToneCurve toneCurve() {
+            String words = text();
+            return possible(() -> ToneCurve.of(words));
+        }
+
         CheckSettings settings() {
-            try {
-                return SettingsJson.read(object());
-            } catch (IllegalArgumentException e) {
-                throw refused(ResultRefusal.UNKNOWN_WORD, String.valueOf(e.getMessage()));
-            }
+            JsonObject object = object();
+            return possible(() -> SettingsJson.read(object));
         }
 
         PinholeCamera camera() {
@@ -566,12 +578,10 @@ public final class ResultReader {
             if (lens == null) {
                 throw at("lens").refused(ResultRefusal.UNKNOWN_WORD, String.valueOf(model));
             }
-            try {
-                return PinholeCamera.of(lens, at("width_px").integer(), at("height_px").integer(),
-                        numbersOf(lens.parameterNames().toArray(new String[0])));
-            } catch (IllegalArgumentException e) {
-                throw refused(ResultRefusal.UNKNOWN_WORD, String.valueOf(e.getMessage()));
-            }
+            int width = at("width_px").integer();
+            int height = at("height_px").integer();
+            double[] values = numbersOf(lens.parameterNames().toArray(new String[0]));
+            return possible(() -> PinholeCamera.of(lens, width, height, values));
         }
 
         Misfit.Kind misfitKind() {

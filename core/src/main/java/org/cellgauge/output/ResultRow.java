@@ -30,7 +30,7 @@ public final class ResultRow extends Value {
     private final Kind kind;
     private final OptionalInt id;
     private double @Nullable [] mean;
-    private double[] @Nullable [] covariance;
+    private double @Nullable [][] covariance;
     private @Nullable PoseView pose;
     private List<ModeView> modes = Collections.emptyList();
     private List<BudgetShare> budget = Collections.emptyList();
@@ -166,7 +166,7 @@ public final class ResultRow extends Value {
      *
      * @return in the order of {@link #mean()}, a copy; null where not seen
      */
-    public double[] @Nullable [] covariance() {
+    public double @Nullable [][] covariance() {
         return covariance == null ? null : Figures.finite(covariance);
     }
 

@@ -228,6 +228,9 @@ class ResultReaderTest {
         "\"corner noise of object\": | \"weather\": | r.json, objects.5.budget: \"weather\" means nothing here",
         "\"warnings\": [ | \"warnings\": [[], | r.json, warnings[0]: a text in quotes should stand here",
         "\"converged\": | \"converged\": 1, \"was\": | r.json, diagnostics.converged: true or false should stand here",
+        "\"angle_rad\": | \"angle_rad\": null, \"was\": | r.json, objects.5.ellipse95_px: this cannot be (ellipse",
+        "\"size_mm\": | \"size\": | r.json, settings.references.944: the key \"size_mm\" is missing",
+        "\"fx_px\": | \"fx_px\": -1, \"was\": | r.json, settings.camera_intrinsics: this cannot be (",
         "\"schema\": 1, | \"schema\": 1,, | r.json, line 2, column"})
     void faultsAreNamedWithTheirPlace(String part, String by, String message) {
         assertTrue(json.contains(part), part);
