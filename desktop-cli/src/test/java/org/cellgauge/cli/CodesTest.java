@@ -18,6 +18,7 @@ import org.cellgauge.desktop.BatchRefusal;
 import org.cellgauge.desktop.BatchWarning;
 import org.cellgauge.desktop.FolderRefusal;
 import org.cellgauge.desktop.ImageRefusal;
+import org.cellgauge.desktop.MachineRefusal;
 import org.cellgauge.output.ResultRefusal;
 import org.cellgauge.vision.DetectionWarning;
 import org.cellgauge.vision.DetectionsRefusal;
@@ -30,7 +31,8 @@ import org.junit.jupiter.api.Test;
 class CodesTest {
     private static final List<MessageKind[]> KINDS = List.of(CheckWarning.values(), DetectionWarning.values(),
             BatchWarning.values(), CheckRefusal.values(), CellRefusal.values(), DetectionsRefusal.values(),
-            ImageRefusal.values(), FolderRefusal.values(), ResultRefusal.values(), BatchRefusal.values());
+            ImageRefusal.values(), FolderRefusal.values(), ResultRefusal.values(), BatchRefusal.values(),
+            MachineRefusal.values());
 
     @Test
     void noTwoMessagesShareACode() {
