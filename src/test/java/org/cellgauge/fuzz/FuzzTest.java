@@ -15,7 +15,7 @@ class FuzzTest {
     private static final Path ROOT = Path.of(System.getProperty("cellgauge.root", "."));
 
     @ParameterizedTest
-    @CsvSource({"CELL, 2000", "CAMERA, 2000", "DETECTIONS, 2000", "IMAGE, 1000", "RESULT, 300", "CHECK, 12"})
+    @CsvSource({"CELL, 600", "CAMERA, 600", "DETECTIONS, 600", "IMAGE, 400", "RESULT, 40", "CHECK, 3"})
     void nothingButRefusals(Target target, int count) throws IOException {
         Fuzz fuzz = new Fuzz(target, 1, ROOT);
         assertTrue(Arrays.equals(fuzz.input(3), new Fuzz(target, 1, ROOT).input(3)), "not reproducible");
