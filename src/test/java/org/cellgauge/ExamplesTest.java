@@ -16,8 +16,10 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import org.cellgauge.examples.CheckFolder;
 import org.cellgauge.examples.CheckPhoto;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 
 /** The examples run as they stand, and the README shows a part of one. */
@@ -30,7 +32,8 @@ class ExamplesTest {
 
     @Test
     void checkedPhotoHasItsObjectsWhereTheTruthHasThem() throws IOException {
-        String printed = printedBy(SCENE.resolve("cell.yaml").toString(), SCENE.resolve("photo.png").toString());
+        String printed = printedBy(() -> CheckPhoto.main(SCENE.resolve("cell.yaml").toString(),
+                SCENE.resolve("photo.png").toString()));
         assertTrue(printed.startsWith("PASS: "), printed);
         JsonObject truth = JsonParser.parseString(Files.readString(SCENE.resolve("photo.truth.json")))
                 .getAsJsonObject();
@@ -48,12 +51,29 @@ class ExamplesTest {
         assertEquals(3, objects, printed);
     }
 
-    private static String printedBy(String... args) throws IOException {
+    @Test
+    void checkedFolderHasALineForEachPhotoAndItsFiles(@TempDir Path folder) throws IOException {
+        Path photos = Files.createDirectories(folder.resolve("photos"));
+        Files.copy(SCENE.resolve("photo.png"), photos.resolve("b.png"));
+        Files.write(photos.resolve("a.png"), new byte[9]);
+        String printed = printedBy(() -> CheckFolder.main(SCENE.resolve("cell.yaml").toString(), photos.toString(),
+                folder.resolve("results").toString()));
+        assertEquals(List.of("1 of 2, a: refused", "2 of 2, b: pass", "2 photos: 1 refused, 1 pass"),
+                printed.lines().toList());
+        assertTrue(Files.readString(folder.resolve("results/report.html")).contains("photo-2"));
+        assertTrue(Files.exists(folder.resolve("results/b.result.json")));
+    }
+
+    private interface Example {
+        void run() throws IOException;
+    }
+
+    private static String printedBy(Example example) throws IOException {
         PrintStream before = System.out;
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         System.setOut(new PrintStream(bytes, true, StandardCharsets.UTF_8));
         try {
-            CheckPhoto.main(args);
+            example.run();
         } finally {
             System.setOut(before);
         }

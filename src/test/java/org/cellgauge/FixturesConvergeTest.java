@@ -19,6 +19,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.cellgauge.cli.Main;
+import org.cellgauge.output.ResultJson;
+import org.cellgauge.output.ResultReader;
 import org.cellgauge.settings.LikelihoodModel;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -76,6 +78,8 @@ class FixturesConvergeTest {
                 .validate(Files.readString(ROOT.resolve("docs/result.schema.json")), printed);
         assertTrue(valid.isValid(), () -> valid.getErrors().stream()
                 .map(e -> e.getInstanceLocation() + ": " + e.getError()).toList().toString());
+        // all that it says is in the view
+        assertEquals(printed, ResultJson.line(ResultReader.stored(printed, "printed")));
         JsonObject result = json(printed);
         JsonObject truth = json(Files.readString(scene.resolve("photo.truth.json")));
         JsonObject objects = truth.getAsJsonObject("objects");

@@ -43,11 +43,15 @@ public final class CameraReader {
     private static final int BORDER_SIDES = 4;
     private static final String SYMMETRIC = "symmetric";
     private static final String SYMMETRIC_EXAMPLE = "symmetric: [1, k1, k2, k3, k4]";
+    /** No marker can be read in an image that is narrower, px. */
+    private static final int MIN_SIDE_PX = 16;
     private static final int MAX_SIDE_PX = 30_000;
     // 0.05 image widths is a field of view of 169 degrees, 1000 one of 0.06 degrees: no lens of this model is outside
     private static final double MIN_FOCAL_PER_SIDE = 0.05;
     private static final double MAX_FOCAL_PER_SIDE = 1000;
     private static final double MAX_FOCAL_RATIO = 3;
+    /** How far from the middle the principal points of whole images are, at most, in sides. */
+    private static final double MIDDLE_SHARE = 0.1;
     private static final int BORDER_POINTS = 16;
     private static final int STEPS_FROM_CENTRE = 32;
 
@@ -151,9 +155,9 @@ public final class CameraReader {
         YamlValue skew = pinhole.optional("skew");
         k[PinholeCamera.SKEW] = skew == null ? 0 : skew.number(CellPhrase.SKEW);
         int width = pinhole.required("width", CellPhrase.IMAGE_WIDTH)
-                .whole(1, MAX_SIDE_PX, CellPhrase.CALIBRATED_WIDTH);
+                .whole(MIN_SIDE_PX, MAX_SIDE_PX, CellPhrase.CALIBRATED_WIDTH);
         int height = pinhole.required("height", CellPhrase.IMAGE_HEIGHT)
-                .whole(1, MAX_SIDE_PX, CellPhrase.CALIBRATED_HEIGHT);
+                .whole(MIN_SIDE_PX, MAX_SIDE_PX, CellPhrase.CALIBRATED_HEIGHT);
         if (fisheye) {
             readFisheye(file, k);
         }
@@ -266,12 +270,21 @@ public final class CameraReader {
         }
         judgePrincipalPoint(pinhole, "cx", k[PinholeCamera.CX], width, CellPhrase.WIDTH);
         judgePrincipalPoint(pinhole, "cy", k[PinholeCamera.CY], height, CellPhrase.HEIGHT);
+        if (isMiddle(k[PinholeCamera.CX], height) && isMiddle(k[PinholeCamera.CY], width)
+                && !isMiddle(k[PinholeCamera.CX], width) && !isMiddle(k[PinholeCamera.CY], height)) {
+            throw pinhole.optional("cx").refused(CellRefusal.PRINCIPAL_POINT_TURNED, plain(k[PinholeCamera.CX]),
+                    plain(k[PinholeCamera.CY]), height, width);
+        }
         if (k[PinholeCamera.CX] == 0 && k[PinholeCamera.CY] == 0) {
             throw pinhole.at("cx").refused(CellRefusal.PRINCIPAL_POINT_ZERO);
         }
         if (Math.abs(k[PinholeCamera.SKEW]) > 0.5 * k[PinholeCamera.FX]) {
             throw pinhole.at("skew").refused(CellRefusal.SKEW, plain(k[PinholeCamera.SKEW]));
         }
+    }
+
+    private static boolean isMiddle(double c, int side) {
+        return Math.abs(c / side - 0.5) <= MIDDLE_SHARE;
     }
 
     private static void judgePrincipalPoint(YamlMapping pinhole, String key, double c, int side, CellPhrase name) {

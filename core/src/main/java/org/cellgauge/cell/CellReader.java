@@ -44,6 +44,8 @@ public final class CellReader {
     private static final String POSITION = "[x, y, z] in mm";
     private static final double MIN_SIZE_MM = 0.5;
     private static final double MAX_LENGTH_MM = 1e6;
+    /** Ten metres: nothing of a cell is placed worse, and beyond it the reference says nothing but costs digits. */
+    private static final int MAX_PLACEMENT_STD_MM = 10_000;
     private static final double MAX_STD_DEG = 90;
     private static final double MAX_ANGLE_DEG = 360;
     private static final double SAME_PLANE_COSINE = Math.cos(Math.toRadians(30));
@@ -303,7 +305,11 @@ public final class CellReader {
     private static double[] placementStdMm(YamlValue value) {
         double[] std = value.numbers(3, CellPhrase.PLACEMENT_STDS);
         for (YamlValue item : value.items()) {
-            bounded(item, item.positive(CellPhrase.PLACEMENT_STD), CellPhrase.PLACEMENT_STDS);
+            double stdMm = bounded(item, item.positive(CellPhrase.PLACEMENT_STD), CellPhrase.PLACEMENT_STDS);
+            if (stdMm > MAX_PLACEMENT_STD_MM) {
+                throw item.refused(CellRefusal.OUT_OF_RANGE, 0, MAX_PLACEMENT_STD_MM, CameraReader.plain(stdMm),
+                        CellPhrase.PLACEMENT_STDS);
+            }
         }
         return std;
     }

@@ -130,6 +130,9 @@ public enum CellRefusal implements RefusalKind {
     FOCAL_LENGTHS_DIFFER("fx %s and fy %s contradict each other; they are nearly equal for real cameras, check both"),
     /** A principal point far outside: px, {@link CellPhrase#WIDTH} or {@link CellPhrase#HEIGHT}, px. */
     PRINCIPAL_POINT_OUTSIDE("the principal point %s px lies far outside of the image, whose %s is %s px; check both"),
+    /** A principal point of an image as wide as this one is high: cx, cy, width and height it fits, px. */
+    PRINCIPAL_POINT_TURNED("the principal point (%s, %s) is the middle of an image of %s x %s px: the camera was "
+            + "calibrated upright and is used across, or the other way round; calibrate it as it is used"),
     /** A principal point that was left at (0, 0). */
     PRINCIPAL_POINT_ZERO("the principal point (0, 0) is the image's corner; write the calibrated point, which is near "
             + "the image's middle"),
@@ -148,6 +151,11 @@ public enum CellRefusal implements RefusalKind {
 
     CellRefusal(String english) {
         this.english = english;
+    }
+
+    @Override
+    public String code() {
+        return "cell-" + RefusalKind.super.code();
     }
 
     @Override

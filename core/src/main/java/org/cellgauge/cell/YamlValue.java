@@ -1,6 +1,6 @@
 package org.cellgauge.cell;
 
-import java.io.StringReader;
+import java.io.Reader;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -12,7 +12,7 @@ import org.cellgauge.warning.RefusalKind;
 import org.jspecify.annotations.Nullable;
 import org.yaml.snakeyaml.DumperOptions;
 import org.yaml.snakeyaml.LoaderOptions;
-import org.yaml.snakeyaml.Yaml;
+import org.yaml.snakeyaml.composer.Composer;
 import org.yaml.snakeyaml.error.MarkedYAMLException;
 import org.yaml.snakeyaml.error.YAMLException;
 import org.yaml.snakeyaml.nodes.MappingNode;
@@ -20,6 +20,9 @@ import org.yaml.snakeyaml.nodes.Node;
 import org.yaml.snakeyaml.nodes.ScalarNode;
 import org.yaml.snakeyaml.nodes.SequenceNode;
 import org.yaml.snakeyaml.nodes.Tag;
+import org.yaml.snakeyaml.parser.ParserImpl;
+import org.yaml.snakeyaml.reader.StreamReader;
+import org.yaml.snakeyaml.resolver.Resolver;
 
 /**
  * A value of a YAML file that knows where it stands, so that every refusal names file, line and key.
@@ -33,6 +36,7 @@ final class YamlValue {
     private static final Pattern NOT_FINITE = Pattern.compile("[-+]?\\.?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
     private static final Pattern WHOLE = Pattern.compile("[-+]?\\d+");
     private static final Pattern WITH_UNIT = Pattern.compile("([-+]?[\\d.]+) ?(mm|cm|m|px|deg|°|rad)");
+    private static final String NO_ESCAPE_OR_TAG = "an escape after \\ or a tag after ! that is none";
     private static final int MAX_ALIASES = 50;
     private static final int MAX_DEPTH = 20;
 
@@ -67,19 +71,56 @@ final class YamlValue {
         options.setMaxAliasesForCollections(MAX_ALIASES);
         options.setNestingDepthLimit(MAX_DEPTH);
         options.setAllowRecursiveKeys(false);
+        StreamReader characters = new StreamReader(new WholeCharacters(text));
         Node root;
         try {
-            root = new Yaml(options).compose(new StringReader(text));
+            root = new Composer(new ParserImpl(characters, options), new Resolver(), options).getSingleNode();
         } catch (MarkedYAMLException e) {
             throw new InputRefusedException(syntax(e, file), e);
         } catch (YAMLException e) {
             throw new InputRefusedException(Refusal.at(Place.of(file), CellRefusal.NOT_YAML,
                     firstLine(e.getMessage()), what), e);
+        } catch (IllegalArgumentException e) {
+            // what the parser throws where an escape is cut short or no character, and where a tag is none
+            throw new InputRefusedException(Refusal.at(Place.of(file, characters.getLine() + 1,
+                    characters.getColumn() + 1, ""), CellRefusal.YAML_SYNTAX, NO_ESCAPE_OR_TAG), e);
         }
         if (root == null) {
             throw new InputRefusedException(file, CellRefusal.EMPTY, what);
         }
         return new YamlValue(file, "", root.getStartMark().getLine() + 1, root);
+    }
+
+    /**
+     * The characters of a text, pairs of surrogates never apart: the parser reads in pieces, and stumbles over a
+     * character of which a piece holds one half.
+     */
+    private static final class WholeCharacters extends Reader {
+        private final String text;
+        private int next;
+
+        WholeCharacters(String text) {
+            this.text = text;
+        }
+
+        @Override
+        public int read(char[] into, int offset, int length) {
+            int count = Math.min(length, text.length() - next);
+            if (count <= 0) {
+                return length > 0 ? -1 : 0;
+            }
+            if (count > 1 && next + count < text.length() && Character.isHighSurrogate(text.charAt(next + count - 1))) {
+                count--;
+            }
+            text.getChars(next, next + count, into, offset);
+            next += count;
+            return count;
+        }
+
+        @Override
+        public void close() {
+            // nothing to close
+        }
     }
 
     private static Refusal syntax(MarkedYAMLException e, String file) {

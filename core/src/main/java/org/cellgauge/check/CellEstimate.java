@@ -96,7 +96,7 @@ public final class CellEstimate {
     public @Nullable Reason largestDeviation(int objectId) {
         ObjectEstimate object = object(objectId);
         return object == null ? null
-                : Reason.largestDeviation(Collections.singletonList(object), Collections.emptyList(),
+                : Reason.largestDeviation(Collections.singletonList(JudgedObject.of(object)), Collections.emptyList(),
                         OptionalDouble.empty(), null, null, OptionalDouble.empty());
     }
 }

@@ -170,7 +170,7 @@ final class ChainRun {
     private boolean undecided(Diagnostics found) {
         OptionalDouble target = observed.cell.targetStdMm();
         CellModes modes = quickLook.modes;
-        if (!target.isPresent() || !Judgement.undecided(found, modes.objects, target.getAsDouble())) {
+        if (!target.isPresent() || !TargetTest.undecided(found, modes.objects, target.getAsDouble())) {
             return false;
         }
         // no target is held against two poses

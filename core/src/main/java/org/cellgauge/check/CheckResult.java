@@ -189,6 +189,15 @@ public final class CheckResult {
     }
 
     /**
+     * The target held against the figures alone, whether they are to be trusted or not.
+     *
+     * @return the test
+     */
+    public TargetTest targetTest() {
+        return judgement.target();
+    }
+
+    /**
      * The same figures held against another target; nothing is sampled again.
      *
      * @param targetStdMm largest allowed standard deviation of any axis, mm, or empty for none

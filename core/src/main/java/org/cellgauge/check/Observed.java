@@ -6,6 +6,7 @@ import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.chains.RandomPaths;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
@@ -28,6 +29,9 @@ import org.cellgauge.warning.Warning;
  * The first stage of a check: what the photo shows of the cell, and how far its corners may be off; immutable.
  */
 final class Observed {
+    /** How far from the middle the principal point of a whole image is, at most, in sides. */
+    private static final double USUAL_OFFSET = 0.2;
+
     final Cell cell;
     final Detections detections;
     final CheckSettings settings;
@@ -66,6 +70,7 @@ final class Observed {
             throw new InputRefusedException(detections.imageName(), CheckRefusal.TONE_CURVE_OPEN);
         }
         List<Warning> warnings = new ArrayList<>(detections.warnings());
+        warnOfPrincipalPoint(cell.camera(), warnings);
         warnOfReferencesNotSeen(cell, detections, warnings);
         CornerErrors found = CornerErrors.of(cell, detections).withOutliersSetAside();
         found.setAside().forEach((id, factor) ->
@@ -91,6 +96,16 @@ final class Observed {
         return settings.model().estimate() == Estimate.FOCAL
                 ? NoiseFit.ofUnknownFocal(cell, errors, IntrinsicsPrior.stated(cell.camera(), settings.model()))
                 : NoiseFit.of(cell, errors, cell.camera());
+    }
+
+    private static void warnOfPrincipalPoint(PinholeCamera camera, List<Warning> warnings) {
+        double cx = camera.get(PinholeCamera.CX);
+        double cy = camera.get(PinholeCamera.CY);
+        if (Math.abs(cx / camera.widthPx() - 0.5) > USUAL_OFFSET
+                || Math.abs(cy / camera.heightPx() - 0.5) > USUAL_OFFSET) {
+            warnings.add(Warning.of(CheckWarning.PRINCIPAL_POINT_OFF, Decimal.of(cx, 0), Decimal.of(cy, 0),
+                    camera.widthPx(), camera.heightPx(), Decimal.of(100 * USUAL_OFFSET, 0)));
+        }
     }
 
     private static void warnOfReferencesNotSeen(Cell cell, Detections detections, List<Warning> warnings) {

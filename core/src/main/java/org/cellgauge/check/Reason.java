@@ -8,8 +8,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
-import org.cellgauge.estimate.ObjectEstimate;
-import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.Misfit;
@@ -136,7 +134,7 @@ public final class Reason {
      * @param misfit what of the figures' foundations the photo contradicts, or null
      * @param undecidedMm Monte Carlo error because of which the target is neither met nor missed; empty where it is
      */
-    static Reason largestDeviation(List<ObjectEstimate> objects, List<Integer> missingObjects, OptionalDouble targetMm,
+    static Reason largestDeviation(List<JudgedObject> objects, List<Integer> missingObjects, OptionalDouble targetMm,
             @Nullable Misplacement misplacement, @Nullable Misfit misfit, OptionalDouble undecidedMm) {
         Kind kind = !missingObjects.isEmpty() ? Kind.OBJECT_NOT_SEEN
                 : objects.isEmpty() ? Kind.NO_OBJECT : Kind.LARGEST_DEVIATION;
@@ -147,31 +145,24 @@ public final class Reason {
         parts.misfit = misfit;
         parts.undecidedMm = undecidedMm;
         double std = -1;
-        VarianceBudget budget = null;
-        int axis = 0;
-        for (ObjectEstimate object : objects) {
-            for (int i = 0; i < 3; i++) {
-                if (object.pose().std()[i] > std) {
-                    parts.objectId = OptionalInt.of(object.id());
-                    parts.grip = false;
-                    axis = i;
-                    std = object.pose().std()[i];
-                    budget = object.budget();
-                }
-                if (object.grip() != null && object.grip().stdMm()[i] > std) {
-                    parts.objectId = OptionalInt.of(object.id());
-                    parts.grip = true;
-                    axis = i;
-                    std = object.grip().stdMm()[i];
-                    budget = object.gripBudget();
+        JudgedPoint largest = null;
+        for (JudgedObject object : objects) {
+            for (int axis = 0; axis < 3; axis++) {
+                for (JudgedPoint point : object.points()) {
+                    if (point.stdMm(axis) > std) {
+                        parts.objectId = OptionalInt.of(object.id());
+                        parts.grip = point == object.grip();
+                        parts.axis = OptionalInt.of(axis);
+                        std = point.stdMm(axis);
+                        largest = point;
+                    }
                 }
             }
         }
-        if (budget != null) {
-            parts.axis = OptionalInt.of(axis);
+        if (largest != null) {
             parts.stdMm = OptionalDouble.of(std);
             double share = -1;
-            for (Map.Entry<VarianceSource, Double> e : budget.shares(axis).entrySet()) {
+            for (Map.Entry<VarianceSource, Double> e : largest.shares(parts.axis.getAsInt()).entrySet()) {
                 if (e.getValue() > share) {
                     share = e.getValue();
                     parts.source = e.getKey();

@@ -1,15 +1,15 @@
 package org.cellgauge.output;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.estimate.VarianceSource;
+import org.jspecify.annotations.Nullable;
 
 /** What one source contributes to the variance of a point, and what taking it away would gain; immutable. */
-public final class BudgetShare {
+public final class BudgetShare extends Value {
     private final VarianceSource source;
     private final double[] shares;
     private final double[] gains;
@@ -89,16 +89,10 @@ public final class BudgetShare {
         return gains[1 + axis];
     }
 
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof BudgetShare && source.equals(((BudgetShare) other).source)
-                && Arrays.equals(shares, ((BudgetShare) other).shares)
-                && Arrays.equals(gains, ((BudgetShare) other).gains);
-    }
 
     @Override
-    public int hashCode() {
-        return 31 * source.hashCode() + Arrays.hashCode(shares);
+    @Nullable Object[] figures() {
+        return new @Nullable Object[] {source, shares, gains};
     }
 
     @Override

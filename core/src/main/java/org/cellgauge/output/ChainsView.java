@@ -1,37 +1,66 @@
 package org.cellgauge.output;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Diagnostics;
+import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.QuantityLayout;
+import org.cellgauge.settings.SamplingSettings;
 import org.cellgauge.statistics.ChainDiagnostics;
+import org.jspecify.annotations.Nullable;
 
 /** How the chains went, as a result file has it: NaN for what does not exist; immutable. */
-public final class ChainsView {
+public final class ChainsView extends Value {
+    /** Keys of the numbers in a result file, in the order in which they are kept. */
+    static final String[] KEYS = {"r_hat_max", "ess_bulk_min", "ess_tail_min", "mcse_std_rel_max", "pareto_k_max"};
+
     private final boolean converged;
+    private final String convergence;
     private final double[] numbers;
-    private final String worstParameter;
+    private final @Nullable Boolean precisionReached;
+    private final long tuningEvaluations;
+    private final long chainEvaluations;
+    private final @Nullable String worstParameter;
+    private final List<AcceptanceCount> acceptance;
     private final Supplier<List<QuantityView>> make;
     /** Made when first asked for: errors of quantiles take time, and most who look at a result do not look here. */
-    private List<QuantityView> quantities;
+    private @Nullable List<QuantityView> quantities;
 
-    /** @param numbers largest R-hat, least bulk and tail draws, largest error of a deviation, largest Pareto k */
-    ChainsView(boolean converged, double[] numbers, String worstParameter,
+    /**
+     * How chains went.
+     *
+     * @param numbers in the order of {@link #KEYS}
+     * @param evaluations of the camera's posterior: before the chains, and by them
+     */
+    ChainsView(boolean converged, String convergence, double[] numbers, @Nullable Boolean precisionReached,
+            long[] evaluations, @Nullable String worstParameter, List<AcceptanceCount> acceptance,
             Supplier<List<QuantityView>> quantities) {
         this.converged = converged;
+        this.convergence = convergence;
         this.numbers = Figures.finite(numbers);
+        this.precisionReached = precisionReached;
+        tuningEvaluations = evaluations[0];
+        chainEvaluations = evaluations[1];
         this.worstParameter = worstParameter;
+        this.acceptance = Collections.unmodifiableList(new ArrayList<>(acceptance));
         make = quantities;
     }
 
-    static ChainsView of(Diagnostics d, QuantityLayout layout) {
-        return new ChainsView(d.converged(), new double[] {d.rHatMax(), d.essBulkMin(), d.essTailMin(),
-            d.mcseStdRelMax(), d.paretoKMax()}, d.worstParameter() == null ? null : d.worstParameter().name(),
+    static ChainsView of(CheckResult result) {
+        Diagnostics d = result.diagnostics();
+        QuantityLayout layout = result.layout();
+        SamplingSettings sampling = result.settings().sampling();
+        Boolean reached = sampling.iterations().isPresent() ? null
+                : Boolean.valueOf(d.mcseStdRelMax() < sampling.targetMcseStdRel() && !d.heavyTails());
+        return new ChainsView(d.converged(), QuantityView.word(d.convergence()), new double[] {d.rHatMax(),
+            d.essBulkMin(), d.essTailMin(), d.mcseStdRelMax(), d.paretoKMax()}, reached,
+                new long[] {result.tuningEvaluations(), (long) sampling.chains() * result.iterationsPerChain()},
+                d.worstParameter() == null ? null : d.worstParameter().name(), result.acceptance(),
                 () -> quantities(d, layout));
     }
 
@@ -51,6 +80,15 @@ public final class ChainsView {
      */
     public boolean converged() {
         return converged;
+    }
+
+    /**
+     * The judgement on convergence.
+     *
+     * @return a word of the result file, such as {@code converged}
+     */
+    public String convergence() {
+        return convergence;
     }
 
     /**
@@ -98,13 +136,54 @@ public final class ChainsView {
         return numbers[4];
     }
 
+    /** All of these numbers, in the order of {@link #KEYS}. */
+    double[] numbers() {
+        return numbers.clone();
+    }
+
+    /**
+     * Whether Monte Carlo errors are as small as was asked for.
+     *
+     * @return null where the length of the chains was fixed
+     */
+    public @Nullable Boolean precisionReached() {
+        return precisionReached;
+    }
+
+    /**
+     * How often the camera's posterior was evaluated before the chains, to fit their proposal.
+     *
+     * @return a count
+     */
+    public long tuningEvaluations() {
+        return tuningEvaluations;
+    }
+
+    /**
+     * How often the chains evaluated it.
+     *
+     * @return a count
+     */
+    public long chainEvaluations() {
+        return chainEvaluations;
+    }
+
     /**
      * The quantity that is worst off.
      *
      * @return its name, or null where none is judged
      */
-    public String worstParameter() {
+    public @Nullable String worstParameter() {
         return worstParameter;
+    }
+
+    /**
+     * Accepted and rejected suggestions per named proposal, all chains together.
+     *
+     * @return unmodifiable
+     */
+    public List<AcceptanceCount> acceptance() {
+        return acceptance;
     }
 
     /**
@@ -119,17 +198,30 @@ public final class ChainsView {
         return quantities;
     }
 
-    private Object[] figures() {
-        return new Object[] {converged, numbers, worstParameter, quantities()};
+    /**
+     * One quantity.
+     *
+     * @param name such as {@code object_5_x_mm}
+     * @return its figures, or null where draws have no such quantity
+     */
+    public @Nullable QuantityView quantity(String name) {
+        for (QuantityView quantity : quantities()) {
+            if (quantity.name().equals(name)) {
+                return quantity;
+            }
+        }
+        return null;
     }
 
     @Override
-    public boolean equals(Object other) {
-        return other instanceof ChainsView && Arrays.deepEquals(figures(), ((ChainsView) other).figures());
-    }
-
-    @Override
-    public int hashCode() {
-        return Arrays.deepHashCode(figures());
+    @Nullable Object[] figures() {
+        List<Object> counts = new ArrayList<>();
+        for (AcceptanceCount count : acceptance) {
+            counts.add(count.proposal());
+            counts.add(count.accepted());
+            counts.add(count.rejected());
+        }
+        return new @Nullable Object[] {converged, convergence, numbers, precisionReached, tuningEvaluations,
+            chainEvaluations, worstParameter, counts, quantities()};
     }
 }

@@ -1,7 +1,9 @@
 package org.cellgauge.output;
 
+import org.jspecify.annotations.Nullable;
+
 /** One of several poses that explain a photo, with the share of the posterior it holds; immutable. */
-public final class ModeView {
+public final class ModeView extends Value {
     private final double weight;
     private final PoseView pose;
 
@@ -29,13 +31,7 @@ public final class ModeView {
     }
 
     @Override
-    public boolean equals(Object other) {
-        return other instanceof ModeView && Double.compare(weight, ((ModeView) other).weight) == 0
-                && pose.equals(((ModeView) other).pose);
-    }
-
-    @Override
-    public int hashCode() {
-        return 31 * Double.hashCode(weight) + pose.hashCode();
+    @Nullable Object[] figures() {
+        return new @Nullable Object[] {weight, pose};
     }
 }

@@ -1,15 +1,15 @@
 package org.cellgauge.output;
 
-import java.util.Arrays;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.statistics.Angles;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A pose as a result file has it: angles in (-pi, pi], NaN for what is not finite; immutable. Two are equal where a
  * file would hold the same of them.
  */
-public final class PoseView {
+public final class PoseView extends Value {
     private final String frame;
     private final double[] mean;
     private final double[][] covariance;
@@ -111,17 +111,8 @@ public final class PoseView {
         return transform;
     }
 
-    private Object[] figures() {
-        return new Object[] {frame, mean, covariance, tangentBaseRad, tangentCovariance};
-    }
-
     @Override
-    public boolean equals(Object other) {
-        return other instanceof PoseView && Arrays.deepEquals(figures(), ((PoseView) other).figures());
-    }
-
-    @Override
-    public int hashCode() {
-        return Arrays.deepHashCode(figures());
+    @Nullable Object[] figures() {
+        return new @Nullable Object[] {frame, mean, covariance, tangentBaseRad, tangentCovariance};
     }
 }

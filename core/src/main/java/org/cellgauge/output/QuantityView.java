@@ -1,12 +1,14 @@
 package org.cellgauge.output;
 
 import java.util.Arrays;
+import java.util.Locale;
 import org.cellgauge.internal.statistics.Angles;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.statistics.ChainDiagnostics;
+import org.jspecify.annotations.Nullable;
 
 /** What the chains say of one quantity, as a result file has it: NaN for what does not exist; immutable. */
-public final class QuantityView {
+public final class QuantityView extends Value {
     static final int[] QUANTILE_PERCENT = {5, 50, 95};
     /** Keys of the numbers in a result file, in the order in which they are kept. */
     static final String[] KEYS = {"mean", "std", "r_hat", "ess_bulk", "ess_tail", "mcse_mean", "mcse_std", "pareto_k",
@@ -35,7 +37,11 @@ public final class QuantityView {
         for (int percent : QUANTILE_PERCENT) {
             numbers[at++] = d.mcseQuantile(percent / 100.0);
         }
-        return new QuantityView(quantity.name(), ResultJson.word(d.status()), numbers);
+        return new QuantityView(quantity.name(), word(d.status()), numbers);
+    }
+
+    static String word(Enum<?> value) {
+        return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     private static double wrapped(boolean angle, double value) {
@@ -138,16 +144,10 @@ public final class QuantityView {
         return numbers[i];
     }
 
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof QuantityView && name.equals(((QuantityView) other).name)
-                && status.equals(((QuantityView) other).status)
-                && Arrays.equals(numbers, ((QuantityView) other).numbers);
-    }
 
     @Override
-    public int hashCode() {
-        return 31 * name.hashCode() + Arrays.hashCode(numbers);
+    @Nullable Object[] figures() {
+        return new @Nullable Object[] {name, status, numbers};
     }
 
     @Override

@@ -6,101 +6,122 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.ObjectMarker;
-import org.cellgauge.cell.Reference;
-import org.cellgauge.check.CellEstimate;
+import java.util.Objects;
+import java.util.OptionalInt;
 import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.Diagnostics;
-import org.cellgauge.check.NoiseEstimate;
-import org.cellgauge.check.Verdict;
-import org.cellgauge.estimate.IntrinsicsEstimate;
-import org.cellgauge.estimate.ModeEstimate;
-import org.cellgauge.estimate.ObjectEstimate;
-import org.cellgauge.estimate.PoseEstimate;
-import org.cellgauge.estimate.VarianceBudget;
-import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
-import org.cellgauge.internal.statistics.Angles;
-import org.cellgauge.placement.Explanation;
-import org.cellgauge.placement.MisplacedReference;
-import org.cellgauge.placement.NoiseFit;
-import org.cellgauge.placement.ReferenceCheck;
-import org.cellgauge.placement.ReferenceFit;
-import org.cellgauge.placement.WithoutMisplaced;
+import org.cellgauge.placement.Misfit;
 import org.cellgauge.sampling.AcceptanceCount;
-import org.cellgauge.sampling.Quantity;
-import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Setting;
 import org.cellgauge.settings.SettingTable;
-import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Ellipse;
-import org.cellgauge.vision.PhotoLight;
-import org.cellgauge.warning.Warning;
+import org.cellgauge.warning.Place;
+import org.jspecify.annotations.Nullable;
 
 /**
- * The result file of a check, {@code NAME.result.json}.
+ * The result file of a check, {@code NAME.result.json}: all of a {@link ResultView}, as {@link ResultReader} reads it
+ * back.
  *
  * <p>Numbers keep every digit; what is not a number (a diagnostic that does not exist) is {@code null}, since JSON has
- * no NaN. There is no time stamp and no thread count in it: the same inputs, settings and seed give the same bytes. All
- * of it is ASCII (other characters are escaped), so that no setting of a terminal can spoil it.
+ * no NaN. There is no time but the day, and no thread count in it: on one day the same inputs, settings and seed give
+ * the same bytes. All of it is ASCII (other characters are escaped), so that no setting of a terminal can spoil it.
  */
 public final class ResultJson {
     /** Version of the format, the value of the key {@code schema}. */
     public static final int SCHEMA = 1;
+    /** What stands in place of a verdict where an input was refused. */
+    public static final String REFUSED = "refused";
 
     private static final List<String> POSE_ORDER = List.of("x_mm", "y_mm", "z_mm", "psi_rad", "theta_rad", "phi_rad");
     private static final List<String> TANGENT_ORDER = List.of("x_mm", "y_mm", "z_mm", "wx_rad", "wy_rad", "wz_rad");
-
-    private static final int[] QUANTILE_PERCENT = {5, 50, 95};
+    private static final String[] AXES = {"x", "y", "z"};
 
     private final StringWriter text = new StringWriter();
     private final JsonWriter json = new JsonWriter(text);
-    private final CheckResult result;
-    private final Cell cell;
-    private final boolean trusted;
 
-    private ResultJson(CheckResult result) {
-        this.result = result;
-        this.cell = result.cell();
-        this.trusted = result.verdict().isTrusted();
-        json.setFormattingStyle(FormattingStyle.PRETTY);
+    private ResultJson(FormattingStyle style) {
+        json.setFormattingStyle(style);
     }
 
     /**
      * The JSON of a result.
      *
      * @param result what a check found
-     * @param inputName name of the photo or detections file, without its folder
-     * @param inputSha256 SHA-256 of the file's bytes, hexadecimal; null where the input was no file
-     * @param version version of this program
+     * @param record what it is of
      * @return JSON in ASCII, ended by a line feed
      */
-    public static String of(CheckResult result, String inputName, String inputSha256, String version) {
-        return of(result, inputName, inputSha256, version, null);
+    public static String of(CheckResult result, ResultRecord record) {
+        return of(new StoredResult(ResultView.of(result), record));
     }
 
     /**
-     * The JSON of a result with the command that makes it again.
+     * The JSON of a result.
      *
-     * @param result what a check found
-     * @param inputName name of the photo or detections file, without its folder
-     * @param inputSha256 SHA-256 of the file's bytes, hexadecimal; null where the input was no file
-     * @param version version of this program
-     * @param command what makes the same figures again, or null where nothing does
+     * @param result what it says, and what it is of
      * @return JSON in ASCII, ended by a line feed
      */
-    public static String of(CheckResult result, String inputName, String inputSha256, String version, String command) {
-        ResultJson writer = new ResultJson(result);
+    public static String of(StoredResult result) {
+        return new ResultJson(FormattingStyle.PRETTY).text(result);
+    }
+
+    /**
+     * The same JSON in one line, as one of many that follow each other (JSON Lines).
+     *
+     * @param result what it says, and what it is of
+     * @return JSON in ASCII, ended by a line feed
+     */
+    public static String line(StoredResult result) {
+        return new ResultJson(FormattingStyle.COMPACT).text(result);
+    }
+
+    /**
+     * What stands in place of a result, in one line, where an input was refused: {@code verdict} is {@value #REFUSED},
+     * {@code reason} says why, and {@code refusal} has the code of the reason and the place of the fault.
+     *
+     * @param record what was refused, and by which program
+     * @param code of the reason ({@link org.cellgauge.warning.MessageKind#code()})
+     * @param reason in English
+     * @param place of the fault, or null
+     * @return JSON in ASCII, ended by a line feed
+     */
+    public static String refused(ResultRecord record, String code, String reason, @Nullable Place place) {
+        return new ResultJson(FormattingStyle.COMPACT).refusal(record, code, reason, place);
+    }
+
+    private String text(StoredResult result) {
         try {
-            writer.write(inputName, inputSha256, version, command);
+            write(result.view(), result.record());
         } catch (IOException e) {
             throw new IllegalStateException("writing into memory cannot fail", e);
         }
-        return ascii(writer.text.toString()) + "\n";
+        return ascii(text.toString()) + "\n";
+    }
+
+    private String refusal(ResultRecord record, String code, String reason, @Nullable Place place) {
+        try {
+            json.beginObject();
+            json.name("schema").value(SCHEMA);
+            json.name("verdict").value(REFUSED);
+            json.name("reason").value(reason);
+            json.name("refusal").beginObject();
+            json.name("code").value(code);
+            if (place != null) {
+                json.name("file").value(place.file());
+                json.name("line").value(place.line() > 0 ? place.line() : null);
+                json.name("column").value(place.column() > 0 ? place.column() : null);
+                json.name("key").value(place.key().isEmpty() ? null : place.key());
+            }
+            json.endObject();
+            files(record);
+            json.name("version").value(record.version());
+            json.endObject();
+            json.flush();
+        } catch (IOException e) {
+            throw new IllegalStateException("writing into memory cannot fail", e);
+        }
+        return ascii(text.toString()) + "\n";
     }
 
     /**
@@ -122,68 +143,73 @@ public final class ResultJson {
         return out.toString();
     }
 
-    private void write(String inputName, String inputSha256, String version, String command) throws IOException {
+    private void write(ResultView view, ResultRecord record) throws IOException {
+        NoiseView noise = Objects.requireNonNull(view.noise(), "this is preliminary");
+        ReferencesView references = Objects.requireNonNull(view.references());
+        ChainsView chains = Objects.requireNonNull(view.chains());
         json.beginObject();
         json.name("schema").value(SCHEMA);
-        json.name("verdict").value(result.verdict().key());
-        json.name("decided").value(result.decided());
-        json.name("reason").value(result.reason());
-        json.name("input").beginObject();
-        json.name("name").value(inputName);
-        json.name("sha256").value(inputSha256);
-        json.endObject();
-        json.name("target");
-        json.beginObject();
-        number("std_mm", cell.targetStdMm().orElse(Double.NaN));
+        json.name("verdict").value(Objects.requireNonNull(view.verdict()).key());
+        json.name("decided").value(view.decided());
+        json.name("reason").value(view.reason());
+        files(record);
+        json.name("target").beginObject();
+        number("std_mm", view.targetStdMm().orElse(Double.NaN));
         json.endObject();
         json.name("settings");
-        settings();
-        if (result.detections().light() != null) {
+        settings(Objects.requireNonNull(view.run()), view.cell(), noise, references);
+        LightView light = view.light();
+        if (light != null) {
             json.name("light");
-            light(result.detections().light());
+            light(light);
         }
-        CellEstimate estimate = result.estimate();
         json.name("camera").beginObject();
-        poseMembers(estimate.camera());
-        modes(estimate.cameraModes());
+        poseMembers(Objects.requireNonNull(view.camera().pose()));
+        modes(view.camera());
         json.endObject();
-        if (estimate.intrinsics() != null) {
+        if (!view.intrinsics().isEmpty()) {
             json.name("intrinsics");
-            intrinsics(estimate.intrinsics());
+            intrinsics(view);
         }
         json.name("objects").beginObject();
-        for (ObjectEstimate object : estimate.objects()) {
-            json.name(String.valueOf(object.id()));
-            object(object);
+        for (ResultRow object : view.objects()) {
+            if (object.seen()) {
+                json.name(String.valueOf(object.id().getAsInt()));
+                object(view, object);
+            }
         }
         json.endObject();
-        noise(result.noise(), result.noiseFit(), result.referenceCheck());
+        noise(noise, references);
         json.name("references").beginObject();
-        for (Reference reference : cell.references()) {
-            json.name(String.valueOf(reference.id()));
-            fit(result.referenceCheck().fit(reference.id()));
+        for (ReferenceFitView fit : references.fits()) {
+            json.name(String.valueOf(fit.id()));
+            fit(fit);
         }
         json.endObject();
+        json.name("references_noticeable").value(references.noticeable());
         json.name("misplaced_references").beginArray();
-        for (MisplacedReference reference : result.referenceCheck().misplaced()) {
+        for (MisplacedView reference : references.misplaced()) {
             misplaced(reference);
         }
         json.endArray();
         json.name("causes").beginArray();
-        for (Explanation cause : result.referenceCheck().causes()) {
+        for (CauseView cause : references.causes()) {
             cause(cause);
         }
         json.endArray();
-        if (result.referenceCheck().without() != null) {
+        WithoutView without = references.without();
+        if (without != null) {
             json.name("without_misplaced");
-            without(result.referenceCheck().without());
+            without(without);
         }
+        json.name("misfit");
+        misfit(references.misfit());
         json.name("laplace");
-        laplace();
+        laplace(view);
         json.name("diagnostics");
-        diagnostics();
+        diagnostics(chains);
         json.name("acceptance").beginObject();
-        for (AcceptanceCount count : result.acceptance()) {
+        for (AcceptanceCount count : chains.acceptance()) {
             json.name(count.proposal()).beginObject();
             json.name("accepted").value(count.accepted());
             json.name("rejected").value(count.rejected());
@@ -191,88 +217,86 @@ public final class ResultJson {
         }
         json.endObject();
         json.name("warnings").beginArray();
-        for (Warning warning : result.warnings()) {
-            json.value(warning.toString());
+        for (WarningView warning : view.warnings()) {
+            json.value(warning.text());
         }
         json.endArray();
-        if (result.action() != null) {
-            json.name("action").value(result.action().toString());
+        json.name("warning_codes").beginArray();
+        for (WarningView warning : view.warnings()) {
+            json.value(warning.code());
         }
-        if (command != null) {
-            json.name("command").value(command);
+        json.endArray();
+        if (view.action() != null) {
+            json.name("action").value(view.action());
         }
-        json.name("version").value(version);
+        if (record.command() != null) {
+            json.name("command").value(record.command());
+        }
+        json.name("version").value(record.version());
         json.endObject();
         json.flush();
     }
 
-    /** What explains that references do not fit together. */
-    private void cause(Explanation cause) throws IOException {
+    // ---- what it is of
+
+    private void files(ResultRecord record) throws IOException {
+        json.name("input");
+        file(record.inputName(), record.inputSha256());
+        if (record.cellName() != null) {
+            json.name("cell");
+            file(record.cellName(), record.cellSha256());
+        }
+        if (record.cameraName() != null) {
+            json.name("camera_file");
+            file(record.cameraName(), record.cameraSha256());
+        }
+        if (record.date() != null) {
+            json.name("date").value(record.date());
+        }
+        if (record.judgedOn() != null) {
+            json.name("judged_on").value(record.judgedOn());
+        }
+    }
+
+    private void file(String name, @Nullable String sha256) throws IOException {
         json.beginObject();
-        json.name("cause").value(cause.cause().key());
-        json.name("references").beginArray();
-        for (int id : cause.references()) {
-            json.value(id);
-        }
-        json.endArray();
-        if (cause.axis() >= 0) {
-            json.name("axis").value("xyz".substring(cause.axis(), cause.axis() + 1));
-        }
-        numbers("size", cause.size());
-        number("std", cause.std());
-        json.name("sentence").value(cause.warning().toString());
-        json.name("or_instead").beginArray();
-        for (Explanation other : cause.orInstead()) {
-            json.beginObject();
-            json.name("cause").value(other.cause().key());
-            json.name("phrase").value(other.phrase().toString());
-            json.endObject();
-        }
-        json.endArray();
+        json.name("name").value(name);
+        json.name("sha256").value(sha256);
         json.endObject();
     }
 
+    // ---- corners
+
     /** Noise of the corners and shift of the photo's edges. */
-    private void noise(NoiseEstimate noise, NoiseFit fit, ReferenceCheck references) throws IOException {
+    private void noise(NoiseView noise, ReferencesView references) throws IOException {
         json.name("noise").beginObject();
         json.name("stated").value(noise.stated());
-        number("added_std_px", noise.addedMeanStdPx());
-        if (noise.addedQuantilesStdPx() != null) {
-            double[] quantiles = noise.addedQuantilesStdPx();
+        number("added_std_px", noise.addedStdPx());
+        double[] quantiles = noise.addedQuantilesStdPx();
+        if (quantiles != null) {
             number("added_std_px_q2_5", quantiles[0]);
             number("added_std_px_q50", quantiles[1]);
             number("added_std_px_q97_5", quantiles[2]);
         }
         json.name("fit").beginObject();
-        json.name("holds");
-        if (fit.tested()) {
-            json.value(fit.holds());
-        } else {
-            json.nullValue();
-        }
-        number("chi_square", fit.chiSquare());
-        json.name("degrees_of_freedom").value(fit.degreesOfFreedom());
-        number("p", fit.pValue());
-        number("shown_std_px", fit.shownStdPx());
+        json.name("holds").value(noise.holds());
+        number("chi_square", noise.chiSquare());
+        json.name("degrees_of_freedom").value(noise.degreesOfFreedom());
+        number("p", noise.pValue());
+        number("shown_std_px", noise.shownStdPx());
         json.name("references").beginObject();
-        json.name("holds");
-        if (references.degreesOfFreedom() > 0) {
-            json.value(references.fitTogether());
-        } else {
-            json.nullValue();
-        }
+        json.name("holds").value(references.fitTogether());
         number("chi_square", references.chiSquare());
         json.name("degrees_of_freedom").value(references.degreesOfFreedom());
         number("p", references.pValue());
         json.endObject();
         json.endObject();
         json.name("markers").beginObject();
-        for (Map.Entry<Integer, Double> marker : noise.markerStdPx().entrySet()) {
-            json.name(String.valueOf(marker.getKey())).beginObject();
-            number("std_px", marker.getValue());
-            Double times = noise.setAside().get(marker.getKey());
-            number("times_stated", fit.times(marker.getKey()));
-            number("set_aside_times", times == null ? Double.NaN : times);
+        for (MarkerNoise marker : noise.markers()) {
+            json.name(String.valueOf(marker.id())).beginObject();
+            number("std_px", marker.stdPx());
+            number("times_stated", marker.timesStated());
+            number("set_aside_times", marker.setAsideTimes());
             json.endObject();
         }
         json.endObject();
@@ -291,46 +315,55 @@ public final class ResultJson {
 
     // ---- settings
 
-    private void settings() throws IOException {
-        CheckSettings s = result.settings();
+    private void settings(RunView run, CellView cell, NoiseView noise, ReferencesView references) throws IOException {
+        CheckSettings s = run.settings();
         json.beginObject();
         for (Setting<?> setting : SettingTable.all()) {
             if (!setting.determinesFigures()) {
                 continue;
             }
             json.name(setting.key());
-            plain(setting == SettingTable.WARMUP ? Integer.valueOf(result.warmup()) : setting.plain(s));
+            plain(setting.plain(s));
             if (setting == SettingTable.SAMPLER) {
-                json.name("sampler_used").value(result.samplerUsed().word());
+                json.name("sampler_used").value(run.samplerUsed());
             } else if (setting == SettingTable.MAX_ITERATIONS) {
-                json.name("iterations_run").value(result.iterationsPerChain());
+                json.name("iterations_run").value(run.iterationsPerChain());
             } else if (setting == SettingTable.POSE_PRIOR_ALLOWED) {
-                json.name("pose_prior").value(result.posePrior());
+                json.name("pose_prior").value(run.posePrior());
             }
         }
-        number("pixel_std_px", result.pixelStdPx());
+        number("pixel_std_px", noise.usualStdPx());
         json.name("pixel_std_px_from").value(cell.pixelStdPx().isPresent() ? "cell file" : "photo");
         json.name("tone_curve").value(cell.toneCurve() == null ? "auto" : cell.toneCurve().words());
         json.name("prints").beginObject();
-        number("size_std_mm", cell.prints().sizeStdMm());
-        number("flatness_mm", cell.prints().flatnessMm());
-        number("print_gain_std_mm", cell.prints().printGainStdMm());
+        number("size_std_mm", cell.sizeStdMm());
+        number("flatness_mm", cell.flatnessMm());
+        number("print_gain_std_mm", cell.printGainStdMm());
         json.endObject();
-        json.name("marker_family").value(cell.family().familyName());
+        json.name("marker_family").value(cell.family());
         json.name("camera_intrinsics");
-        cameraIntrinsics();
+        cameraIntrinsics(cell.camera());
         json.name("references").beginObject();
-        for (Reference reference : cell.references()) {
-            json.name(String.valueOf(reference.id()));
-            reference(reference);
+        for (StatedReference reference : cell.references()) {
+            json.name(String.valueOf(reference.id())).beginObject();
+            json.name("used").value(references.used().contains(reference.id()));
+            number("size_mm", reference.sizeMm());
+            numbers("position_mm", reference.positionMm());
+            numbers("rotation_rad", reference.rotationRad());
+            json.name("placement").beginObject();
+            numbers("std_mm", reference.stdMm());
+            number("std_rad", reference.stdRad());
+            json.endObject();
+            json.endObject();
         }
         json.endObject();
         json.name("object_markers").beginObject();
-        for (ObjectMarker marker : cell.objects()) {
+        for (StatedObject marker : cell.objects()) {
             json.name(String.valueOf(marker.id())).beginObject();
             number("size_mm", marker.sizeMm());
-            if (marker.hasGrip()) {
-                numbers("grip_mm", marker.gripMm());
+            double[] grip = marker.gripMm();
+            if (grip != null) {
+                numbers("grip_mm", grip);
             }
             json.endObject();
         }
@@ -339,7 +372,7 @@ public final class ResultJson {
     }
 
     /** What was found out about the photo's light. */
-    private void light(PhotoLight light) throws IOException {
+    private void light(LightView light) throws IOException {
         json.beginObject();
         json.name("tone_curve").value(light.toneCurve().words());
         json.name("tone_curve_estimated").value(light.toneCurveEstimated());
@@ -350,12 +383,8 @@ public final class ResultJson {
         json.endObject();
     }
 
-    static String word(Enum<?> value) {
-        return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
-    }
-
     /** A value as settings have it. */
-    private void plain(Object value) throws IOException {
+    private void plain(@Nullable Object value) throws IOException {
         if (value instanceof Number) {
             json.value((Number) value);
         } else if (value instanceof Boolean) {
@@ -365,8 +394,7 @@ public final class ResultJson {
         }
     }
 
-    private void cameraIntrinsics() throws IOException {
-        PinholeCamera camera = cell.camera();
+    private void cameraIntrinsics(PinholeCamera camera) throws IOException {
         json.beginObject();
         json.name("width_px").value(camera.widthPx());
         json.name("height_px").value(camera.heightPx());
@@ -381,53 +409,27 @@ public final class ResultJson {
         json.endObject();
     }
 
-    private void reference(Reference reference) throws IOException {
-        json.beginObject();
-        json.name("used").value(result.referencesUsed().contains(reference.id()));
-        number("size_mm", reference.sizeMm());
-        numbers("position_mm", reference.worldFromMarker().translationMm());
-        numbers("rotation_rad", wrapped(reference.worldFromMarker().eulerRad()));
-        json.name("placement").beginObject();
-        numbers("std_mm", new double[] {reference.placement().stdMm(0), reference.placement().stdMm(1),
-            reference.placement().stdMm(2)});
-        number("std_rad", reference.placement().stdRad());
-        json.endObject();
-        json.endObject();
-    }
-
-    private static double[] wrapped(double[] anglesRad) {
-        double[] out = new double[anglesRad.length];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = Angles.wrapToPi(anglesRad[i]);
-        }
-        return out;
-    }
-
     // ---- estimates
 
     /** The members of a pose; the object around them may hold more. */
-    private void poseMembers(PoseEstimate pose) throws IOException {
+    private void poseMembers(PoseView pose) throws IOException {
         json.name("frame").value(pose.frame());
         strings("order", POSE_ORDER);
-        double[] mean = pose.mean();
-        for (int i = 3; i < 6; i++) {
-            mean[i] = Angles.wrapToPi(mean[i]);
-        }
-        numbers("mean", mean);
+        numbers("mean", pose.mean());
         numbers("std", pose.std());
         matrix("covariance", pose.covariance());
         strings("tangent_order", TANGENT_ORDER);
-        numbers("tangent_base", wrapped(pose.meanTransform().eulerRad()));
+        numbers("tangent_base", pose.tangentBaseRad());
         matrix("tangent_covariance", pose.tangentCovariance());
     }
 
-    /** The modes of a pose where it is ambiguous; nothing where it is not. */
-    private void modes(List<ModeEstimate> modes) throws IOException {
-        if (!ModeEstimate.areAmbiguous(modes)) {
+    /** The modes of a pose; those that make it ambiguous have a name of their own. */
+    private void modes(ResultRow row) throws IOException {
+        if (row.modes().isEmpty()) {
             return;
         }
-        json.name("modes").beginArray();
-        for (ModeEstimate mode : modes) {
+        json.name(row.ambiguous() ? "modes" : "lesser_modes").beginArray();
+        for (ModeView mode : row.modes()) {
             json.beginObject();
             number("weight", mode.weight());
             poseMembers(mode.pose());
@@ -436,90 +438,92 @@ public final class ResultJson {
         json.endArray();
     }
 
-    private void intrinsics(IntrinsicsEstimate intrinsics) throws IOException {
+    private void intrinsics(ResultView view) throws IOException {
+        int size = view.intrinsics().size();
+        double[] mean = new double[size];
+        double[] std = new double[size];
+        String[] names = new String[size];
+        for (int i = 0; i < size; i++) {
+            names[i] = view.intrinsics().get(i).name();
+            mean[i] = view.intrinsics().get(i).mean();
+            std[i] = view.intrinsics().get(i).std();
+        }
         json.beginObject();
-        strings("names", intrinsics.names());
-        numbers("mean", intrinsics.mean());
-        double[][] covariance = intrinsics.covariance();
-        numbers("std", std(covariance));
-        matrix("covariance", covariance);
+        strings("names", List.of(names));
+        numbers("mean", mean);
+        numbers("std", std);
+        matrix("covariance", view.intrinsicsCovariance());
         json.endObject();
     }
 
-    private static double[] std(double[][] covariance) {
-        double[] std = new double[covariance.length];
-        for (int i = 0; i < std.length; i++) {
-            std[i] = Math.sqrt(covariance[i][i]);
-        }
-        return std;
-    }
-
-    private void object(ObjectEstimate object) throws IOException {
+    private void object(ResultView view, ResultRow object) throws IOException {
+        ResultRow grip = view.grip(object.id().getAsInt());
         json.beginObject();
-        json.name("within_target");
-        if (trusted && cell.targetStdMm().isPresent()) {
-            json.value(result.verdict(object.id()) == Verdict.PASS);
-        } else {
-            json.nullValue();
-        }
-        number("worst_std_mm", object.worstStdMm());
-        ReferenceCheck references = result.referenceCheck();
-        json.name("position_verdict").value(ResultView.rowVerdict(result, references.judgedMm(object)).key());
-        if (object.grip() != null) {
-            json.name("grip_verdict").value(ResultView.rowVerdict(result, references.gripJudgedMm(object)).key());
+        json.name("within_target").value(object.withinTarget());
+        number("worst_std_mm", view.worstStdMm(object));
+        verdict("position_verdict", object);
+        if (grip != null) {
+            verdict("grip_verdict", grip);
         }
         json.name("pose").beginObject();
-        poseMembers(object.pose());
+        poseMembers(Objects.requireNonNull(object.pose()));
         json.endObject();
-        if (object.grip() != null) {
+        if (grip != null) {
             json.name("grip").beginObject();
-            numbers("mean", object.grip().meanMm());
-            numbers("std", object.grip().stdMm());
-            matrix("covariance", object.grip().covarianceMm2());
+            numbers("mean", Objects.requireNonNull(grip.mean()));
+            numbers("std", Objects.requireNonNull(grip.std()));
+            matrix("covariance", Objects.requireNonNull(grip.covariance()));
             json.endObject();
         }
         budget("budget", object.budget());
-        if (object.gripBudget() != null) {
-            budget("grip_budget", object.gripBudget());
+        if (grip != null) {
+            budget("grip_budget", grip.budget());
         }
         json.name("ellipse95_px");
         ellipse(object.ellipse95Px());
-        if (object.grip() != null) {
+        if (grip != null) {
             json.name("grip_ellipse95_px");
-            ellipse(object.gripEllipse95Px());
+            ellipse(grip.ellipse95Px());
         }
-        modes(object.modes());
+        modes(object);
         json.endObject();
     }
 
-    private void budget(String name, VarianceBudget budget) throws IOException {
-        json.name(name);
-        shares(budget.shares());
+    private void verdict(String name, ResultRow row) throws IOException {
+        if (row.verdict() != null) {
+            json.name(name).value(row.verdict().key());
+        }
+    }
+
+    private void budget(String name, List<BudgetShare> budget) throws IOException {
+        shares(name, budget, -1, false);
         json.name(name + "_axes").beginObject();
-        for (int axis = 0; axis < 3; axis++) {
-            json.name("xyz".substring(axis, axis + 1));
-            shares(budget.shares(axis));
+        for (int axis = 0; axis < AXES.length; axis++) {
+            shares(AXES[axis], budget, axis, false);
         }
         json.endObject();
-        json.name(name + "_gain");
-        shares(budget.gains());
+        shares(name + "_gain", budget, -1, true);
         json.name(name + "_gain_axes").beginObject();
-        for (int axis = 0; axis < 3; axis++) {
-            json.name("xyz".substring(axis, axis + 1));
-            shares(budget.gains(axis));
+        for (int axis = 0; axis < AXES.length; axis++) {
+            shares(AXES[axis], budget, axis, true);
         }
         json.endObject();
     }
 
-    private void shares(Map<VarianceSource, Double> shares) throws IOException {
-        json.beginObject();
-        for (Map.Entry<VarianceSource, Double> e : shares.entrySet()) {
-            number(e.getKey().key(), e.getValue());
+    /** Shares or gains, all axes together (-1) or along one; no gain of what cannot be taken away. */
+    private void shares(String name, List<BudgetShare> budget, int axis, boolean gains) throws IOException {
+        json.name(name).beginObject();
+        for (BudgetShare part : budget) {
+            double value = gains ? axis < 0 ? part.gain() : part.gain(axis)
+                    : axis < 0 ? part.share() : part.share(axis);
+            if (!gains || !Double.isNaN(value)) {
+                number(part.source().key(), value);
+            }
         }
         json.endObject();
     }
 
-    private void ellipse(Ellipse ellipse) throws IOException {
+    private void ellipse(@Nullable Ellipse ellipse) throws IOException {
         if (ellipse == null) {
             json.nullValue();
             return;
@@ -534,10 +538,10 @@ public final class ResultJson {
     // ---- references
 
     /** How a reference fits the others; only that it was not used where it was not seen or left out. */
-    private void fit(ReferenceFit fit) throws IOException {
+    private void fit(ReferenceFitView fit) throws IOException {
         json.beginObject();
-        json.name("used").value(fit != null);
-        if (fit != null) {
+        json.name("used").value(fit.used());
+        if (fit.used()) {
             json.name("misplaced").value(fit.misplaced());
             number("chi_square", fit.chiSquare());
             json.name("degrees_of_freedom").value(fit.degreesOfFreedom());
@@ -555,7 +559,7 @@ public final class ResultJson {
         json.endObject();
     }
 
-    private void misplaced(MisplacedReference reference) throws IOException {
+    private void misplaced(MisplacedView reference) throws IOException {
         json.beginObject();
         json.name("id").value(reference.id());
         strings("order", TANGENT_ORDER);
@@ -571,7 +575,7 @@ public final class ResultJson {
     }
 
     /** Camera and objects without the misplaced references, by Laplace's approximation. */
-    private void without(WithoutMisplaced without) throws IOException {
+    private void without(WithoutView without) throws IOException {
         json.beginObject();
         json.name("left_out").beginArray();
         for (int id : without.leftOut()) {
@@ -583,20 +587,21 @@ public final class ResultJson {
         numbers("move_mm", without.cameraMoveMm());
         json.endObject();
         json.name("objects").beginObject();
-        for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+        for (MovedObject object : without.objects()) {
             json.name(String.valueOf(object.id())).beginObject();
             json.name("pose").beginObject();
             poseMembers(object.pose());
             json.endObject();
             numbers("move_mm", object.moveMm());
             numbers("error_mm", object.errorMm());
-            if (object.grip() != null) {
+            MovedGrip grip = object.grip();
+            if (grip != null) {
                 json.name("grip").beginObject();
-                numbers("mean", object.grip().meanMm());
-                numbers("std", object.grip().stdMm());
-                matrix("covariance", object.grip().covarianceMm2());
-                numbers("move_mm", object.gripMoveMm());
-                numbers("error_mm", object.gripErrorMm());
+                numbers("mean", grip.meanMm());
+                numbers("std", grip.stdMm());
+                matrix("covariance", grip.covarianceMm2());
+                numbers("move_mm", grip.moveMm());
+                numbers("error_mm", grip.errorMm());
                 json.endObject();
             }
             json.endObject();
@@ -605,25 +610,71 @@ public final class ResultJson {
         json.endObject();
     }
 
+    /** What the photo contradicts, so that no target counts as met. */
+    /** What explains that references do not fit together. */
+    private void cause(CauseView cause) throws IOException {
+        json.beginObject();
+        json.name("cause").value(cause.cause());
+        json.name("references").beginArray();
+        for (int id : cause.references()) {
+            json.value(id);
+        }
+        json.endArray();
+        if (cause.axis() >= 0) {
+            json.name("axis").value("xyz".substring(cause.axis(), cause.axis() + 1));
+        }
+        numbers("size", cause.size());
+        number("std", cause.std());
+        json.name("sentence").value(cause.sentence());
+        json.name("or_instead").beginArray();
+        for (CauseView.Other other : cause.orInstead()) {
+            json.beginObject();
+            json.name("cause").value(other.cause());
+            json.name("phrase").value(other.phrase());
+            json.endObject();
+        }
+        json.endArray();
+        json.endObject();
+    }
+
+    private void misfit(@Nullable Misfit misfit) throws IOException {
+        if (misfit == null) {
+            json.nullValue();
+            return;
+        }
+        OptionalInt marker = misfit.markerId();
+        OptionalInt other = misfit.otherId();
+        json.beginObject();
+        json.name("kind").value(QuantityView.word(misfit.kind()));
+        json.name("marker").value(marker.isPresent() ? marker.getAsInt() : null);
+        json.name("other_marker").value(other.isPresent() ? other.getAsInt() : null);
+        number("times", misfit.times());
+        number("stated_std_px", misfit.statedStdPx());
+        number("shown_std_px", misfit.shownStdPx());
+        json.name("cause").value(misfit.causeText());
+        json.endObject();
+    }
+
     // ---- Laplace
 
     /**
      * The quick look: Laplace's approximation, how far the chains' means are from it and how large their deviations.
      */
-    private void laplace() throws IOException {
+    private void laplace(ResultView view) throws IOException {
         json.beginObject();
         json.name("camera").beginObject();
-        comparison(result.quickLook().camera().mean(), result.quickLook().camera().std(),
-                result.estimate().camera().mean(), result.estimate().camera().std(), "");
+        comparison(view.camera(), "");
         json.endObject();
         json.name("objects").beginObject();
-        for (ObjectEstimate sampled : result.estimate().objects()) {
-            ObjectEstimate quick = result.quickLook().object(sampled.id());
-            json.name(String.valueOf(sampled.id())).beginObject();
-            comparison(quick.pose().mean(), quick.pose().std(), sampled.pose().mean(), sampled.pose().std(), "");
-            if (sampled.grip() != null) {
-                comparison(quick.grip().meanMm(), quick.grip().stdMm(), sampled.grip().meanMm(),
-                        sampled.grip().stdMm(), "grip_");
+        for (ResultRow object : view.objects()) {
+            if (!object.seen()) {
+                continue;
+            }
+            ResultRow grip = view.grip(object.id().getAsInt());
+            json.name(String.valueOf(object.id().getAsInt())).beginObject();
+            comparison(object, "");
+            if (grip != null) {
+                comparison(grip, "grip_");
             }
             json.endObject();
         }
@@ -631,65 +682,36 @@ public final class ResultJson {
         json.endObject();
     }
 
-    private void comparison(double[] mean, double[] laplace, double[] sampledMean, double[] sampled, String prefix)
-            throws IOException {
-        double[] ratio = new double[laplace.length];
-        double[] shift = new double[laplace.length];
-        for (int i = 0; i < ratio.length; i++) {
-            ratio[i] = sampled[i] / laplace[i];
-            double moved = sampledMean[i] - mean[i];
-            shift[i] = (i < 3 ? moved : Angles.wrapToPi(moved)) / laplace[i];
-        }
-        numbers(prefix + "mean", mean);
-        numbers(prefix + "std", laplace);
-        numbers(prefix + "mean_shift_by_std", shift);
-        numbers(prefix + "sampled_by_laplace", ratio);
+    private void comparison(ResultRow row, String prefix) throws IOException {
+        LaplaceView laplace = Objects.requireNonNull(row.laplace());
+        numbers(prefix + "mean", laplace.mean());
+        numbers(prefix + "std", laplace.std());
+        numbers(prefix + "mean_shift_by_std", laplace.meanShiftByStd());
+        numbers(prefix + "sampled_by_laplace", laplace.sampledByLaplace());
     }
 
     // ---- diagnostics
 
-    private void diagnostics() throws IOException {
-        Diagnostics d = result.diagnostics();
+    private void diagnostics(ChainsView chains) throws IOException {
         json.beginObject();
-        json.name("converged").value(d.converged());
-        json.name("convergence").value(word(d.convergence()));
-        number("r_hat_max", d.rHatMax());
-        number("ess_bulk_min", d.essBulkMin());
-        number("ess_tail_min", d.essTailMin());
-        number("mcse_std_rel_max", d.mcseStdRelMax());
-        number("pareto_k_max", d.paretoKMax());
-        json.name("precision_reached");
-        if (result.settings().sampling().iterations().isPresent()) {
-            json.nullValue();
-        } else {
-            json.value(d.mcseStdRelMax() < result.settings().sampling().targetMcseStdRel() && !d.heavyTails());
+        json.name("converged").value(chains.converged());
+        json.name("convergence").value(chains.convergence());
+        double[] numbers = chains.numbers();
+        for (int i = 0; i < numbers.length; i++) {
+            number(ChainsView.KEYS[i], numbers[i]);
         }
+        json.name("precision_reached").value(chains.precisionReached());
         json.name("camera_evaluations").beginObject();
-        json.name("tuning").value(result.tuningEvaluations());
-        json.name("chains").value((long) result.settings().sampling().chains() * result.iterationsPerChain());
+        json.name("tuning").value(chains.tuningEvaluations());
+        json.name("chains").value(chains.chainEvaluations());
         json.endObject();
-        json.name("worst_parameter").value(d.worstParameter() == null ? null : d.worstParameter().name());
+        json.name("worst_parameter").value(chains.worstParameter());
         json.name("parameters").beginObject();
-        QuantityLayout layout = result.layout();
-        for (Map.Entry<Quantity, ChainDiagnostics> e : d.parameters().entrySet()) {
-            ChainDiagnostics p = e.getValue();
-            boolean angle = layout.isAngle(layout.indexOf(e.getKey()));
-            json.name(e.getKey().name()).beginObject();
-            json.name("status").value(word(p.status()));
-            number("mean", angle && Double.isFinite(p.mean()) ? Angles.wrapToPi(p.mean()) : p.mean());
-            number("std", p.std());
-            number("r_hat", p.rHat());
-            number("ess_bulk", p.essBulk());
-            number("ess_tail", p.essTail());
-            number("mcse_mean", p.mcseMean());
-            number("mcse_std", p.mcseSd());
-            number("pareto_k", d.paretoK().getOrDefault(e.getKey(), Double.NaN));
-            for (int percent : QUANTILE_PERCENT) {
-                double quantile = p.quantile(percent / 100.0);
-                number("q" + percent, angle && Double.isFinite(quantile) ? Angles.wrapToPi(quantile) : quantile);
-            }
-            for (int percent : QUANTILE_PERCENT) {
-                number("mcse_q" + percent, p.mcseQuantile(percent / 100.0));
+        for (QuantityView quantity : chains.quantities()) {
+            json.name(quantity.name()).beginObject();
+            json.name("status").value(quantity.status());
+            for (String key : QuantityView.KEYS) {
+                number(key, quantity.number(key));
             }
             json.endObject();
         }

@@ -20,6 +20,8 @@ public enum ResultRefusal implements RefusalKind {
     OTHER_COUNT("%s elements should stand here, not %s; name a result file as cellgauge wrote it"),
     /** A word that means nothing here: the word. */
     UNKNOWN_WORD("\"%s\" means nothing here; name a result file as cellgauge wrote it"),
+    /** Values that are no such thing: why not. */
+    NOT_POSSIBLE("this cannot be (%s); name a result file as cellgauge wrote it"),
 
     // ---- what is expected
 
@@ -40,6 +42,11 @@ public enum ResultRefusal implements RefusalKind {
 
     ResultRefusal(String english) {
         this.english = english;
+    }
+
+    @Override
+    public String code() {
+        return "result-" + RefusalKind.super.code();
     }
 
     @Override

@@ -10,12 +10,13 @@ import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.statistics.Ellipse;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One row of a {@link ResultView}: the camera, an object or its gripping point; immutable. Two are equal where a file
  * would hold the same of them.
  */
-public final class ResultRow {
+public final class ResultRow extends Value {
     /** What a row is about. */
     public enum Kind {
         /** The camera; the first row, and the only one of its kind. */
@@ -28,14 +29,15 @@ public final class ResultRow {
 
     private final Kind kind;
     private final OptionalInt id;
-    private double[] mean;
-    private double[][] covariance;
-    private PoseView pose;
+    private double @Nullable [] mean;
+    private double @Nullable [][] covariance;
+    private @Nullable PoseView pose;
     private List<ModeView> modes = Collections.emptyList();
     private List<BudgetShare> budget = Collections.emptyList();
-    private Ellipse ellipse95Px;
-    private Verdict verdict;
-    private Boolean withinTarget;
+    private @Nullable Ellipse ellipse95Px;
+    private @Nullable Verdict verdict;
+    private @Nullable Boolean withinTarget;
+    private @Nullable LaplaceView laplace;
 
     private ResultRow(Kind kind, OptionalInt id) {
         this.kind = kind;
@@ -89,18 +91,23 @@ public final class ResultRow {
             return this;
         }
 
-        Builder ellipse95Px(Ellipse ellipse) {
+        Builder ellipse95Px(@Nullable Ellipse ellipse) {
             row.ellipse95Px = ellipse;
             return this;
         }
 
-        Builder verdict(Verdict verdict) {
+        Builder verdict(@Nullable Verdict verdict) {
             row.verdict = verdict;
             return this;
         }
 
-        Builder withinTarget(Boolean within) {
+        Builder withinTarget(@Nullable Boolean within) {
             row.withinTarget = within;
+            return this;
+        }
+
+        Builder laplace(LaplaceView laplace) {
+            row.laplace = laplace;
             return this;
         }
 
@@ -141,7 +148,7 @@ public final class ResultRow {
      *
      * @return x, y, z in mm and, of camera and objects, psi, theta, phi in rad; null where not seen
      */
-    public double[] mean() {
+    public double @Nullable [] mean() {
         return mean == null ? null : mean.clone();
     }
 
@@ -150,7 +157,7 @@ public final class ResultRow {
      *
      * @return in the order of {@link #mean()}; null where not seen
      */
-    public double[] std() {
+    public double @Nullable [] std() {
         return covariance == null ? null : Figures.std(covariance);
     }
 
@@ -159,7 +166,7 @@ public final class ResultRow {
      *
      * @return in the order of {@link #mean()}, a copy; null where not seen
      */
-    public double[][] covariance() {
+    public double @Nullable [][] covariance() {
         return covariance == null ? null : Figures.finite(covariance);
     }
 
@@ -172,7 +179,7 @@ public final class ResultRow {
         if (covariance == null) {
             return Double.NaN;
         }
-        double[] std = std();
+        double[] std = Figures.std(covariance);
         return Math.max(std[0], Math.max(std[1], std[2]));
     }
 
@@ -181,14 +188,14 @@ public final class ResultRow {
      *
      * @return null of a gripping point, and where not seen
      */
-    public PoseView pose() {
+    public @Nullable PoseView pose() {
         return pose;
     }
 
     /**
      * The poses that explain the photo, where there are two; heavier first.
      *
-     * @return unmodifiable; empty where there is but one. Of a result read back: where the pose is ambiguous
+     * @return unmodifiable; empty where there is but one
      */
     public List<ModeView> modes() {
         return modes;
@@ -218,8 +225,8 @@ public final class ResultRow {
      *
      * @return the first of the largest; null where there is no budget
      */
-    public BudgetShare largestShare() {
-        BudgetShare largest = null;
+    public @Nullable BudgetShare largestShare() {
+        @Nullable BudgetShare largest = null;
         for (BudgetShare share : budget) {
             largest = largest == null || share.share() > largest.share() ? share : largest;
         }
@@ -231,7 +238,7 @@ public final class ResultRow {
      *
      * @return in px; null of the camera, and where the mean is not in front of it
      */
-    public Ellipse ellipse95Px() {
+    public @Nullable Ellipse ellipse95Px() {
         return ellipse95Px;
     }
 
@@ -242,7 +249,7 @@ public final class ResultRow {
      * @return {@link Verdict#NOT_CONVERGED} and {@link Verdict#AMBIGUOUS} of a whole result hold for each row; null of
      *     the camera, where not seen, of what is preliminary, and where a file does not say it
      */
-    public Verdict verdict() {
+    public @Nullable Verdict verdict() {
         return verdict;
     }
 
@@ -251,25 +258,42 @@ public final class ResultRow {
      *
      * @return null of other rows than objects, without a target, and where no figure is to be trusted
      */
-    public Boolean withinTarget() {
+    public @Nullable Boolean withinTarget() {
         return withinTarget;
     }
 
-    private Object[] figures() {
-        double[] ellipse = ellipse95Px == null ? null : new double[] {ellipse95Px.centreX(), ellipse95Px.centreY(),
-            ellipse95Px.semiMajor(), ellipse95Px.semiMinor(), ellipse95Px.angleRad()};
-        return new Object[] {kind, id, mean, covariance, pose, modes, budget, ellipse, verdict, withinTarget};
+    /**
+     * Laplace's approximation of it, and what the chains make of that.
+     *
+     * @return null where not seen, and of what is preliminary
+     */
+    public @Nullable LaplaceView laplace() {
+        return laplace;
+    }
+
+    /** The same row as another target has it. */
+    ResultRow judged(@Nullable Verdict other, @Nullable Boolean within) {
+        ResultRow row = new ResultRow(kind, id);
+        row.mean = mean;
+        row.covariance = covariance;
+        row.pose = pose;
+        row.modes = modes;
+        row.budget = budget;
+        row.ellipse95Px = ellipse95Px;
+        row.laplace = laplace;
+        row.verdict = other;
+        row.withinTarget = within;
+        return row;
     }
 
     @Override
-    public boolean equals(Object other) {
-        return other instanceof ResultRow && Arrays.deepEquals(figures(), ((ResultRow) other).figures());
+    @Nullable Object[] figures() {
+        double @Nullable [] ellipse = ellipse95Px == null ? null : new double[] {ellipse95Px.centreX(),
+            ellipse95Px.centreY(), ellipse95Px.semiMajor(), ellipse95Px.semiMinor(), ellipse95Px.angleRad()};
+        return new @Nullable Object[] {kind, id, mean, covariance, pose, modes, budget, ellipse, verdict, withinTarget,
+            laplace};
     }
 
-    @Override
-    public int hashCode() {
-        return Arrays.deepHashCode(figures());
-    }
 
     @Override
     public String toString() {

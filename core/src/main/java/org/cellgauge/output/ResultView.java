@@ -1,30 +1,40 @@
 package org.cellgauge.output;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.function.Function;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.JudgedObject;
+import org.cellgauge.check.JudgedPoint;
+import org.cellgauge.check.TargetTest;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.VarianceSource;
+import org.cellgauge.sampling.Quantity;
+import org.cellgauge.warning.Message;
+import org.cellgauge.warning.Warning;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A result as a table: one row of the camera, then of each object of the cell and of its gripping point, with what is
- * stated of all; immutable. Tables, reports, files and pictures show it, whether it comes from a check or from a file.
+ * All that a result says: a table of one row of the camera, then of each object of the cell and of its gripping point,
+ * what is stated of all, and what it rests on; immutable. Tables, reports, files and pictures show it, whether it comes
+ * from a check or from a file.
  *
  * <p>Two are equal where a result file would hold the same of them.
  */
-public final class ResultView {
+public final class ResultView extends Value {
     /** One unknown parameter of the lens. */
-    public static final class Intrinsic {
+    public static final class Intrinsic extends Value {
         private final String name;
         private final double mean;
         private final double std;
@@ -63,39 +73,107 @@ public final class ResultView {
         }
 
         @Override
-        public boolean equals(Object other) {
-            return other instanceof Intrinsic && name.equals(((Intrinsic) other).name)
-                    && Double.compare(mean, ((Intrinsic) other).mean) == 0
-                    && Double.compare(std, ((Intrinsic) other).std) == 0;
-        }
-
-        @Override
-        public int hashCode() {
-            return Objects.hash(name, mean, std);
+        @Nullable Object[] figures() {
+            return new @Nullable Object[] {name, mean, std};
         }
     }
 
-    private final Verdict verdict;
-    private final boolean decided;
-    private final String reason;
-    private final OptionalDouble targetStdMm;
-    private final List<ResultRow> rows;
-    private final List<Intrinsic> intrinsics;
-    private final ChainsView chains;
-    private final List<String> warnings;
-    private final @Nullable String action;
+    private @Nullable Verdict verdict;
+    private boolean decided;
+    private @Nullable String reason;
+    private OptionalDouble targetStdMm = OptionalDouble.empty();
+    private List<ResultRow> rows = Collections.emptyList();
+    private List<Intrinsic> intrinsics = Collections.emptyList();
+    private double[][] intrinsicsCovariance = {};
+    private CellView cell;
+    private @Nullable LightView light;
+    private @Nullable RunView run;
+    private @Nullable NoiseView noise;
+    private @Nullable ReferencesView references;
+    private @Nullable ChainsView chains;
+    private List<WarningView> warnings = Collections.emptyList();
+    private @Nullable String action;
 
-    ResultView(Verdict verdict, boolean decided, String reason, OptionalDouble targetStdMm, List<ResultRow> rows,
-            List<Intrinsic> intrinsics, ChainsView chains, List<String> warnings, @Nullable String action) {
-        this.action = action;
-        this.verdict = verdict;
-        this.decided = decided;
-        this.reason = reason;
-        this.targetStdMm = targetStdMm;
-        this.rows = Collections.unmodifiableList(rows);
-        this.intrinsics = Collections.unmodifiableList(intrinsics);
-        this.chains = chains;
-        this.warnings = Collections.unmodifiableList(warnings);
+    private ResultView(CellView cell) {
+        this.cell = cell;
+    }
+
+    /** Puts a view together, and is of no more use afterwards. */
+    static final class Builder {
+        private final ResultView view;
+
+        Builder(CellView cell) {
+            view = new ResultView(cell);
+        }
+
+        private Builder(ResultView like) {
+            this(like.cell);
+            judged(like.verdict, like.decided, like.reason, like.targetStdMm);
+            rows(like.rows);
+            intrinsics(like.intrinsics, like.intrinsicsCovariance);
+            view.light = like.light;
+            view.run = like.run;
+            view.noise = like.noise;
+            view.references = like.references;
+            view.chains = like.chains;
+            view.warnings = like.warnings;
+            view.action = like.action;
+        }
+
+        Builder judged(@Nullable Verdict verdict, boolean decided, @Nullable String reason, OptionalDouble target) {
+            view.verdict = verdict;
+            view.decided = decided;
+            view.reason = reason;
+            view.targetStdMm = target;
+            return this;
+        }
+
+        Builder rows(List<ResultRow> rows) {
+            view.rows = Collections.unmodifiableList(new ArrayList<>(rows));
+            return this;
+        }
+
+        /** @param covariance square, in the order of the parameters */
+        Builder intrinsics(List<Intrinsic> intrinsics, double[][] covariance) {
+            view.intrinsics = Collections.unmodifiableList(new ArrayList<>(intrinsics));
+            view.intrinsicsCovariance = Figures.finite(covariance);
+            return this;
+        }
+
+        Builder light(@Nullable LightView light) {
+            view.light = light;
+            return this;
+        }
+
+        Builder run(RunView run) {
+            view.run = run;
+            return this;
+        }
+
+        Builder foundations(NoiseView noise, ReferencesView references) {
+            view.noise = noise;
+            view.references = references;
+            return this;
+        }
+
+        Builder chains(ChainsView chains) {
+            view.chains = chains;
+            return this;
+        }
+
+        Builder warnings(List<WarningView> warnings) {
+            view.warnings = Collections.unmodifiableList(new ArrayList<>(warnings));
+            return this;
+        }
+
+        Builder action(@Nullable String action) {
+            view.action = action;
+            return this;
+        }
+
+        ResultView build() {
+            return view;
+        }
     }
 
     /**
@@ -105,30 +183,50 @@ public final class ResultView {
      * @return the view
      */
     public static ResultView of(CheckResult result) {
+        return of(result, Message::toString);
+    }
+
+    /**
+     * The view of a check, warnings in the words of the program around this.
+     *
+     * @param result what it found
+     * @param words what a warning says
+     * @return the view
+     */
+    public static ResultView of(CheckResult result, Function<? super Message, String> words) {
         Cell cell = result.cell();
+        CellEstimate estimate = result.estimate();
+        CellEstimate quick = result.quickLook();
         List<ResultRow> rows = new ArrayList<>();
-        rows.add(camera(result.estimate()));
+        rows.add(camera(estimate).laplace(LaplaceView.of(quick.camera().mean(), quick.camera().std(),
+                estimate.camera().mean(), estimate.camera().std())).build());
         for (ObjectMarker marker : cell.objects()) {
-            ObjectEstimate object = result.estimate().object(marker.id());
+            ObjectEstimate object = estimate.object(marker.id());
             if (object == null) {
-                rows.add(new ResultRow.Builder(ResultRow.Kind.OBJECT, OptionalInt.of(marker.id())).build());
+                rows.add(notSeen(marker.id()));
                 continue;
             }
-            Boolean within = isTrusted(result.verdict()) && cell.targetStdMm().isPresent()
-                    ? Boolean.valueOf(result.verdict(marker.id()) == Verdict.PASS) : null;
-            rows.add(object(object).withinTarget(within)
-                    .verdict(rowVerdict(result, result.referenceCheck().judgedMm(object))).build());
+            ObjectEstimate before = quick.object(marker.id());
+            rows.add(object(object).laplace(LaplaceView.of(before.pose().mean(), before.pose().std(),
+                    object.pose().mean(), object.pose().std())).build());
             if (object.grip() != null) {
-                rows.add(grip(object).verdict(rowVerdict(result, result.referenceCheck().gripJudgedMm(object)))
-                        .build());
+                rows.add(grip(object).laplace(LaplaceView.of(before.grip().meanMm(), before.grip().stdMm(),
+                        object.grip().meanMm(), object.grip().stdMm())).build());
             }
         }
-        List<String> warnings = new ArrayList<>();
-        result.warnings().forEach(warning -> warnings.add(warning.toString()));
-        return new ResultView(result.verdict(), result.decided(), result.reason(), cell.targetStdMm(), rows,
-                intrinsics(result.estimate().intrinsics()),
-                ChainsView.of(result.diagnostics(), result.layout()), warnings,
-                result.action() == null ? null : result.action().toString());
+        List<WarningView> warnings = new ArrayList<>();
+        for (Warning warning : result.warnings()) {
+            warnings.add(new WarningView(warning.kind().code(), words.apply(warning)));
+        }
+        return intrinsics(estimate.intrinsics(), new Builder(CellView.of(cell)))
+                .judged(result.verdict(), result.decided(), result.reason(), cell.targetStdMm())
+                .rows(judged(rows, result.verdict(), result.targetTest()))
+                .light(result.detections().light() == null ? null : LightView.of(result.detections().light()))
+                .run(RunView.of(result))
+                .foundations(NoiseView.of(result.noise(), result.noiseFit()),
+                        ReferencesView.of(cell, result.referenceCheck(), result.targetTest().misfit()))
+                .chains(ChainsView.of(result)).warnings(warnings)
+                .action(result.action() == null ? null : words.apply(result.action())).build();
     }
 
     /**
@@ -140,11 +238,11 @@ public final class ResultView {
      */
     public static ResultView preliminary(Cell cell, CellEstimate estimate) {
         List<ResultRow> rows = new ArrayList<>();
-        rows.add(camera(estimate));
+        rows.add(camera(estimate).build());
         for (ObjectMarker marker : cell.objects()) {
             ObjectEstimate object = estimate.object(marker.id());
             if (object == null) {
-                rows.add(new ResultRow.Builder(ResultRow.Kind.OBJECT, OptionalInt.of(marker.id())).build());
+                rows.add(notSeen(marker.id()));
                 continue;
             }
             rows.add(object(object).build());
@@ -152,13 +250,17 @@ public final class ResultView {
                 rows.add(grip(object).build());
             }
         }
-        return new ResultView(null, false, null, cell.targetStdMm(), rows, intrinsics(estimate.intrinsics()), null,
-                Collections.emptyList(), null);
+        return intrinsics(estimate.intrinsics(), new Builder(CellView.of(cell)))
+                .judged(null, false, null, cell.targetStdMm()).rows(rows).build();
     }
 
-    private static ResultRow camera(CellEstimate estimate) {
+    private static ResultRow.Builder camera(CellEstimate estimate) {
         return new ResultRow.Builder(ResultRow.Kind.CAMERA, OptionalInt.empty()).pose(estimate.camera())
-                .modeEstimates(estimate.cameraModes()).build();
+                .modeEstimates(estimate.cameraModes());
+    }
+
+    private static ResultRow notSeen(int id) {
+        return new ResultRow.Builder(ResultRow.Kind.OBJECT, OptionalInt.of(id)).build();
     }
 
     private static ResultRow.Builder object(ObjectEstimate object) {
@@ -172,23 +274,105 @@ public final class ResultView {
                 .budget(BudgetShare.of(object.gripBudget())).ellipse95Px(object.gripEllipse95Px());
     }
 
-    private static List<Intrinsic> intrinsics(IntrinsicsEstimate estimate) {
-        List<Intrinsic> all = new ArrayList<>();
-        if (estimate != null) {
-            double[] std = Figures.std(estimate.covariance());
-            for (int i = 0; i < std.length; i++) {
-                all.add(new Intrinsic(estimate.names().get(i), estimate.mean()[i], std[i]));
-            }
+    private static Builder intrinsics(@Nullable IntrinsicsEstimate estimate, Builder builder) {
+        if (estimate == null) {
+            return builder;
         }
-        return all;
+        List<Intrinsic> all = new ArrayList<>();
+        double[] std = Figures.std(estimate.covariance());
+        for (int i = 0; i < std.length; i++) {
+            all.add(new Intrinsic(estimate.names().get(i), estimate.mean()[i], std[i]));
+        }
+        return builder.intrinsics(all, estimate.covariance());
     }
 
-    /** What one deviation says of the target, where any figure can be trusted. */
-    static Verdict rowVerdict(CheckResult result, double judgedMm) {
-        OptionalDouble target = result.cell().targetStdMm();
-        return !isTrusted(result.verdict()) ? result.verdict()
-                : !target.isPresent() ? Verdict.NO_TARGET
-                : judgedMm <= target.getAsDouble() && result.finding().misfit() == null ? Verdict.PASS : Verdict.FAIL;
+    // ---- the target
+
+    /** Rows as a target judges them. */
+    private static List<ResultRow> judged(List<ResultRow> rows, Verdict verdict, TargetTest target) {
+        List<ResultRow> judged = new ArrayList<>();
+        for (ResultRow row : rows) {
+            JudgedObject object = row.kind() == ResultRow.Kind.CAMERA ? null : target.object(row.id().getAsInt());
+            if (object == null) {
+                judged.add(row);
+                continue;
+            }
+            boolean position = row.kind() == ResultRow.Kind.OBJECT;
+            Verdict own = target.of(object.id()).verdict();
+            JudgedPoint point = position ? object.position() : Objects.requireNonNull(object.grip());
+            judged.add(row.judged(isTrusted(verdict) ? target.verdict(point) : verdict,
+                    position && isTrusted(verdict) && own != Verdict.NO_TARGET ? own == Verdict.PASS : null));
+        }
+        return judged;
+    }
+
+    /**
+     * The same figures held against another target; nothing is sampled again.
+     *
+     * @param target largest allowed standard deviation of any axis, mm, or empty for none
+     * @return what a check with that target would have said of the same draws
+     * @throws IllegalStateException if this is preliminary
+     */
+    public ResultView withTarget(OptionalDouble target) {
+        if (verdict == null || run == null || target.equals(targetStdMm)) {
+            if (verdict == null) {
+                throw new IllegalStateException("nothing is judged yet");
+            }
+            return this;
+        }
+        TargetTest test = targetTest(target);
+        Builder other = new Builder(this).run(run.withoutTarget());
+        if (isTrusted(verdict)) {
+            other.judged(test.verdict(), test.decided(), test.reason().english(), target)
+                    .rows(judged(rows, test.verdict(), test));
+        } else {
+            // no target is held against figures that are not to be trusted
+            other.judged(verdict, false, reason, target);
+        }
+        return other.build();
+    }
+
+    /** The figures that a target is held against. */
+    private TargetTest targetTest(OptionalDouble target) {
+        ReferencesView found = Objects.requireNonNull(references);
+        List<JudgedObject> seen = new ArrayList<>();
+        List<Integer> notSeen = new ArrayList<>();
+        for (ResultRow row : objects()) {
+            int id = row.id().getAsInt();
+            ResultRow grip = grip(id);
+            MovedObject moved = found.without() == null ? null : found.without().object(id);
+            if (!row.seen()) {
+                notSeen.add(id);
+            } else {
+                MovedGrip movedGrip = moved == null ? null : moved.grip();
+                seen.add(new JudgedObject(id, point(row, moved == null ? null : moved.errorMm()), grip == null ? null
+                        : point(grip, movedGrip == null ? null : movedGrip.errorMm())));
+            }
+        }
+        List<Integer> misplaced = new ArrayList<>();
+        found.misplaced().forEach(reference -> misplaced.add(reference.id()));
+        return new TargetTest(seen, notSeen, misplaced, found.without() != null, found.misfit(), target);
+    }
+
+    private JudgedPoint point(ResultRow row, double @Nullable [] errorMm) {
+        int id = row.id().getAsInt();
+        double[] sampled = new double[3];
+        double[] mcse = new double[3];
+        Quantity.Axis[] axes = {Quantity.Axis.X, Quantity.Axis.Y, Quantity.Axis.Z};
+        List<Map<VarianceSource, Double>> shares = new ArrayList<>();
+        for (int i = 0; i < axes.length; i++) {
+            Quantity quantity = row.kind() == ResultRow.Kind.GRIP ? Quantity.grip(id, axes[i])
+                    : Quantity.object(id, axes[i]);
+            QuantityView draws = Objects.requireNonNull(chains).quantity(quantity.name());
+            sampled[i] = draws == null ? Double.NaN : draws.std();
+            mcse[i] = draws == null ? Double.NaN : draws.mcseStd();
+            Map<VarianceSource, Double> share = new LinkedHashMap<>();
+            for (BudgetShare part : row.budget()) {
+                share.put(part.source(), part.share(i));
+            }
+            shares.add(share);
+        }
+        return new JudgedPoint(Objects.requireNonNull(row.std()), sampled, mcse, errorMm, shares);
     }
 
     private static boolean isTrusted(Verdict verdict) {
@@ -200,7 +384,7 @@ public final class ResultView {
      *
      * @return null of what is preliminary
      */
-    public Verdict verdict() {
+    public @Nullable Verdict verdict() {
         return verdict;
     }
 
@@ -237,7 +421,7 @@ public final class ResultView {
      *
      * @return a sentence or two; null of what is preliminary
      */
-    public String reason() {
+    public @Nullable String reason() {
         return reason;
     }
 
@@ -298,7 +482,7 @@ public final class ResultView {
      * @param id marker id
      * @return null where the cell has no such object
      */
-    public ResultRow object(int id) {
+    public @Nullable ResultRow object(int id) {
         return row(ResultRow.Kind.OBJECT, id);
     }
 
@@ -308,11 +492,11 @@ public final class ResultView {
      * @param id marker id
      * @return null where it has none, or was not seen
      */
-    public ResultRow grip(int id) {
+    public @Nullable ResultRow grip(int id) {
         return row(ResultRow.Kind.GRIP, id);
     }
 
-    private ResultRow row(ResultRow.Kind kind, int id) {
+    private @Nullable ResultRow row(ResultRow.Kind kind, int id) {
         for (ResultRow row : rows) {
             if (row.kind() == kind && row.id().getAsInt() == id) {
                 return row;
@@ -326,7 +510,7 @@ public final class ResultView {
      *
      * @return its row; the first of the largest; null where no object was seen
      */
-    public ResultRow worstObject() {
+    public @Nullable ResultRow worstObject() {
         ResultRow worst = null;
         for (ResultRow object : objects()) {
             if (object.seen() && (worst == null || worstStdMm(object) > worstStdMm(worst))) {
@@ -357,25 +541,79 @@ public final class ResultView {
     }
 
     /**
+     * Covariance of the unknown parameters of the lens.
+     *
+     * @return square, in the order of {@link #intrinsics()}, a copy; of no rows where all were taken as known
+     */
+    public double[][] intrinsicsCovariance() {
+        return Figures.finite(intrinsicsCovariance);
+    }
+
+    /**
+     * The cell that was checked.
+     *
+     * @return all of it but for the target
+     */
+    public CellView cell() {
+        return cell;
+    }
+
+    /**
+     * What was found out about the photo's light.
+     *
+     * @return null where corners came without a photo, and of what is preliminary
+     */
+    public @Nullable LightView light() {
+        return light;
+    }
+
+    /**
+     * How the result was sampled.
+     *
+     * @return null of what is preliminary
+     */
+    public @Nullable RunView run() {
+        return run;
+    }
+
+    /**
+     * What is said of the corners themselves.
+     *
+     * @return null of what is preliminary
+     */
+    public @Nullable NoiseView noise() {
+        return noise;
+    }
+
+    /**
+     * How the references fit together.
+     *
+     * @return null of what is preliminary
+     */
+    public @Nullable ReferencesView references() {
+        return references;
+    }
+
+    /**
      * How the chains went.
      *
      * @return null of what is preliminary
      */
-    public ChainsView chains() {
+    public @Nullable ChainsView chains() {
         return chains;
     }
 
     /**
-     * Warnings, in English.
+     * Warnings.
      *
      * @return unmodifiable
      */
-    public List<String> warnings() {
+    public List<WarningView> warnings() {
         return warnings;
     }
 
     /**
-     * What to do first where something does not fit, in English.
+     * What to do first where something does not fit.
      *
      * @return one of the warnings; null where nothing is to be done about the references
      */
@@ -383,17 +621,9 @@ public final class ResultView {
         return action;
     }
 
-    private Object[] figures() {
-        return new Object[] {verdict, decided, reason, targetStdMm, rows, intrinsics, chains, warnings, action};
-    }
-
     @Override
-    public boolean equals(Object other) {
-        return other instanceof ResultView && Arrays.deepEquals(figures(), ((ResultView) other).figures());
-    }
-
-    @Override
-    public int hashCode() {
-        return Arrays.deepHashCode(figures());
+    @Nullable Object[] figures() {
+        return new @Nullable Object[] {verdict, decided, reason, targetStdMm, rows, intrinsics, intrinsicsCovariance,
+            cell, light, run, noise, references, chains, warnings, action};
     }
 }

@@ -1,2 +1,5 @@
-/** Results as files: the result file (JSON) and draws as Stan writes them (CSV). */
+/** All that a result says, as one view, and the result file that holds it, written and read back. */
+@NullMarked
 package org.cellgauge.output;
+
+import org.jspecify.annotations.NullMarked;

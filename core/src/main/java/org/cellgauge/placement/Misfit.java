@@ -37,10 +37,12 @@ public final class Misfit {
     private final double statedStdPx;
     private final double shownStdPx;
     private final @Nullable Explanation cause;
+    private final @Nullable String causeText;
 
     private Misfit(Kind kind, OptionalInt markerId, OptionalInt otherId, double times, double statedStdPx,
-            double shownStdPx, @Nullable Explanation cause) {
+            double shownStdPx, @Nullable Explanation cause, @Nullable String causeText) {
         this.cause = cause;
+        this.causeText = causeText;
         this.kind = kind;
         this.markerId = markerId;
         this.otherId = otherId;
@@ -49,17 +51,36 @@ public final class Misfit {
         this.shownStdPx = shownStdPx;
     }
 
+    /**
+     * A misfit found earlier.
+     *
+     * @param kind what is contradicted
+     * @param markerId as {@link #markerId()}
+     * @param otherId as {@link #otherId()}
+     * @param times as {@link #times()}
+     * @param statedStdPx as {@link #statedStdPx()}
+     * @param shownStdPx as {@link #shownStdPx()}
+     * @param causeText as {@link #causeText()}
+     * @return the misfit, without the parts of its cause
+     */
+    public static Misfit of(Kind kind, OptionalInt markerId, OptionalInt otherId, double times, double statedStdPx,
+            double shownStdPx, @Nullable String causeText) {
+        return new Misfit(kind, markerId, otherId, times, statedStdPx, shownStdPx, null, causeText);
+    }
+
     static Misfit ofNoise(double times, double statedStdPx, double shownStdPx) {
-        return new Misfit(Kind.NOISE, OptionalInt.empty(), OptionalInt.empty(), times, statedStdPx, shownStdPx, null);
+        return new Misfit(Kind.NOISE, OptionalInt.empty(), OptionalInt.empty(), times, statedStdPx,
+                shownStdPx, null, null);
     }
 
     static Misfit ofMarker(int markerId, double times, double statedStdPx) {
-        return new Misfit(Kind.MARKER, OptionalInt.of(markerId), OptionalInt.empty(), times, statedStdPx, Double.NaN, null);
+        return new Misfit(Kind.MARKER, OptionalInt.of(markerId), OptionalInt.empty(), times, statedStdPx,
+                Double.NaN, null, null);
     }
 
     static Misfit ofNoSquare(int markerId, double times) {
         return new Misfit(Kind.NO_SQUARE, OptionalInt.of(markerId), OptionalInt.empty(), times, Double.NaN,
-                Double.NaN, null);
+                Double.NaN, null, null);
     }
 
     static Misfit ofOverlap(boolean inPhoto, int markerId, int otherId) {
@@ -74,21 +95,22 @@ public final class Misfit {
      */
     public static Misfit ofChains() {
         return new Misfit(Kind.CHAINS_APART, OptionalInt.empty(), OptionalInt.empty(), Double.NaN, Double.NaN,
-                Double.NaN, null);
+                Double.NaN, null, null);
     }
 
     static Misfit ofReferences(double times) {
-        return new Misfit(Kind.REFERENCES, OptionalInt.empty(), OptionalInt.empty(), times, Double.NaN, Double.NaN, null);
+        return new Misfit(Kind.REFERENCES, OptionalInt.empty(), OptionalInt.empty(), times, Double.NaN,
+                Double.NaN, null, null);
     }
 
     static Misfit ofCause(Explanation cause) {
         return new Misfit(Kind.CAUSE, OptionalInt.empty(), OptionalInt.empty(), Double.NaN, Double.NaN, Double.NaN,
-                cause);
+                cause, cause.warning().toString());
     }
 
     static Misfit ofContradiction() {
         return new Misfit(Kind.CONTRADICTION, OptionalInt.empty(), OptionalInt.empty(), Double.NaN, Double.NaN,
-                Double.NaN, null);
+                Double.NaN, null, null);
     }
 
     /**
@@ -112,10 +134,19 @@ public final class Misfit {
     /**
      * The cause that explains it.
      *
-     * @return null but for {@link Kind#CAUSE}
+     * @return null but for {@link Kind#CAUSE}, and of a misfit that a file has kept
      */
     public @Nullable Explanation cause() {
         return cause;
+    }
+
+    /**
+     * What is said of that cause, in English.
+     *
+     * @return a sentence without a full stop; null but for {@link Kind#CAUSE}
+     */
+    public @Nullable String causeText() {
+        return causeText;
     }
 
     /**
@@ -192,7 +223,7 @@ public final class Misfit {
     public String contradiction() {
         switch (kind) {
             case CAUSE:
-                return "references do not fit together: " + cause.warning() + ".";
+                return "references do not fit together: " + causeText + ".";
             case REFERENCES:
                 return String.format(Locale.ROOT, "the references together fit %.1f times worse than stated, and no "
                         + "single cause explains it: measure their positions again.", times);

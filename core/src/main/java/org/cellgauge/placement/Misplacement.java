@@ -19,7 +19,17 @@ public final class Misplacement {
     private final int axis;
     private final double errorMm;
 
-    Misplacement(List<Integer> references, boolean targetMet, OptionalInt objectId, boolean grip, int axis,
+    /**
+     * What misplaced references add.
+     *
+     * @param references marker ids, the worst first, not empty
+     * @param targetMet whether the target is met even so
+     * @param objectId the object whose stated position is the worst if they are misplaced, or empty
+     * @param grip whether its gripping point is meant
+     * @param axis 0, 1, 2 for world x, y, z
+     * @param errorMm root mean square of what the stated position then is off by, mm
+     */
+    public Misplacement(List<Integer> references, boolean targetMet, OptionalInt objectId, boolean grip, int axis,
             double errorMm) {
         this.references = Collections.unmodifiableList(new ArrayList<>(references));
         this.targetMet = targetMet;

@@ -4,9 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalInt;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.laplace.CameraFit;
 import org.cellgauge.internal.laplace.ObjectFit;
@@ -351,7 +349,7 @@ public final class ReferenceCheck {
      * noisier than stated or of no square, two markers are in one place, or the references together fit worse than
      * stated.
      *
-     * @return mostly false
+     * @return the noise first; mostly null
      */
     public boolean contradicted() {
         return misfit() != null;
@@ -393,47 +391,6 @@ public final class ReferenceCheck {
      */
     public WithoutMisplaced without() {
         return without;
-    }
-
-    /**
-     * What the target is held against at an object's position.
-     *
-     * @param object as the chains have it
-     * @return its largest deviation; where a reference is misplaced, the error the position has without it if larger;
-     *     infinite where the figures are {@link #contradicted()}
-     */
-    public double judgedMm(ObjectEstimate object) {
-        return judged(WithoutMisplaced.largest(object.pose().std()),
-                without == null ? null : without.object(object.id()).errorMm());
-    }
-
-    /**
-     * What the target is held against at an object's gripping point.
-     *
-     * @param object as the chains have it
-     * @return the same of the gripping point; 0 if it has none
-     */
-    public double gripJudgedMm(ObjectEstimate object) {
-        return object.grip() == null ? 0 : judged(WithoutMisplaced.largest(object.grip().stdMm()),
-                without == null ? null : without.object(object.id()).gripErrorMm());
-    }
-
-    /** The largest error of an object's position and gripping point if references are misplaced; 0 where none is. */
-    public double errorMm(ObjectEstimate object) {
-        if (misplaced.isEmpty()) {
-            return 0;
-        }
-        return without == null ? Double.POSITIVE_INFINITY : without.object(object.id()).worstErrorMm();
-    }
-
-    private double judged(double stdMm, double[] errorMm) {
-        if (contradicted()) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (misplaced.isEmpty()) {
-            return stdMm;
-        }
-        return errorMm == null ? Double.POSITIVE_INFINITY : Math.max(stdMm, WithoutMisplaced.largest(errorMm));
     }
 
     /**
@@ -541,39 +498,5 @@ public final class ReferenceCheck {
 
     private static double length(double[] v) {
         return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-
-    /**
-     * What misplaced references add to a reason.
-     *
-     * @param targetMet whether the verdict is that the target is met
-     * @param of the objects that the reason is about
-     * @return the largest error that a stated position of these has if they are misplaced; null where none is
-     */
-    public Misplacement misplacement(boolean targetMet, List<ObjectEstimate> of) {
-        if (misplaced.isEmpty()) {
-            return null;
-        }
-        List<Integer> ids = new ArrayList<>();
-        misplaced.forEach(reference -> ids.add(reference.id()));
-        Misplacement worst = new Misplacement(ids, targetMet, OptionalInt.empty(), false, 0,
-                without == null ? Double.POSITIVE_INFINITY : 0);
-        if (without == null) {
-            return worst;
-        }
-        for (ObjectEstimate estimate : of) {
-            WithoutMisplaced.ObjectWithout object = without.object(estimate.id());
-            for (int i = 0; i < 3; i++) {
-                if (object.errorMm()[i] > worst.errorMm()) {
-                    worst = new Misplacement(ids, targetMet, OptionalInt.of(object.id()), false, i,
-                            object.errorMm()[i]);
-                }
-                if (object.grip() != null && object.gripErrorMm()[i] > worst.errorMm()) {
-                    worst = new Misplacement(ids, targetMet, OptionalInt.of(object.id()), true, i,
-                            object.gripErrorMm()[i]);
-                }
-            }
-        }
-        return worst;
     }
 }

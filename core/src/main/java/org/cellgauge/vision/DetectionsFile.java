@@ -93,6 +93,30 @@ public final class DetectionsFile {
     }
 
     /**
+     * The bytes of a detections file, read once: what is read from them and a checksum of them belong together, even
+     * where the file changes meanwhile or is a pipe.
+     *
+     * @param file JSON in UTF-8
+     * @return all of it
+     * @throws InputRefusedException if it is missing, not readable or larger than {@value #MAX_BYTES} bytes
+     */
+    public static byte[] bytes(Path file) {
+        return InputFiles.bytes(file, WHAT, MAX_BYTES);
+    }
+
+    /**
+     * Reads detections from the bytes of a file.
+     *
+     * @param bytes JSON in UTF-8
+     * @param displayName the name that messages give it; the image's name where it states none
+     * @return the detections
+     * @throws InputRefusedException if they are faulty
+     */
+    public static Detections read(byte[] bytes, String displayName) {
+        return parse(InputFiles.text(bytes, displayName, WHAT, MAX_BYTES), displayName);
+    }
+
+    /**
      * Reads detections from a stream of characters.
      *
      * @param reader JSON, read to its end but not closed

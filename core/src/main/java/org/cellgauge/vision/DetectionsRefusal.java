@@ -57,6 +57,11 @@ public enum DetectionsRefusal implements RefusalKind {
     }
 
     @Override
+    public String code() {
+        return "detections-" + RefusalKind.super.code();
+    }
+
+    @Override
     public String english() {
         return english;
     }

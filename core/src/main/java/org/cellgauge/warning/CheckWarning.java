@@ -8,6 +8,10 @@ public enum CheckWarning implements WarningKind {
     FAR_FROM_GAUSSIAN("the posterior is far from Gaussian (%s): adaptive Metropolis was used instead of independence"),
     /** Objects of the cell that the photo does not show: ids. */
     OBJECTS_NOT_SEEN("not seen in the photo: object %s"),
+    /** A principal point away from the image's middle: cx, cy, width, height, px, largest usual share of a side, %. */
+    PRINCIPAL_POINT_OFF("the camera's principal point (%s, %s) px is far from the middle of the image of %s x %s px "
+            + "(by more than %s %% of a side): as it must be where images are cut out of larger ones, and else a "
+            + "mistake in cx or cy"),
     /** References of the cell that the photo does not show: ids. */
     REFERENCES_NOT_SEEN("not seen in the photo: reference %s"),
     /** Small markers: each a {@link CheckPhrase#SMALL_MARKER}, side that is too small, px, advised side, px. */

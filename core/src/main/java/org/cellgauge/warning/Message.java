@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.function.Function;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.internal.warning.Printable;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,6 +23,9 @@ import org.jspecify.annotations.Nullable;
  * <li>{@link Listing}: several arguments in a row;
  * <li>{@link Message}: a part of the sentence; a {@link MessageKind} without places stands for the part it makes.
  * </ul>
+ *
+ * <p>Texts mostly come from files. Control characters in them, which could command a terminal, are kept as spaces, and
+ * a message stays as long as people read: long texts are cut, and long rows end with the number of what is left out.
  */
 public abstract class Message {
     private final MessageKind kind;
@@ -65,8 +69,11 @@ public abstract class Message {
         if (argument instanceof RefusalKind) {
             return Refusal.of((RefusalKind) argument);
         }
-        if (argument instanceof Integer || argument instanceof Decimal || argument instanceof String
-                || argument instanceof Listing || argument instanceof Message) {
+        if (argument instanceof String) {
+            return Printable.shortened((String) argument);
+        }
+        if (argument instanceof Integer || argument instanceof Decimal || argument instanceof Listing
+                || argument instanceof Message) {
             return argument;
         }
         throw new IllegalArgumentException("no argument of a message: " + argument);

@@ -1,8 +1,10 @@
 package org.cellgauge.warning;
 
+import org.cellgauge.internal.warning.Printable;
+
 /**
  * A place in an input: a file or photo, and in it a line, a column and a key as far as they are known; immutable.
- * Control characters in names are kept as spaces.
+ * Control characters in names are kept as spaces, and a long key is cut.
  */
 public final class Place {
     private final String file;
@@ -11,10 +13,10 @@ public final class Place {
     private final String key;
 
     private Place(String file, int line, int column, String key) {
-        this.file = Refusal.printable(file);
+        this.file = Printable.of(file);
         this.line = line;
         this.column = column;
-        this.key = Refusal.printable(key);
+        this.key = Printable.shortened(key);
     }
 
     /**

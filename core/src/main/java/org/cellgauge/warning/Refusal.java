@@ -1,19 +1,14 @@
 package org.cellgauge.warning;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
-import org.cellgauge.internal.warning.Listing;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Why an input cannot be used and what to do about it, with the place where it is seen, or a part of such a sentence;
  * immutable. Refusals are equal where place, kind and arguments are.
- *
- * <p>Texts among the arguments mostly come from files; control characters in them, which could command a terminal, are
- * kept as spaces.
  */
 public final class Refusal extends Message {
     private final @Nullable Place place;
@@ -32,7 +27,7 @@ public final class Refusal extends Message {
      * @throws IllegalArgumentException if an argument is of another type, or their number does not fit the pattern
      */
     public static Refusal of(RefusalKind kind, Object... arguments) {
-        return new Refusal(null, kind, printable(Arrays.asList(arguments)));
+        return new Refusal(null, kind, Arrays.asList(arguments));
     }
 
     /**
@@ -45,23 +40,7 @@ public final class Refusal extends Message {
      * @throws IllegalArgumentException if an argument is of another type, or their number does not fit the pattern
      */
     public static Refusal at(Place place, RefusalKind kind, Object... arguments) {
-        return new Refusal(place, kind, printable(Arrays.asList(arguments)));
-    }
-
-    private static List<Object> printable(List<?> arguments) {
-        List<Object> clean = new ArrayList<>();
-        for (Object argument : arguments) {
-            if (argument instanceof Listing) {
-                clean.add(((Listing) argument).withItems(printable(((Listing) argument).items())));
-            } else {
-                clean.add(argument instanceof String ? printable((String) argument) : argument);
-            }
-        }
-        return clean;
-    }
-
-    static String printable(String text) {
-        return text.replaceAll("\\p{Cntrl}", " ");
+        return new Refusal(place, kind, Arrays.asList(arguments));
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.output.ResultJson;
+import org.cellgauge.output.ResultRecord;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.LikelihoodModel;
@@ -78,7 +79,7 @@ class ConvergenceTest {
                 ThesisScene scene = ThesisScene.inPlane(2).placement(stdMm, 0.01);
                 CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
                         CheckSettings.builder().likelihood(model).maxIterations(4200).build());
-                String json = ResultJson.of(result, "scene", null, "test");
+                String json = ResultJson.of(result, ResultRecord.of("scene", null, "test"));
                 assertEquals("N(initial estimate, 1000 mm, 0.7 rad)", result.posePrior());
                 assertTrue(json.contains("\"pose_prior\": \"N(initial estimate, 1000 mm, 0.7 rad)\""));
                 boolean leans = warns(result, "the weak prior N(initial estimate, 1000 mm, 0.7 rad)");
@@ -111,7 +112,7 @@ class ConvergenceTest {
         assertTrue(warns(result, "adaptive Metropolis was used instead of independence"), result.warnings().toString());
         assertTrue(warns(result, "importance efficiency"), result.warnings().toString());
         assertEquals("adaptive", result.acceptance().get(0).proposal());
-        String json = ResultJson.of(result, "scene", null, "test");
+        String json = ResultJson.of(result, ResultRecord.of("scene", null, "test"));
         assertTrue(json.contains("\"sampler\": \"independence\""));
         assertTrue(json.contains("\"sampler_used\": \"adaptive\""));
         // asked for by name it says nothing
@@ -137,12 +138,14 @@ class ConvergenceTest {
                 + "deviation of " + result.diagnostics().leastPreciseParameter() + " has a Monte Carlo error of"),
                 result.warnings().toString());
         assertTrue(warns(result, "in place of 0.1 %"), result.warnings().toString());
-        assertTrue(ResultJson.of(result, "scene", null, "test").contains("\"precision_reached\": false"));
+        assertTrue(ResultJson.of(result, ResultRecord.of("scene", null, "test"))
+                .contains("\"precision_reached\": false"));
 
         CheckResult precise = CellCheck.run(scene.cell(), scene.exactDetections(), CheckSettings.builder().build());
         assertTrue(precise.diagnostics().mcseStdRelMax() < 0.02);
         assertFalse(warns(precise, "cap"), precise.warnings().toString());
-        assertTrue(ResultJson.of(precise, "scene", null, "test").contains("\"precision_reached\": true"));
+        assertTrue(ResultJson.of(precise, ResultRecord.of("scene", null, "test"))
+                .contains("\"precision_reached\": true"));
     }
 
     /** A stricter precision makes longer chains, and deviations as much closer to those of very long ones. */

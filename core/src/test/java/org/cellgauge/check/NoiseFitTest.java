@@ -146,7 +146,8 @@ class NoiseFitTest {
         assertEquals(Verdict.FAIL, result.verdict());
         assertTrue(result.decided());
         assertEquals(Verdict.FAIL, result.verdict(20));
-        assertEquals(Double.POSITIVE_INFINITY, result.referenceCheck().judgedMm(result.estimate().object(20)));
+        TargetTest huge = result.withTarget(OptionalDouble.of(1e9)).targetTest();
+        assertEquals(Verdict.FAIL, huge.verdict(huge.object(20).position()));
         assertEquals(Misfit.Kind.NOISE, result.finding().misfit().kind());
         NoiseFit fit = result.noiseFit();
         assertTrue(result.reason().matches("Largest deviation: .* against a target of 100 mm; .* But corners are "

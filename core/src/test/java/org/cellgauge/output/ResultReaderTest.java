@@ -20,9 +20,11 @@ import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.sampling.RandomStreams;
+import org.cellgauge.placement.Misfit;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
@@ -35,6 +37,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Results written, held against the schema and read back. */
 class ResultReaderTest {
     private static String schema;
+    private static final ResultRecord RECORD = ResultRecord.of("scene.json", "0".repeat(64), "1")
+            .withCell("cell.yaml", "1".repeat(64)).withCamera("camera.yaml", "2".repeat(64)).withDate("2026-11-28")
+            .withJudgedOn("2026-11-29").withCommand("cellgauge check --cell 'a b.yaml'");
+
     private static CheckResult whole;
     private static String json;
 
@@ -47,16 +53,34 @@ class ResultReaderTest {
         Detections seen = new Detections("scene", all.widthPx(), all.heightPx(),
                 all.markers().stream().filter(m -> m.id() != 20).toList(), List.of(), null);
         whole = CellCheck.run(scene.cell(), seen, CheckSettings.builder().build());
-        json = ResultJson.of(whole, "scene.json", null, "1");
+        json = ResultJson.of(whole, RECORD);
     }
 
     private static void assertReadBack(CheckResult result) {
-        String text = ResultJson.of(result, "scene.json", "0".repeat(64), "1");
+        String text = ResultJson.of(result, RECORD);
         Validator.Result valid = new ValidatorFactory().withJsonNodeFactory(new GsonNode.Factory())
                 .validate(schema, text);
         assertTrue(valid.isValid(), () -> valid.getErrors().stream()
                 .map(e -> e.getInstanceLocation() + ": " + e.getError()).toList().toString());
-        assertEquals(ResultView.of(result), ResultReader.of(text, "r.json"));
+        StoredResult read = ResultReader.stored(text, "r.json");
+        assertEquals(ResultView.of(result), read.view());
+        assertEquals(RECORD, read.record());
+        assertEquals(text, ResultJson.of(read));
+        assertEquals(read, ResultReader.stored(ResultJson.line(read), "line"));
+        assertEquals(1, ResultJson.line(read).lines().count());
+        assertJudgedAnewAsByTheCheck(result, read.view());
+    }
+
+    /** Another target held against a result read back, and against the draws themselves. */
+    private static void assertJudgedAnewAsByTheCheck(CheckResult result, ResultView read) {
+        double worst = result.estimate().objects().stream().mapToDouble(ObjectEstimate::worstStdMm).max().orElse(1);
+        // far below, within the Monte Carlo error, above, far above, none
+        for (double target : new double[] {0.3 * worst, worst, 1.3 * worst, 1000 * worst, Double.NaN}) {
+            OptionalDouble other = Double.isNaN(target) ? OptionalDouble.empty() : OptionalDouble.of(target);
+            if (!other.equals(result.cell().targetStdMm())) {
+                assertEquals(ResultView.of(result.withTarget(other)), read.withTarget(other));
+            }
+        }
     }
 
     @Test
@@ -87,6 +111,15 @@ class ResultReaderTest {
         assertEquals(List.of(5, 20, 30), view.objects().stream().map(row -> row.id().getAsInt()).toList());
         double worst = Math.max(whole.estimate().object(5).worstStdMm(), whole.estimate().object(30).worstStdMm());
         assertEquals(worst, view.worstStdMm(view.worstObject()));
+        assertEquals(whole.referenceCheck().fit(944).normalisedResidual(),
+                view.references().fit(944).normalisedResidual());
+        assertEquals(whole.noise().markerStdPx().get(5), view.noise().markers().stream().filter(m -> m.id() == 5)
+                .findFirst().orElseThrow().stdPx());
+        assertEquals(whole.quickLook().object(5).grip().stdMm()[2], view.grip(5).laplace().std()[2]);
+        assertEquals(whole.acceptance().get(0).accepted(), view.chains().acceptance().get(0).accepted());
+        assertEquals(whole.cell().references().get(0).placement().stdMm(1), view.cell().references().get(0).stdMm()[1]);
+        assertEquals(whole.settings().sampling().seed(), view.run().settings().sampling().seed());
+        assertEquals(whole.warnings().get(0).kind().code(), view.warnings().get(0).code());
         for (int k = 0; k < 9; k++) {
             assertEquals(whole.estimate().camera().meanTransform().rotation()[k],
                     view.camera().pose().transform().rotation()[k], 1e-14);
@@ -108,7 +141,7 @@ class ResultReaderTest {
         assertTrue(gripMm > 1.2 * positionMm, positionMm + ", " + gripMm);
         CheckResult between = result.withTarget(OptionalDouble.of((positionMm + gripMm) / 2));
         assertReadBack(between);
-        ResultView view = ResultReader.of(ResultJson.of(between, "scene.json", null, "1"), "r.json");
+        ResultView view = ResultReader.of(ResultJson.of(between, RECORD), "r.json");
         assertEquals(Verdict.PASS, view.object(5).verdict());
         assertEquals(Verdict.FAIL, view.grip(5).verdict());
     }
@@ -121,6 +154,7 @@ class ResultReaderTest {
         assertReadBack(few);
         ResultView view = ResultView.of(few);
         assertEquals("fx_px", view.intrinsics().get(0).name());
+        assertEquals(few.estimate().intrinsics().covariance()[0][1], view.intrinsicsCovariance()[0][1]);
         assertEquals(Verdict.NOT_CONVERGED, view.object(5).verdict());
         assertNull(view.object(5).withinTarget());
     }
@@ -133,6 +167,47 @@ class ResultReaderTest {
                 CheckSettings.builder().iterations(3000).warmup(500).build());
         assertReadBack(result);
         assertTrue(ResultView.of(result).object(5).ambiguous());
+        assertTrue(ResultJson.of(result, RECORD).contains("\"modes\""));
+    }
+
+    /** A second pose with a share of draws that leaves the first one the only one to tell of. */
+    @Test
+    void lesserModesAreReadBack() {
+        ThesisScene scene = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.2)
+                .object(5, RigidTransform.ofEuler(418, 106, 0, 0.6, 0.1, 0.4)).target(1000);
+        CheckResult result = CellCheck.run(scene.cell(), scene.exactDetections(),
+                CheckSettings.builder().iterations(1200).warmup(200).build());
+        ResultRow object = ResultView.of(result).object(5);
+        assertEquals(2, object.modes().size());
+        assertFalse(object.ambiguous());
+        assertReadBack(result);
+        assertTrue(ResultJson.of(result, RECORD).contains("\"lesser_modes\""));
+    }
+
+    @Test
+    void aMisplacedReferenceAndWhatHangsOnItAreReadBack() {
+        ThesisScene scene = ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(0.05).grip(5, 10, 20, 100).target(3)
+                .shifted(22, 12, 12, 0);
+        CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.05, RandomStreams.of(9), 1, 0.003),
+                CheckSettings.builder().iterations(600).build());
+        assertReadBack(result);
+        ResultView view = ResultReader.of(ResultJson.of(result, RECORD), "r.json");
+        assertEquals(22, view.references().misplaced().get(0).id());
+        assertEquals(result.referenceCheck().without().object(5).gripErrorMm()[1],
+                view.references().without().object(5).grip().errorMm()[1]);
+        assertEquals(result.referenceCheck().fit(944).detectable()[2], view.references().fit(944).detectable()[2]);
+    }
+
+    /** Noise that the photo contradicts: no target is met, not even a large one. */
+    @Test
+    void whatThePhotoContradictsIsReadBackAndKeepsEveryTargetMissed() {
+        ThesisScene scene = ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(0.1).target(5);
+        CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.4, RandomStreams.of(35), 1, 0.003),
+                CheckSettings.builder().iterations(600).build());
+        assertReadBack(result);
+        ResultView read = ResultReader.of(ResultJson.of(result, RECORD), "r.json");
+        assertEquals(Misfit.Kind.NOISE, read.references().misfit().kind());
+        assertEquals(Verdict.FAIL, read.withTarget(OptionalDouble.of(1e6)).verdict());
     }
 
     @Test
@@ -153,6 +228,9 @@ class ResultReaderTest {
         "\"corner noise of object\": | \"weather\": | r.json, objects.5.budget: \"weather\" means nothing here",
         "\"warnings\": [ | \"warnings\": [[], | r.json, warnings[0]: a text in quotes should stand here",
         "\"converged\": | \"converged\": 1, \"was\": | r.json, diagnostics.converged: true or false should stand here",
+        "\"angle_rad\": | \"angle_rad\": null, \"was\": | r.json, objects.5.ellipse95_px: this cannot be (ellipse",
+        "\"size_mm\": | \"size\": | r.json, settings.references.944: the key \"size_mm\" is missing",
+        "\"fx_px\": | \"fx_px\": -1, \"was\": | r.json, settings.camera_intrinsics: this cannot be (",
         "\"schema\": 1, | \"schema\": 1,, | r.json, line 2, column"})
     void faultsAreNamedWithTheirPlace(String part, String by, String message) {
         assertTrue(json.contains(part), part);

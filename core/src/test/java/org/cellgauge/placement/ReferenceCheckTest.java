@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.apache.commons.math3.random.RandomGenerator;
@@ -16,6 +17,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.TargetTest;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.ObjectEstimate;
@@ -373,6 +375,11 @@ class ReferenceCheckTest {
         assertTrue(result.reason().contains("But reference 22 seems misplaced"), result.reason());
     }
 
+    private static Verdict ofPosition(CheckResult result, int id, double targetMm) {
+        TargetTest test = result.withTarget(OptionalDouble.of(targetMm)).targetTest();
+        return test.verdict(test.object(id).position());
+    }
+
     @Test
     void aCellAsStatedHasNothingToAdd() {
         ThesisScene scene = precise().target(4);
@@ -381,7 +388,9 @@ class ReferenceCheckTest {
         assertNull(result.referenceCheck().without());
         assertFalse(result.reason().contains("misplaced"), result.reason());
         for (ObjectEstimate object : result.estimate().objects()) {
-            assertEquals(object.worstStdMm(), result.referenceCheck().judgedMm(object), 0);
+            // nothing but the deviation is held against a target
+            assertEquals(Verdict.PASS, ofPosition(result, object.id(), object.worstStdMm()));
+            assertEquals(Verdict.FAIL, ofPosition(result, object.id(), Math.nextDown(object.worstStdMm())));
         }
     }
 

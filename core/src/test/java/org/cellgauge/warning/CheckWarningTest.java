@@ -53,6 +53,9 @@ class CheckWarningTest {
     void ofWhatThePhotoShows() {
         says("not seen in the photo: object 5, 20 and 30", CheckWarning.OBJECTS_NOT_SEEN,
                 Listing.and(Arrays.asList(5, 20, 30)));
+        says("the camera's principal point (1900, -300) px is far from the middle of the image of 1280 x 720 px (by "
+                + "more than 20 % of a side): as it must be where images are cut out of larger ones, and else a "
+                + "mistake in cx or cy", CheckWarning.PRINCIPAL_POINT_OFF, n(1900, 0), n(-300, 0), 1280, 720, n(20, 0));
         says("not seen in the photo: reference 8", CheckWarning.REFERENCES_NOT_SEEN,
                 Listing.and(Collections.singletonList(8)));
         says("small in the image: marker 5 (20.1 px), 7 (24.9 px); below 25 px of side corners get imprecise and "

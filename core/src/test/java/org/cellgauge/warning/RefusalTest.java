@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.Arrays;
+import java.util.Collections;
 import org.cellgauge.internal.warning.Listing;
 import org.junit.jupiter.api.Test;
 
@@ -29,6 +30,24 @@ class RefusalTest {
     }
 
     private static final Place PLACE = Place.of("cell.yaml", 7, 0, "references.944");
+
+    /** Right-to-left override, C1 control, escape, line separator: none of them reaches a terminal. */
+    @Test
+    void textsOfFilesCannotCommandATerminal() {
+        String evil = "a\u001b[31m\u009b\u202egnp\u2028b";
+        assertEquals("a [31m  gnp b: a [31m  gnp b", Refusal.at(Place.of(evil), Kind.OTHER, evil).toString());
+        assertEquals("known here: a [31m  gnp b",
+                Refusal.of(Kind.ROW, Listing.comma(Arrays.asList(evil))).toString());
+        assertEquals("\ud83d\ude00", Refusal.of(Kind.OTHER, "\ud83d\ude00").toString());
+    }
+
+    @Test
+    void messagesStayAsLongAsPeopleRead() {
+        String text = Refusal.of(Kind.OTHER, "x".repeat(1_000_000)).toString();
+        assertEquals("x".repeat(497) + "...", text);
+        String row = Refusal.of(Kind.ROW, Listing.and(Collections.nCopies(1000, 7))).toString();
+        assertEquals("known here: " + "7, ".repeat(58) + "7 and ... (+941)", row);
+    }
 
     @Test
     void placeStandsBeforeWhatIsWrong() {

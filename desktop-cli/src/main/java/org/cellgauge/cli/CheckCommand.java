@@ -1,59 +1,28 @@
 package org.cellgauge.cli;
 
-import java.awt.image.BufferedImage;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.OutputStreamWriter;
 import java.io.PrintWriter;
-import java.io.Writer;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.Callable;
-import java.util.concurrent.CompletableFuture;
-import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
-import org.cellgauge.check.CellCheck;
-import org.cellgauge.check.CheckResult;
+import org.cellgauge.desktop.BatchCheck;
+import org.cellgauge.desktop.BatchListener;
+import org.cellgauge.desktop.BatchOutcome;
+import org.cellgauge.desktop.CellFile;
 import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.desktop.CheckText;
-import org.cellgauge.desktop.HtmlReport;
-import org.cellgauge.desktop.ImageFiles;
-import org.cellgauge.desktop.OverlayPainter;
-import org.cellgauge.desktop.Pictures;
-import org.cellgauge.desktop.SummaryCsv;
+import org.cellgauge.desktop.InputOutcome;
+import org.cellgauge.desktop.ResultFolder;
 import org.cellgauge.desktop.TextTable;
-import org.cellgauge.desktop.WholeFiles;
-import org.cellgauge.internal.cell.InputChecks;
-import org.cellgauge.internal.output.StanCsv;
-import org.cellgauge.internal.overlay.CellOverlay;
-import org.cellgauge.internal.vision.BoofThreads;
 import org.cellgauge.internal.warning.Listing;
-import org.cellgauge.output.ResultJson;
+import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.vision.BoofMarkerDetector;
-import org.cellgauge.vision.Detections;
-import org.cellgauge.vision.DetectionsFile;
-import org.cellgauge.vision.GreyImage;
-import org.cellgauge.vision.MarkerDetector;
-import org.cellgauge.vision.MarkerObservation;
-import org.cellgauge.warning.Place;
-import org.cellgauge.warning.Refusal;
-import org.cellgauge.warning.Warning;
-import org.cellgauge.warning.WarningKind;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -72,6 +41,7 @@ import picocli.CommandLine.Spec;
             "  cellgauge check --cell cell.yaml photos/ --out results",
             "  cellgauge check --cell cell.yaml --detections corners.json --json",
             "  cellgauge check --cell cell.yaml photo.png --preset thesis --chains 4",
+            "  cellgauge check --cell cell.yaml photos/ --out results --rejudge --target 2",
             "",
             "Files in DIR: NAME.result.json, NAME.overlay.png and NAME.chain-K.csv (Stan CSV) of every photo,",
             "report.html and summary.csv of the run. Results of earlier runs of the same names are replaced.",
@@ -93,7 +63,7 @@ public final class CheckCommand implements Callable<Integer> {
     private Path cellFile;
 
     @Parameters(paramLabel = "IMAGE", arity = "0..*",
-            description = "Photos of the cell (PNG, JPEG, BMP, TIFF, GIF), or folders of them.")
+            description = "Photos of the cell (PNG, JPEG, BMP, TIFF, GIF, WebP, PGM, PPM), or folders of them.")
     private List<Path> images = new ArrayList<>();
 
     @Option(names = "--detections", paramLabel = "FILE", arity = "1..*",
@@ -105,13 +75,15 @@ public final class CheckCommand implements Callable<Integer> {
     private Path out;
 
     @Option(names = "--json",
-            description = "Prints the result file to standard output in place of the table; of several photos, a list.")
+            description = "Prints one line of JSON for each input in place of the table: its result file, or why it "
+                    + "was refused.")
     private boolean json;
 
-    private Cell cell;
-    private CheckSettings settings;
-    private String version;
-    private MarkerDetector detector;
+    @Option(names = "--rejudge",
+            description = "Samples nothing: judges the results in DIR by the target as it is now. They must be of the "
+                    + "same inputs, settings and, but for its target, the same cell.")
+    private boolean rejudge;
+
     private Stages stages;
 
     /**
@@ -121,335 +93,129 @@ public final class CheckCommand implements Callable<Integer> {
      */
     @Override
     public Integer call() {
-        settings = CheckOptions.settings(spec.commandLine(), CheckOptions.OfCheck.USUAL);
+        CheckSettings settings = CheckOptions.settings(spec.commandLine(), CheckOptions.OfCheck.USUAL);
         if (images.isEmpty() && detectionsFiles.isEmpty()) {
             throw new ParameterException(spec.commandLine(),
                     "nothing to check; name photos, a folder of them, or --detections FILE");
         }
         stages = new Stages(main.debug());
-        BoofThreads.useOne();
-        version = Main.version();
         try {
-            cell = CellReader.read(cellFile);
+            CellFile cell = CellFile.read(cellFile);
             stages.end("cell file");
-            CheckOutput output = out != null ? CheckOutput.into(out) : json ? null : CheckOutput.into(DEFAULT_FOLDER);
-            return run(CheckInput.resolve(images, detectionsFiles), output);
-        } catch (InputRefusedException | CheckOutput.UnwritableException e) {
+            boolean files = !json || rejudge || out != null;
+            ResultFolder folder = files ? ResultFolder.into(out == null ? DEFAULT_FOLDER : out) : null;
+            return run(cell, settings, CheckInput.resolve(images, detectionsFiles), folder);
+        } catch (InputRefusedException | ResultFolder.UnwritableException e) {
             return main.report(e, ExitCodes.INPUT_REFUSED, spec.commandLine());
         }
     }
 
-    private int run(CheckInput.Inputs inputs, CheckOutput output) {
+    private int run(CellFile cell, CheckSettings settings, CheckInput.Inputs inputs, ResultFolder folder) {
         PrintWriter err = spec.commandLine().getErr();
-        inputs.remarks().forEach(err::println);
-        Run run = new Run(inputs.inputs().size(), inputs.isBatch(), output);
-        for (CheckInput input : inputs.inputs()) {
-            try {
-                run.result(input, one(input));
-            } catch (InputRefusedException e) {
-                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", e);
-            } catch (CheckOutput.UnwritableException e) {
-                run.endOfTable();
-                throw e;
-            } catch (RuntimeException e) {
-                // one photo must not cost the others their results
-                run.refused(input, ExitCodes.INTERNAL_ERROR, "internal error", e);
-            } catch (OutOfMemoryError e) {
-                run.refused(input, ExitCodes.INPUT_REFUSED, "refused", new InputRefusedException(
-                        input.file().toString(), CommandRefusal.MEMORY,
-                        (int) (Runtime.getRuntime().maxMemory() / (1 << 20))));
-            }
+        inputs.remarks().forEach(remark -> err.println(Printable.of(remark)));
+        Printed printed = new Printed(inputs.isBatch());
+        BatchCheck.Builder batch = BatchCheck.of(cell).settings(settings).folder(folder).version(Main.version())
+                .day(Main.day()).words(CommandWords::of).listener(printed)
+                .command(input -> RepeatingCommand.check(cellFile, input, settings));
+        BatchOutcome outcome;
+        try {
+            outcome = (rejudge ? batch.rejudge() : batch).build().run(inputs);
+        } catch (ResultFolder.UnwritableException e) {
+            printed.endOfTable();
+            throw e;
         }
-        return run.finish();
+        printed.end(outcome);
+        if (outcome.reported()) {
+            err.println("Results in " + folder + ": open " + folder.file("report.html"));
+        }
+        stages.print(err);
+        err.flush();
+        return printed.exitCode;
     }
 
-    /** What was found in one input, with its picture and checksum. */
-    private record Outcome(CheckResult result, GreyImage photo, String sha256) {
-    }
+    /** What a run prints as it goes on, and its exit code. */
+    private final class Printed implements BatchListener {
+        private final boolean batch;
+        private final PrintWriter stdout = spec.commandLine().getOut();
+        private final PrintWriter err = spec.commandLine().getErr();
+        private final TextTable table = new TextTable(2);
+        /** What to do first, with the photos that say so. */
+        private final Map<String, List<String>> actions = new LinkedHashMap<>();
+        private int exitCode;
 
-    private Outcome one(CheckInput input) {
-        if (input.refusal() != null) {
-            throw new InputRefusedException(input.file().toString(), input.refusal());
-        }
-        GreyImage photo;
-        Detections detections;
-        if (input.isDetections()) {
-            detections = withRemarks(DetectionsFile.read(input.file()), input.file());
-            InputChecks.imageSize(cell, detections.widthPx(), detections.heightPx(), input.file().toString());
-            stages.end("detections file");
-            photo = photoBeside(input.file(), detections);
-        } else {
-            photo = ImageFiles.read(input.file());
-            stages.end("image file");
-            InputChecks.imageSize(cell, photo.widthPx(), photo.heightPx(), input.file().toString());
-            if (detector == null) {
-                detector = BoofMarkerDetector.forCell(cell);
-            }
-            detections = detector.detect(photo, input.file().toString());
-            stages.end("detection");
-        }
-        String sha256 = sha256(input.file());
-        CheckResult result = CellCheck.run(cell, detections, settings);
-        stages.end("check");
-        return new Outcome(result, photo, sha256);
-    }
-
-    /** What this command warns of besides the check. */
-    private enum Remark implements WarningKind {
-        /** Markers of a detections file that the cell does not know: ids. */
-        FOREIGN_MARKERS("the detections file names markers that are not in the cell file: %s; they are ignored");
-
-        private final String english;
-
-        Remark(String english) {
-            this.english = english;
+        Printed(boolean batch) {
+            this.batch = batch;
+            table.row("photo", "verdict", "worst std mm", "of", "R-hat", "draws");
         }
 
         @Override
-        public String english() {
-            return english;
-        }
-    }
-
-    /** Markers that the cell does not know are of no use, and often a sign of the wrong cell file. */
-    private Detections withRemarks(Detections detections, Path file) {
-        Set<Integer> known = new HashSet<>();
-        cell.references().forEach(r -> known.add(r.id()));
-        cell.objects().forEach(o -> known.add(o.id()));
-        List<Integer> foreign = new ArrayList<>();
-        for (MarkerObservation marker : detections.markers()) {
-            if (!known.contains(marker.id())) {
-                foreign.add(marker.id());
-            }
-        }
-        if (foreign.isEmpty()) {
-            return detections;
-        }
-        List<Warning> warnings = new ArrayList<>(detections.warnings());
-        warnings.add(Warning.of(Remark.FOREIGN_MARKERS, Listing.comma(foreign)));
-        return new Detections(detections.imageName(), detections.widthPx(), detections.heightPx(), detections.markers(),
-                warnings, detections.light());
-    }
-
-    /** The photo that a detections file names, where it stands beside it: a ground to paint on, nothing more. */
-    private static GreyImage photoBeside(Path file, Detections detections) {
-        try {
-            Path name = Path.of(detections.imageName()).getFileName();
-            Path photo = name == null ? file : file.resolveSibling(name);
-            if (!Files.isRegularFile(photo) || Files.isSameFile(photo, file)) {
-                return null;
-            }
-            GreyImage image = ImageFiles.read(photo);
-            return image.widthPx() == detections.widthPx() && image.heightPx() == detections.heightPx() ? image : null;
-        } catch (InvalidPathException | InputRefusedException | IOException e) {
-            return null;
-        }
-    }
-
-    private static String sha256(Path file) {
-        try (InputStream in = Files.newInputStream(file)) {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            byte[] buffer = new byte[1 << 16];
-            int n = in.read(buffer);
-            while (n >= 0) {
-                digest.update(buffer, 0, n);
-                n = in.read(buffer);
-            }
-            StringBuilder hex = new StringBuilder();
-            for (byte b : digest.digest()) {
-                hex.append(String.format(Locale.ROOT, "%02x", b));
-            }
-            return hex.toString();
-        } catch (IOException e) {
-            throw new InputRefusedException(Refusal.at(Place.of(file.toString()), CommandRefusal.NOT_READABLE,
-                    String.valueOf(e.getMessage())), e);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
-        }
-    }
-
-    /** The overlay as its own file, and smaller for the report. */
-    private record Picture(byte[] png, byte[] jpeg) {
-    }
-
-    /** What a run prints, writes and returns. */
-    private final class Run {
-        private final int count;
-        private final boolean batch;
-        private final CheckOutput output;
-        private final PrintWriter stdout = spec.commandLine().getOut();
-        private final PrintWriter err = spec.commandLine().getErr();
-        private final HtmlReport report = new HtmlReport(cellFile.toString(), version, CommandWords::of);
-        private final SummaryCsv summary = new SummaryCsv();
-        private final TextTable table = new TextTable(2);
-        private final Map<String, Integer> tally = new LinkedHashMap<>();
-        /** What to do first, with the photos that say so. */
-        private final Map<String, List<String>> actions = new LinkedHashMap<>();
-        private boolean withResult;
-        private int done;
-        private int exitCode;
-        private long startedNs = System.nanoTime();
-
-        Run(int count, boolean batch, CheckOutput output) {
-            this.count = count;
-            this.batch = batch;
-            this.output = output;
-            table.row("photo", "verdict", "worst std mm", "of", "R-hat", "draws");
-            if (json && batch) {
-                stdout.print("[");
-            }
+        public void stage(String name) {
+            stages.end(name);
         }
 
-        void result(CheckInput input, Outcome outcome) {
-            CheckResult result = outcome.result();
-            String command = RepeatingCommand.check(cellFile, input, settings);
-            String text = ResultJson.of(result, input.file().getFileName().toString(), outcome.sha256(), version,
-                    command);
-            CheckOutput.UnwritableException unwritable = null;
-            if (output != null) {
-                try {
-                    files(input, outcome, text, command);
-                } catch (CheckOutput.UnwritableException e) {
-                    // what was computed is at least shown
-                    unwritable = e;
-                }
+        @Override
+        public void finished(InputOutcome outcome) {
+            String progress = outcome.word();
+            if (outcome.kind() == InputOutcome.Kind.RESULT) {
+                progress += result(outcome);
+            } else {
+                int code = outcome.kind() == InputOutcome.Kind.REFUSED ? ExitCodes.INPUT_REFUSED
+                        : ExitCodes.INTERNAL_ERROR;
+                exitCode = ExitCodes.moreSerious(exitCode, main.report(outcome.refusal().error(), code,
+                        spec.commandLine()));
+                table.row(outcome.input().name(), outcome.word(), "-", "", "-", "-");
             }
-            summary.add(input, result);
-            withResult = true;
-            note(CheckText.word(result.verdict()));
-            exitCode = ExitCodes.moreSerious(exitCode, ExitCodes.of(result.verdict()));
-            ResultView view = ResultView.of(result);
-            ResultRow worst = view.worstObject();
-            String std = worst == null || !view.showsFigures() ? "-" : CheckText.fixed(view.worstStdMm(worst), 2);
-            table.row(input.name(), CheckText.word(result.verdict()), std,
-                    worst == null || !view.showsFigures() ? "" : CheckText.name(worst), CheckText.fixed(view.chains().rHatMax(), 4),
-                    CheckText.fixed(Math.min(view.chains().essBulkMin(), view.chains().essTailMin()), 0));
             if (json) {
-                stdout.print(batch && done > 1 ? ",\n" + text.stripTrailing() : text.stripTrailing());
-            } else if (!batch) {
-                String word = CheckText.word(result.verdict());
-                String line = CheckText.wrap(word + "  " + input.file() + ": " + result.reason(), "      ");
-                stdout.print(Main.coloured(word, ExitCodes.of(result.verdict())) + line.substring(word.length()));
-                stdout.print(CheckText.of(result, CommandWords::of));
+                stdout.print(outcome.jsonLine());
             }
             stdout.flush();
-            if (result.action() != null) {
-                actions.computeIfAbsent(CommandWords.of(result.action()), a -> new ArrayList<>()).add(input.name());
-            }
-            progress(input, CheckText.word(result.verdict()) + (worst == null ? "" : ", worst std " + std + " mm"));
-            if (unwritable != null) {
-                throw unwritable;
-            }
-        }
-
-        private void files(CheckInput input, Outcome outcome, String text, String command) {
-            CheckResult result = outcome.result();
-            // painted while the chains are written, which takes about as long, unless one thread is all there may be
-            CompletableFuture<Picture> picture = CompletableFuture.supplyAsync(() -> picture(outcome),
-                    settings.sampling().threads() == 1 ? Runnable::run : Run::besides);
-            Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
-            for (int i = 1; i <= result.draws().size(); i++) {
-                int chain = i;
-                files.put(input.name() + ".chain-" + chain + ".csv", bytes -> {
-                    Writer writer = new OutputStreamWriter(bytes, StandardCharsets.UTF_8);
-                    StanCsv.write(result, chain, input.file().getFileName().toString(), version, writer);
-                    writer.flush();
-                });
-            }
-            files.put(input.name() + ".overlay.png", bytes -> bytes.write(picture.join().png()));
-            files.put(input.name() + ".result.json", text(text));
-            output.write(files);
-            report.add(input, result, picture.join().jpeg(), command);
-            output.deleteChainsFrom(input.name(), result.draws().size() + 1);
-            stages.end("files");
-        }
-
-        private static void besides(Runnable task) {
-            Thread thread = new Thread(task, "cellgauge-picture");
-            thread.setDaemon(true);
-            thread.start();
-        }
-
-        private Picture picture(Outcome outcome) {
-            BufferedImage painted = OverlayPainter.paint(outcome.photo(), CellOverlay.of(outcome.result()));
-            try {
-                return new Picture(Pictures.png(painted), Pictures.jpeg(painted, reportWidthPx()));
-            } catch (IOException e) {
-                throw new IllegalStateException("encoding in memory failed", e);
-            }
-        }
-
-        private static WholeFiles.Content text(String text) {
-            return bytes -> bytes.write(text.getBytes(StandardCharsets.UTF_8));
-        }
-
-        /** Reports of many photos must stay small enough to open. */
-        private int reportWidthPx() {
-            return count <= 24 ? 1280 : count <= 200 ? 640 : 320;
-        }
-
-        void refused(CheckInput input, int code, String word, RuntimeException e) {
-            String message = code == ExitCodes.INPUT_REFUSED ? CommandWords.of(e) : Main.inShort(e);
-            main.report(e, code, spec.commandLine());
-            exitCode = ExitCodes.moreSerious(exitCode, code);
-            if (output != null) {
-                // what an earlier run found must not be taken for the answer of this one
-                output.deleteResults(input.name());
-            }
-            summary.add(input, word, message);
-            report.add(input, word, message);
-            note(word);
-            table.row(input.name(), word, "-", "", "-", "-");
-            progress(input, word);
-        }
-
-        private void note(String word) {
-            tally.merge(word, 1, Integer::sum);
-            done++;
-        }
-
-        private void progress(CheckInput input, String what) {
             if (batch) {
-                long now = System.nanoTime();
-                err.printf(Locale.ROOT, "[%d/%d] %s: %s (%.2f s)%n", done, count, input.name(), what,
-                        (now - startedNs) * 1e-9);
+                err.printf(Locale.ROOT, "[%d/%d] %s: %s (%.2f s)%n", outcome.number(), outcome.count(),
+                        Printable.of(outcome.input().name()), progress, outcome.seconds());
                 err.flush();
-                startedNs = now;
             }
+        }
+
+        /** Prints a result; gives what progress adds to its word. */
+        private String result(InputOutcome outcome) {
+            ResultView view = outcome.view();
+            int code = ExitCodes.of(view.verdict());
+            exitCode = ExitCodes.moreSerious(exitCode, code);
+            ResultRow worst = view.worstObject();
+            boolean shown = worst != null && view.showsFigures();
+            String std = shown ? CheckText.fixed(view.worstStdMm(worst), 2) : "-";
+            table.row(outcome.input().name(), outcome.word(), std, shown ? CheckText.name(worst) : "",
+                    CheckText.fixed(view.chains().rHatMax(), 4),
+                    CheckText.fixed(Math.min(view.chains().essBulkMin(), view.chains().essTailMin()), 0));
+            if (!json && !batch) {
+                String word = outcome.word();
+                String line = CheckText.wrap(word + "  " + Printable.of(outcome.input().file().toString()) + ": "
+                        + view.reason(), "      ");
+                stdout.print(Main.coloured(word, code) + line.substring(word.length()));
+                stdout.print(CheckText.of(view));
+            }
+            if (view.action() != null) {
+                actions.computeIfAbsent(view.action(), a -> new ArrayList<>()).add(outcome.input().name());
+            }
+            return shown ? ", worst std " + std + " mm" : "";
         }
 
         /** Ends what is printed as data, also where the run cannot go on. */
         void endOfTable() {
-            if (json) {
-                stdout.println(batch ? "]" : "");
-            } else if (batch) {
+            if (!json && batch) {
                 stdout.print(table.text(""));
             }
             stdout.flush();
         }
 
-        int finish() {
-            List<String> parts = new ArrayList<>();
-            tally.forEach((word, number) -> parts.add(number + " " + word));
-            String total = (count == 1 ? "1 photo: " : count + " photos: ") + String.join(", ", parts);
+        void end(BatchOutcome outcome) {
             endOfTable();
             if (batch && !json) {
-                stdout.println(total);
+                stdout.println(outcome.total());
                 actions.forEach((action, photos) -> stdout.print(CheckText.wrap("  " + Listing.and(photos) + ": "
                         + action, "    ")));
                 stdout.flush();
             }
-            if (output != null && (batch || withResult)) {
-                Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
-                files.put("summary.csv", text(summary.text()));
-                files.put("report.html", text(report.html(total)));
-                output.write(files);
-                stages.end("report");
-                err.println("Results in " + output + ": open " + Path.of(output.toString(), "report.html"));
-            }
-            stages.print(err);
-            err.flush();
-            return exitCode;
         }
     }
 

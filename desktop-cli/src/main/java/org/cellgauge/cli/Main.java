@@ -4,12 +4,19 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import java.time.Clock;
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Properties;
 import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.desktop.BatchCheck;
+import org.cellgauge.desktop.MachineRefusal;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -50,7 +57,34 @@ public final class Main implements Callable<Integer> {
      * @param args the arguments as typed
      */
     public static void main(String[] args) {
-        System.exit(commandLine().execute(args));
+        System.exit(run(commandLine(), args));
+    }
+
+    /**
+     * Executes a command line to its exit code: also where the virtual machine gives up, and where nobody takes what
+     * was printed.
+     *
+     * @param commandLine of {@link #commandLine()}
+     * @param args the arguments as typed
+     * @return the exit code
+     */
+    static int run(CommandLine commandLine, String... args) {
+        int code;
+        try {
+            code = commandLine.execute(args);
+        } catch (Error e) {
+            // picocli hands on no errors
+            Main main = commandLine.getCommand();
+            code = main.report(e, MachineRefusal.behind(e).isPresent() ? ExitCodes.INPUT_REFUSED
+                    : ExitCodes.INTERNAL_ERROR, commandLine);
+        }
+        // a full disk or a closed pipe: print streams keep it to themselves
+        if (commandLine.getOut().checkError() || System.out.checkError()) {
+            commandLine.getErr().println("standard output: " + CommandRefusal.OUTPUT_LOST.english());
+            commandLine.getErr().flush();
+            return ExitCodes.moreSerious(code, ExitCodes.INPUT_REFUSED);
+        }
+        return code;
     }
 
     /**
@@ -62,11 +96,14 @@ public final class Main implements Callable<Integer> {
         Main main = new Main();
         main.commandLine = new CommandLine(main);
         main.commandLine.setUsageHelpWidth(HELP_WIDTH);
+        // a photo may be called @args.png; its text is no option
+        main.commandLine.setExpandAtFiles(false);
         // a mistyped option after "--detections FILE" must not pass for one more file
         main.commandLine.setUnmatchedOptionsAllowedAsOptionParameters(false);
         main.commandLine.setParameterExceptionHandler((e, args) -> usage(e));
         main.commandLine.setExecutionExceptionHandler((e, command, parsed) -> main.report(e,
-                e instanceof InputRefusedException ? ExitCodes.INPUT_REFUSED : ExitCodes.INTERNAL_ERROR, command));
+                e instanceof InputRefusedException || MachineRefusal.behind(e).isPresent() ? ExitCodes.INPUT_REFUSED
+                        : ExitCodes.INTERNAL_ERROR, command));
         return main.commandLine;
     }
 
@@ -101,25 +138,19 @@ public final class Main implements Callable<Integer> {
      * @param command the command it happened in
      * @return the exit code
      */
-    int report(Exception e, int exitCode, CommandLine command) {
+    int report(Throwable e, int exitCode, CommandLine command) {
         PrintWriter err = command.getErr();
         if (exitCode == ExitCodes.INTERNAL_ERROR) {
-            err.println("Internal error: " + inShort(e)
+            err.println("Internal error: " + BatchCheck.inShort(e)
                     + (debug ? "" : ". Run it again with --debug for the stack trace, and please report it."));
         } else {
-            err.println(CommandWords.of(e));
+            err.println(MachineRefusal.behind(e).map(CommandWords::of).orElseGet(() -> CommandWords.of(e)));
         }
         if (debug) {
             e.printStackTrace(err);
         }
         err.flush();
         return exitCode;
-    }
-
-    /** An unexpected error in a line. */
-    static String inShort(Throwable e) {
-        String message = e.getMessage() == null ? "" : ": " + e.getMessage().replaceAll("\\p{Cntrl}", " ");
-        return e.getClass().getSimpleName() + message;
     }
 
     /** A word in the colour of its meaning, where a terminal shows it and the user has not asked for none. */
@@ -143,6 +174,26 @@ public final class Main implements Callable<Integer> {
             throw new UncheckedIOException(e);
         }
         return properties.getProperty("version");
+    }
+
+    /**
+     * The day of today, for results. Where {@code SOURCE_DATE_EPOCH} (seconds since 1970, UTC) is set, as builds that
+     * are to be repeated set it, that day.
+     *
+     * @return as in {@code 2026-11-28}
+     */
+    static String day() {
+        return day(System.getenv("SOURCE_DATE_EPOCH"), Clock.systemDefaultZone());
+    }
+
+    static String day(String epochSeconds, Clock clock) {
+        try {
+            return epochSeconds == null ? LocalDate.now(clock).toString()
+                    : LocalDate.ofInstant(Instant.ofEpochSecond(Long.parseLong(epochSeconds)), ZoneOffset.UTC)
+                            .toString();
+        } catch (NumberFormatException | DateTimeException e) {
+            return LocalDate.now(clock).toString();
+        }
     }
 
     /** The version as {@code --version} shows it. */

@@ -17,6 +17,8 @@ import picocli.CommandLine.TypeConversionException;
  * @param pose the pose, with the same meaning as {@link RigidTransform#ofEuler}
  */
 public record PoseArgument(RigidTransform pose) {
+    private static final double MAX_LENGTH_MM = 1e6;
+    private static final double MAX_ANGLE_RAD = 2 * Math.PI + 1e-9;
     private static final String FORM = "X,Y,Z[,PSI,THETA,PHI] in mm and degrees (or radians: 0.1rad)";
 
     /**
@@ -34,6 +36,11 @@ public record PoseArgument(RigidTransform pose) {
         double[] values = new double[6];
         for (int i = 0; i < parts.length; i++) {
             values[i] = i < 3 ? number(parts[i], text) : angleRad(parts[i], text);
+            double most = i < 3 ? MAX_LENGTH_MM : MAX_ANGLE_RAD;
+            if (Math.abs(values[i]) > most) {
+                throw new TypeConversionException("'" + parts[i].trim() + "' in '" + text + "' is beyond "
+                        + (i < 3 ? "1000000 mm" : "360 degrees") + "; expected " + FORM);
+            }
         }
         return new PoseArgument(
                 RigidTransform.ofEuler(values[0], values[1], values[2], values[3], values[4], values[5]));

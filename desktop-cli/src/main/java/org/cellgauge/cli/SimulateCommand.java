@@ -15,6 +15,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.desktop.ResultFolder;
 import org.cellgauge.desktop.WholeFiles;
 import org.cellgauge.desktop.render.Backdrop;
 import org.cellgauge.desktop.render.CellSimulation;
@@ -215,17 +216,17 @@ public final class SimulateCommand implements Callable<Integer> {
             }
             Misprints misprints = PrintArguments.misprints(spec.commandLine(), cell, inverted, mirrored, turned,
                     exchanged, ink);
-            CheckOutput output = CheckOutput.into(out);
+            ResultFolder output = ResultFolder.into(out);
             run(cell, new CellSimulation(cell, camera, poses, settings(misprints)), poses, sensor, output);
             return CommandLine.ExitCode.OK;
-        } catch (InputRefusedException | CheckOutput.UnwritableException e) {
+        } catch (InputRefusedException | ResultFolder.UnwritableException e) {
             err.println(CommandWords.of(e));
             return ExitCodes.INPUT_REFUSED;
         }
     }
 
     private void run(Cell cell, CellSimulation simulation, Map<Integer, RigidTransform> poses, Sensor sensor,
-            CheckOutput output) throws IOException {
+            ResultFolder output) throws IOException {
         PrintWriter err = spec.commandLine().getErr();
         PrintWriter stdout = spec.commandLine().getOut();
         int digits = Integer.toString(count).length();

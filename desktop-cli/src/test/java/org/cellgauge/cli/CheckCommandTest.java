@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
@@ -29,6 +28,8 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
+import org.cellgauge.settings.Setting;
+import org.cellgauge.settings.SettingTable;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.DetectionsFile;
 import org.cellgauge.vision.PhotoLight;
@@ -292,7 +293,8 @@ class CheckCommandTest {
     @Test
     void standardOutputOfJsonIsTheResultFile() throws IOException {
         CommandCall call = check("--detections", corners, "--json", "--out", out, "--target", 5);
-        assertEquals(Files.readString(out.resolve("corners.result.json")).trim(), call.out().trim());
+        assertEquals(json(out.resolve("corners.result.json")), JsonParser.parseString(call.out()));
+        assertEquals(1, call.out().lines().count());
     }
 
     @Test
@@ -314,15 +316,71 @@ class CheckCommandTest {
         assertFalse(Files.exists(Path.of("cellgauge-out")));
     }
 
+    /** One line for each input, whatever became of it and however it was named; the first one refused, too. */
     @Test
-    void jsonOfSeveralInputsIsAListOfThoseThatGaveAResult() throws IOException {
-        Path other = SmallCell.writeDetections(folder.resolve("other.json"), 2);
+    void jsonHasALineOfOneShapeForEveryInput() throws IOException {
+        Path photos = Files.createDirectories(folder.resolve("photos"));
+        Files.write(photos.resolve("cut.png"), new byte[] {(byte) 0x89, 'P', 'N', 'G'});
         Path faulty = Files.writeString(folder.resolve("faulty.json"), "{");
-        CommandCall call = check("--detections", corners, faulty, other, "--json", "--target", 5);
+        CommandCall call = check(photos, "--detections", faulty, corners, "--json", "--target", 5);
         assertEquals(3, call.code());
-        JsonArray list = JsonParser.parseString(call.out()).getAsJsonArray();
-        assertEquals(2, list.size());
-        assertEquals("other.json", list.get(1).getAsJsonObject().getAsJsonObject("input").get("name").getAsString());
+        List<JsonObject> lines = call.out().lines().map(l -> JsonParser.parseString(l).getAsJsonObject()).toList();
+        assertEquals(List.of("cut.png", "faulty.json", "corners.json"), lines.stream()
+                .map(l -> l.getAsJsonObject("input").get("name").getAsString()).toList());
+        assertEquals(List.of("refused", "refused", "pass"), lines.stream().map(l -> l.get("verdict").getAsString())
+                .toList());
+        JsonObject refusal = lines.get(1).getAsJsonObject("refusal");
+        assertEquals("detections-cut-short", refusal.get("code").getAsString());
+        assertEquals(faulty.toString(), refusal.get("file").getAsString());
+        assertEquals(1, refusal.get("line").getAsInt());
+        assertTrue(call.err().contains(lines.get(1).get("reason").getAsString()), call.err());
+        CommandCall alone = check("--detections", corners, "--json", "--target", 5);
+        assertEquals(lines.get(2), JsonParser.parseString(alone.out()));
+        CommandCall refused = check("--detections", faulty, "--json");
+        assertEquals(3, refused.code());
+        assertEquals(lines.get(1), JsonParser.parseString(refused.out()));
+    }
+
+    /** What a stored result says under another target is what a check with that target says. */
+    @Test
+    void aChangedTargetIsJudgedWithoutSampling() throws IOException {
+        check("--detections", corners, "--target", 5, "--out", out);
+        Map<String, String> before = contents(out);
+        Path fresh = folder.resolve("fresh");
+        check("--detections", corners, "--target", 0.3, "--out", fresh);
+        Files.writeString(cell, Files.readString(cell).replace("target: {std_mm: 2.0}", "target: {std_mm: 0.3}"));
+        CommandCall call = check("--detections", corners, "--rejudge", "--out", out);
+        assertEquals(4, call.code(), call.err());
+        JsonObject judged = json(out.resolve("corners.result.json"));
+        JsonObject expected = json(fresh.resolve("corners.result.json"));
+        assertEquals(expected.get("date"), judged.remove("judged_on"));
+        assertNotEquals(expected.remove("cell"), judged.remove("cell"));
+        for (JsonObject result : List.of(judged, expected)) {
+            // the target stands in the cell file in place of an option
+            assertTrue(result.remove("command").getAsString().startsWith("cellgauge check --cell "));
+            result.getAsJsonObject("settings").remove("target_std_mm");
+        }
+        assertEquals(expected, judged);
+        Map<String, String> after = contents(out);
+        assertEquals(contents(fresh).get("corners.overlay.png"), after.get("corners.overlay.png"));
+        assertEquals(before.get("corners.chain-1.csv"), after.get("corners.chain-1.csv"));
+        assertTrue(after.get("summary.csv").contains(",fail,"), after.get("summary.csv"));
+        assertTrue(after.get("report.html").contains("TARGET MISSED") || after.get("report.html").contains("FAIL"));
+
+        // what is of something else is refused, and stays
+        assertRefused("other settings", check("--detections", corners, "--rejudge", "--seed", 2, "--out", out));
+        assertRefused("no result of this input is in " + fresh + "/none", check("--detections", corners, "--rejudge",
+                "--out", fresh.resolve("none")));
+        Files.writeString(cell, Files.readString(cell).replace("[1, 1, 1], std_deg", "[2, 1, 1], std_deg"));
+        assertRefused("of another cell", check("--detections", corners, "--rejudge", "--out", out));
+        SmallCell.writeDetections(corners, 2);
+        assertRefused("of another file of this name", check("--detections", corners, "--rejudge", "--out", out));
+        assertEquals(after.get("corners.result.json"), contents(out).get("corners.result.json"));
+    }
+
+    private static void assertRefused(String why, CommandCall call) {
+        assertEquals(3, call.code(), call.err());
+        assertTrue(call.err().contains(why), call.err());
     }
 
     @Test
@@ -620,7 +678,7 @@ class CheckCommandTest {
     }
 
     @Test
-    void theReportHoldsAllItShows() throws IOException {
+    void theReportHoldsAllItShows() throws Exception {
         SmallCell.writePhotos(cell, folder, "a<b", 1);
         check(folder.resolve("a<b.png"), "--detections", corners, "--target", 5, "--out", out);
         String report = Files.readString(out.resolve("report.html"));
@@ -628,7 +686,26 @@ class CheckCommandTest {
         assertTrue(report.contains("a&lt;b") && !report.contains("a<b"), "names must be escaped");
         assertTrue(report.contains("<pre>cellgauge check --cell " + cell + " --target 5 &#39;" + folder
                 + "/a&lt;b.png&#39;</pre>"), "command that repeats it");
+        for (Setting<?> setting : SettingTable.all()) {
+            assertEquals(setting.determinesFigures(), report.contains("<tr><td>" + setting.name().replace('-', ' ')
+                    + "</td><td class=\"text\">"), setting.name());
+        }
         assertTrue(report.contains("<tr><td>target</td><td class=\"text\">5 mm</td></tr>"), "its settings");
+        // nothing that has to be opened before it is printed but the diagnostics of every quantity
+        assertEquals(2, report.split("<details>", -1).length - 1);
+        JsonObject result = json(out.resolve("corners.result.json"));
+        for (String key : List.of("input", "cell", "camera_file")) {
+            String sha256 = result.getAsJsonObject(key).get("sha256").getAsString();
+            assertTrue(report.contains(sha256), key);
+        }
+        assertEquals(HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(cell))),
+                result.getAsJsonObject("cell").get("sha256").getAsString());
+        assertTrue(report.contains("<td>date</td><td class=\"text\">" + result.get("date").getAsString() + "</td>"));
+        double[] std = numbers(result.getAsJsonObject("objects").getAsJsonObject("5").getAsJsonObject("pose")
+                .get("std"));
+        assertTrue(report.contains("<td data-of=\"std psi\">" + String.format(Locale.ROOT, "%.4f",
+                Math.toDegrees(std[3])) + "</td>"), "orientation with its deviation");
+        assertTrue(report.contains("Over the photos"), "trend of two inputs");
         for (String outside : List.of("http:", "https:", "src=\"/", "<script", "<link", "@import", "url(")) {
             assertFalse(report.contains(outside), outside);
         }

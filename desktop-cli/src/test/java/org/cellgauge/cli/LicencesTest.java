@@ -44,7 +44,8 @@ class LicencesTest {
             String title = jar.getFileName().toString().replaceAll("-(\\d[^-]*)\\.jar$", " $1");
             assertEquals(1, count("- " + title + " ("), title);
         }
-        assertEquals(jars.size(), count("): Apache License 2.0") + count("): MIT No Attribution (MIT-0)"));
+        assertEquals(jars.size(), count("): Apache License 2.0") + count("): BSD 3-Clause License")
+                + count("): MIT No Attribution (MIT-0)"));
     }
 
     @Test
@@ -89,7 +90,7 @@ class LicencesTest {
                 < text.indexOf("Each library stands"));
         assertEquals(squeezed(Files.readString(root.resolve("LICENSE"))),
                 text.substring(text.indexOf("Apache License Version 2.0, January 2004"),
-                        text.indexOf(" [ MIT No Attr")));
+                        text.indexOf(" [ BSD 3-Clause")));
     }
 
     @Test
@@ -97,7 +98,9 @@ class LicencesTest {
         assertEquals(1, count("Apache License Version 2.0, January 2004"));
         assertEquals(1, count("9. Accepting Warranty or Additional Liability."));
         assertEquals(1, count("See the License for the specific language governing permissions and limitations under"
-                + " the License. [ MIT No Attribution"));
+                + " the License. [ BSD 3-Clause License"));
+        assertEquals(1, count("[ BSD 3-Clause License ] BSD 3-Clause License Redistribution and use in source"));
+        assertTrue(text.contains("Copyright (c) 2008-2020, Harald Kuhr"));
         assertEquals(1, count("MIT No Attribution Permission is hereby granted, free of charge,"));
         assertFalse(text.contains("null"));
     }

@@ -23,7 +23,6 @@ import org.cellgauge.warning.RefusalKind;
  */
 public record CheckInput(Path file, boolean isDetections, String name, RefusalKind refusal) {
     private static final Pattern NUMBER = Pattern.compile("\\d+");
-    private static final Set<String> IMAGE_ENDINGS = Set.of("png", "jpg", "jpeg", "bmp", "tif", "tiff", "gif");
 
     /**
      * Inputs of a run.
@@ -85,7 +84,7 @@ public record CheckInput(Path file, boolean isDetections, String name, RefusalKi
     private static boolean isPhoto(Path file) {
         String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
         return !name.startsWith(".") && !name.endsWith(".overlay.png") && Files.isRegularFile(file)
-                && IMAGE_ENDINGS.contains(name.substring(name.lastIndexOf('.') + 1));
+                && ImageFormat.ENDINGS.contains(name.substring(name.lastIndexOf('.') + 1));
     }
 
     /**

@@ -6,27 +6,24 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.function.Function;
-import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.Diagnostics;
-import org.cellgauge.check.NoiseEstimate;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.output.BudgetShare;
+import org.cellgauge.output.ChainsView;
+import org.cellgauge.output.LaplaceView;
+import org.cellgauge.output.LightView;
 import org.cellgauge.output.ModeView;
+import org.cellgauge.output.MovedObject;
+import org.cellgauge.output.NoiseView;
+import org.cellgauge.output.ReferenceFitView;
+import org.cellgauge.output.ReferencesView;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
-import org.cellgauge.placement.NoiseFit;
-import org.cellgauge.placement.ReferenceCheck;
-import org.cellgauge.placement.ReferenceFit;
-import org.cellgauge.placement.WithoutMisplaced;
+import org.cellgauge.output.RunView;
+import org.cellgauge.output.WarningView;
+import org.cellgauge.output.WithoutView;
 import org.cellgauge.sampling.AcceptanceCount;
-import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.vision.PhotoLight;
-import org.cellgauge.warning.Message;
-import org.cellgauge.warning.Warning;
 
 /** A result in words and aligned columns, for people; ASCII, so that every terminal shows it. */
 public final class CheckText {
@@ -81,14 +78,12 @@ public final class CheckText {
     /**
      * The whole result.
      *
-     * @param result what a check found
-     * @param words what a warning says, in the words of the program around this
+     * @param view what a result says
      * @return lines of text, each ended by a line feed
      */
-    public static String of(CheckResult result, Function<Message, String> words) {
+    public static String of(ResultView view) {
         StringBuilder text = new StringBuilder();
-        ResultView view = ResultView.of(result);
-        String caution = caution(result.verdict());
+        String caution = caution(view.verdict());
         String beside = caution.isEmpty() ? "" : " - " + caution.toUpperCase(Locale.ROOT);
         if (view.showsFigures()) {
             camera(view, beside, text);
@@ -100,47 +95,46 @@ public final class CheckText {
             }
             modes(view, text);
         }
-        references(result, text);
-        text.append('\n').append(diagnosticsLine(result)).append('\n').append(acceptanceLine(result)).append('\n')
-                .append(laplaceLine(result)).append('\n');
-        if (result.detections().light() != null) {
-            text.append(wrap("Light: " + light(result), "        "));
+        references(view, text);
+        text.append('\n').append(diagnosticsLine(view)).append('\n').append(acceptanceLine(view)).append('\n')
+                .append(laplaceLine(view)).append('\n');
+        if (view.light() != null) {
+            text.append(wrap("Light: " + light(view), "        "));
         }
-        for (String line : noiseLines(result).split("\n")) {
+        for (String line : noiseLines(view).split("\n")) {
             text.append(wrap(line, "        "));
         }
-        if (!result.warnings().isEmpty()) {
+        if (!view.warnings().isEmpty()) {
             text.append("\nWarnings\n");
-            for (Warning warning : result.warnings()) {
-                text.append(wrap("  - " + words.apply(warning), "    "));
+            for (WarningView warning : view.warnings()) {
+                text.append(wrap("  - " + warning.text(), "    "));
             }
         }
         return text.toString();
     }
 
     /** What is known of the corners themselves. */
-    public static String noiseLines(CheckResult result) {
-        NoiseEstimate noise = result.noise();
-        NoiseFit fit = result.noiseFit();
+    public static String noiseLines(ResultView view) {
+        NoiseView noise = view.noise();
         StringBuilder text = new StringBuilder();
         text.append(String.format(Locale.ROOT, "Corners: %.3f px", noise.usualStdPx()));
+        double[] added = noise.addedQuantilesStdPx();
         if (noise.stated()) {
             text.append(" as stated");
-            if (fit.tested()) {
+            if (noise.holds() != null) {
                 text.append(String.format(Locale.ROOT, "; markers are square to %.3f px (chi-square %.1f of %d, p "
-                        + "%s)%s", fit.shownStdPx(), fit.chiSquare(), fit.degreesOfFreedom(), p(fit.pValue()),
-                        fit.holds() ? "" : ": NOT AS STATED"));
+                        + "%s)%s", noise.shownStdPx(), noise.chiSquare(), noise.degreesOfFreedom(), p(noise.pValue()),
+                        noise.holds() ? "" : ": NOT AS STATED"));
             }
-        } else if (noise.addedQuantilesStdPx() != null) {
-            double[] q = noise.addedQuantilesStdPx();
+        } else if (added != null) {
             text.append(String.format(Locale.ROOT, ", of which not told by the detector %.3f px (95 %%: %.3f to %.3f)",
-                    q[1], q[0], q[2]));
+                    added[1], added[0], added[2]));
         } else {
             text.append(" as this photo tells");
         }
         text.append('\n');
-        ReferenceCheck references = result.referenceCheck();
-        if (references.degreesOfFreedom() > 0) {
+        ReferencesView references = view.references();
+        if (references.fitTogether() != null) {
             text.append(String.format(Locale.ROOT, "References together: chi-square %.1f of %d, p %s%s\n",
                     references.chiSquare(), references.degreesOfFreedom(), p(references.pValue()),
                     references.fitTogether() ? "" : ": NOT AS STATED"));
@@ -291,41 +285,44 @@ public final class CheckText {
         text.append(table.text("  "));
     }
 
-    private static void references(CheckResult result, StringBuilder text) {
-        ReferenceCheck check = result.referenceCheck();
-        if (check.fits().stream().anyMatch(ReferenceFit::tested)) {
+    private static void references(ResultView view, StringBuilder text) {
+        ReferencesView references = view.references();
+        if (references.fits().stream().anyMatch(ReferenceFitView::tested)) {
             text.append("\nReferences against each other: how far off they seem, from where on it would be ")
                     .append("noticed, mm\n");
             TextTable table = new TextTable(1);
             table.row("", "residual", "off x", "off y", "off z", "noticed x", "y", "z", "");
-            for (ReferenceFit fit : check.fits()) {
+            for (ReferenceFitView fit : references.fits()) {
+                if (!fit.used()) {
+                    continue;
+                }
                 double[] off = fit.offset();
                 double[] from = fit.detectable();
                 table.row("reference " + fit.id(), fixed(fit.normalisedResidual(), 2), fixed(off[0], 1),
                         fixed(off[1], 1), fixed(off[2], 1), fixed(from[0], 1), fixed(from[1], 1), fixed(from[2], 1),
                         fit.misplaced() ? "SEEMS OFF" : "");
             }
-            text.append(table.text("  ")).append(wrap("  " + check.noticeable(), "  "));
+            text.append(table.text("  ")).append(wrap("  " + references.noticeable(), "  "));
         }
-        WithoutMisplaced without = check.without();
+        WithoutView without = references.without();
         if (without == null || without.objects().isEmpty()) {
             return;
         }
         text.append("\nWithout reference ").append(leftOut(without)).append(", by Laplace's approximation, mm\n");
         TextTable table = new TextTable(1);
         table.row("", "x", "y", "z", "moves x", "y", "z", "std x", "y", "z");
-        for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+        for (MovedObject object : without.objects()) {
             withoutRow("object " + object.id(), object.pose().mean(), object.moveMm(), object.pose().std(), table);
             if (object.grip() != null) {
-                withoutRow("  its gripping point", object.grip().meanMm(), object.gripMoveMm(), object.grip().stdMm(),
-                        table);
+                withoutRow("  its gripping point", object.grip().meanMm(), object.grip().moveMm(),
+                        object.grip().stdMm(), table);
             }
         }
         text.append(table.text("  "));
     }
 
     /** The references left out, in words. */
-    public static String leftOut(WithoutMisplaced without) {
+    public static String leftOut(WithoutView without) {
         StringBuilder ids = new StringBuilder();
         for (int i = 0; i < without.leftOut().size(); i++) {
             ids.append(i == 0 ? "" : i == without.leftOut().size() - 1 ? " and " : ", ")
@@ -345,20 +342,20 @@ public final class CheckText {
     }
 
     /** How the chains went, in one line. */
-    public static String diagnosticsLine(CheckResult result) {
-        Diagnostics d = result.diagnostics();
-        CheckSettings s = result.settings();
-        String word = d.converged() ? "converged" : "not converged";
+    public static String diagnosticsLine(ResultView view) {
+        ChainsView chains = view.chains();
+        RunView run = view.run();
+        String word = chains.converged() ? "converged" : "not converged";
         return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective "
-                + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word, s.sampling().chains(),
-                result.iterationsPerChain(), result.warmup(), fixed(d.rHatMax(), 4), fixed(d.essBulkMin(), 0),
-                fixed(d.essTailMin(), 0),
-                fixed(100 * d.mcseStdRelMax(), 1)), "        ").stripTrailing();
+                + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word,
+                run.settings().sampling().chains(), run.iterationsPerChain(), run.warmup(),
+                fixed(chains.rHatMax(), 4), fixed(chains.essBulkMin(), 0), fixed(chains.essTailMin(), 0),
+                fixed(100 * chains.mcseStdRelMax(), 1)), "        ").stripTrailing();
     }
 
     /** What was found out about the photo's light, in words; empty where corners came without any. */
-    public static String light(CheckResult result) {
-        PhotoLight light = result.detections().light();
+    public static String light(ResultView view) {
+        LightView light = view.light();
         if (light == null) {
             return "";
         }
@@ -379,9 +376,9 @@ public final class CheckText {
                 : words[0] + " " + plain(Math.rint(100 * Double.parseDouble(words[1])) / 100);
     }
 
-    private static String acceptanceLine(CheckResult result) {
+    private static String acceptanceLine(ResultView view) {
         Map<String, String> rates = new LinkedHashMap<>();
-        for (AcceptanceCount count : result.acceptance()) {
+        for (AcceptanceCount count : view.chains().acceptance()) {
             rates.put(count.proposal(), fixed(100 * count.rate(), 0) + " %");
         }
         List<String> words = new ArrayList<>();
@@ -393,20 +390,16 @@ public final class CheckText {
      * By how much the chains correct Laplace's approximation: positions of objects and gripping points, or the
      * camera's.
      */
-    public static String laplaceLine(CheckResult result) {
+    public static String laplaceLine(ResultView view) {
         Correction correction = new Correction();
-        for (ObjectEstimate sampled : result.estimate().objects()) {
-            ObjectEstimate quick = result.quickLook().object(sampled.id());
-            correction.add(quick.pose().mean(), quick.pose().std(), sampled.pose().mean(), sampled.pose().std(),
-                    "object " + sampled.id());
-            if (sampled.grip() != null) {
-                correction.add(quick.grip().meanMm(), quick.grip().stdMm(), sampled.grip().meanMm(),
-                        sampled.grip().stdMm(), "the gripping point of object " + sampled.id());
+        for (ResultRow row : view.points()) {
+            if (row.seen()) {
+                correction.add(row.laplace(), row.kind() == ResultRow.Kind.GRIP
+                        ? "the gripping point of object " + row.id().getAsInt() : name(row));
             }
         }
-        if (result.estimate().objects().isEmpty()) {
-            correction.add(result.quickLook().camera().mean(), result.quickLook().camera().std(),
-                    result.estimate().camera().mean(), result.estimate().camera().std(), "the camera");
+        if (view.points().stream().noneMatch(ResultRow::seen)) {
+            correction.add(view.camera().laplace(), "the camera");
         }
         return wrap(correction.words(), "        ").stripTrailing();
     }
@@ -420,11 +413,11 @@ public final class CheckText {
         private String whereMost = "";
         private String whereFarthest = "";
 
-        void add(double[] mean, double[] std, double[] sampledMean, double[] sampledStd, String name) {
+        void add(LaplaceView laplace, String name) {
             for (int i = 0; i < 3; i++) {
                 String where = "xyz".charAt(i) + " of " + name;
-                double ratio = sampledStd[i] / std[i];
-                double shift = Math.abs(sampledMean[i] - mean[i]) / std[i];
+                double ratio = laplace.sampledByLaplace()[i];
+                double shift = Math.abs(laplace.meanShiftByStd()[i]);
                 if (ratio < least) {
                     least = ratio;
                     whereLeast = where;

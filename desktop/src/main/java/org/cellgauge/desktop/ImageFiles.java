@@ -10,18 +10,23 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Locale;
-import javax.imageio.ImageIO;
+import java.util.zip.DataFormatException;
 import javax.imageio.ImageReader;
+import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.internal.vision.StatedToneCurve;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.warning.MessageKind;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 
@@ -36,16 +41,25 @@ import org.cellgauge.warning.Refusal;
  * multiplies the light of each colour by a factor of its own; a power takes that to a factor of grey, so that the sum
  * is still the same power of the light.
  *
+ * <p>Cameras of 10 and 12 bits are often stored in 16 with the upper ones empty: where no value of a photo takes more
+ * than 8, 10 or 12 bits, those are the whole range. PGM and PPM state their largest value.
+ *
  * <p>What the file says of its tone curve goes with the image ({@link GreyImage#toneCurve()}): profiles, the chunks of
- * PNG, Exif. JPEG, BMP and GIF files that say nothing are taken for sRGB, PNG and TIFF files say nothing then. Damaged
- * notes of that kind count as none.
+ * PNG, Exif. JPEG, BMP and GIF files that say nothing are taken for sRGB, files of other formats say nothing then.
+ * Damaged notes of that kind count as none.
  */
 public final class ImageFiles {
     /** Largest image that is decoded, in pixels: four times what cameras on robots have, 400 MB as colour. */
     public static final long MAX_PIXELS = 100_000_000;
-    private static final String FORMATS = "PNG, JPEG, BMP, TIFF or GIF";
+    /** Longest side of an image that is decoded, px; the longest that a camera file may state. */
+    public static final int MAX_SIDE_PX = 30_000;
+    /** Largest file that is read, bytes. */
+    public static final int MAX_BYTES = 400 << 20;
     private static final int CMYK_BANDS = 4;
-    private static final long MAX_BARE_BYTES = 200 << 20;
+    private static final int BYTE_BITS = 8;
+    private static final int MAX_BITS = 16;
+    /** Bits of values that cameras hand over in 16. */
+    private static final int[] BITS_IN_16 = {8, 10, 12};
     private static final int APP0 = 0xE0;
     private static final int APP14 = 0xEE;
     private static final int APP15 = 0xEF;
@@ -55,76 +69,145 @@ public final class ImageFiles {
     private ImageFiles() {
     }
 
+    /** Says whether an image of a size is of use, before it is decoded. */
+    @FunctionalInterface
+    public interface SizeJudge {
+        /**
+         * Judges a size.
+         *
+         * @param widthPx image width, px
+         * @param heightPx image height, px
+         * @throws InputRefusedException if an image of this size is of no use
+         */
+        void judge(int widthPx, int heightPx);
+    }
+
     /**
-     * Reads an image. The size is taken from the header first, so that a small file cannot claim a huge memory.
+     * Reads an image of any size.
      *
-     * @param file an image file of a format that {@code javax.imageio} reads
+     * @param file an image file
      * @return the image, in an array of its own
-     * @throws InputRefusedException if the file is missing, a folder, empty, not readable, of another format, damaged,
-     *     cut short, larger than {@value #MAX_PIXELS} pixels or in CMYK colours; the message names file and remedy
+     * @throws InputRefusedException as {@link #bytes} and {@link #decode} do
      */
     public static GreyImage read(Path file) {
+        return decode(bytes(file), file.toString(), (width, height) -> { });
+    }
+
+    /**
+     * The bytes of an image file, read once: what is decoded of them and a checksum of them belong together, even where
+     * the file changes meanwhile or is a pipe.
+     *
+     * @param file an image file
+     * @return all of it
+     * @throws InputRefusedException if it is missing, a folder, empty, not readable or larger than {@value #MAX_BYTES}
+     *     bytes; the message names file and remedy
+     */
+    public static byte[] bytes(Path file) {
+        String name = file.toString();
         if (Files.isDirectory(file)) {
-            throw refused(file, ImageRefusal.IS_FOLDER);
+            throw new InputRefusedException(name, ImageRefusal.IS_FOLDER);
+        }
+        byte[] bytes;
+        try (InputStream in = Files.newInputStream(file)) {
+            bytes = in.readNBytes(MAX_BYTES + 1);
+        } catch (NoSuchFileException e) {
+            throw refused(e, name, name.indexOf('\uFFFD') < 0 ? ImageRefusal.NO_SUCH_FILE
+                    : ImageRefusal.NAME_NOT_UTF_8);
+        } catch (AccessDeniedException e) {
+            throw refused(e, name, ImageRefusal.NOT_PERMITTED);
+        } catch (IOException | OutOfMemoryError e) {
+            throw refused(e, name, ImageRefusal.NOT_READABLE, said(e));
+        }
+        if (bytes.length == 0) {
+            throw new InputRefusedException(name, ImageRefusal.EMPTY);
+        }
+        if (bytes.length > MAX_BYTES) {
+            throw new InputRefusedException(name, ImageRefusal.FILE_TOO_LARGE, MAX_BYTES >> 20);
+        }
+        return bytes;
+    }
+
+    /**
+     * Decodes an image. The size is taken from the header and judged first, so that a small file cannot claim a huge
+     * memory, and no time is spent on a photo that is of no use.
+     *
+     * @param bytes an image file; kept by nobody
+     * @param name the name that messages give it
+     * @param size refuses sizes that are of no use
+     * @return the image, in an array of its own
+     * @throws InputRefusedException if it is of another format, damaged, cut short, larger than {@value #MAX_PIXELS}
+     *     pixels, longer than {@value #MAX_SIDE_PX} px, of other colours than grey and RGB, or {@code size} refuses it;
+     *     the message names file and remedy
+     */
+    public static GreyImage decode(byte[] bytes, String name, SizeJudge size) {
+        ImageFormat format = ImageFormat.of(bytes).orElseThrow(() ->
+                new InputRefusedException(name, ImageRefusal.UNKNOWN_FORMAT, ImageFormat.READABLE));
+        if (format == ImageFormat.HEIF) {
+            throw new InputRefusedException(name, ImageRefusal.HEIF);
         }
         try {
-            if (!Files.exists(file)) {
-                throw refused(file, ImageRefusal.NO_SUCH_FILE);
-            }
-            if (Files.size(file) == 0) {
-                throw refused(file, ImageRefusal.EMPTY);
-            }
-            if (!Files.isReadable(file)) {
-                throw refused(file, ImageRefusal.NOT_PERMITTED);
-            }
-            // over the file itself: a stream would first be copied to a temporary file
-            try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
-                if (in == null) {
-                    throw refused(file, ImageRefusal.NOT_OPENED);
+            ToneCurve toneCurve = StatedToneCurve.of((position, into) -> {
+                if (position < 0 || position + into.length > bytes.length) {
+                    throw new EOFException();
                 }
-                // before the reader, which may leave no way back
-                ToneCurve toneCurve = StatedToneCurve.of((position, into) -> {
-                    in.seek(position);
-                    in.readFully(into);
-                });
-                in.seek(0);
-                return decoded(file, in).withToneCurve(toneCurve);
-            }
+                System.arraycopy(bytes, (int) position, into, 0, into.length);
+            });
+            GreyImage image = format == ImageFormat.PNM ? netpbm(bytes, name, size)
+                    : pixels(bytes, format, name, size);
+            return image.withToneCurve(toneCurve);
         } catch (IOException e) {
-            throw damaged(e, file, ImageRefusal.NOT_READABLE, String.valueOf(e.getMessage()));
+            throw refused(e, name, ImageRefusal.NOT_READABLE, said(e));
         }
     }
 
-    /** The pixels; where a JPEG cannot be read as it is, without the notes that come before them. */
-    private static GreyImage decoded(Path file, ImageInputStream in) throws IOException {
+    private static GreyImage netpbm(byte[] bytes, String name, SizeJudge size) {
         try {
-            return read(file, in);
+            NetpbmImage image = new NetpbmImage(bytes);
+            judge(image.widthPx(), image.heightPx(), name, size);
+            return image.grey();
+        } catch (DataFormatException | OutOfMemoryError e) {
+            throw refused(e, name, ImageRefusal.DAMAGED, said(e));
+        } catch (IOException e) {
+            throw refused(e, name, ImageRefusal.CUT_SHORT);
+        }
+    }
+
+    private static void judge(int width, int height, String name, SizeJudge size) {
+        if (width < 1 || height < 1 || Math.max(width, height) > MAX_SIDE_PX || (long) width * height > MAX_PIXELS) {
+            throw new InputRefusedException(name, ImageRefusal.TOO_LARGE, width, height,
+                    (int) (MAX_PIXELS / 1_000_000), MAX_SIDE_PX);
+        }
+        size.judge(width, height);
+    }
+
+    /** The pixels; where a JPEG cannot be read as it is, without the notes that come before them. */
+    private static GreyImage pixels(byte[] bytes, ImageFormat format, String name, SizeJudge size) throws IOException {
+        try {
+            return decoded(bytes, format, name, size);
         } catch (InputRefusedException e) {
-            byte[] bare = withoutNotes(file);
+            byte[] bare = format == ImageFormat.JPEG && isDamage(e.refusal().kind()) ? withoutNotes(bytes) : null;
             if (bare == null) {
                 throw e;
             }
             // the JDK's reader stops at a damaged profile even where nobody asks for it
-            try (ImageInputStream again = new MemoryCacheImageInputStream(new ByteArrayInputStream(bare))) {
-                return read(file, again);
+            try {
+                return decoded(bare, format, name, size);
             } catch (InputRefusedException notBecauseOfNotes) {
                 throw e;
             }
         }
     }
 
+    private static boolean isDamage(MessageKind kind) {
+        return kind == ImageRefusal.DAMAGED || kind == ImageRefusal.PARTLY_DAMAGED || kind == ImageRefusal.CUT_SHORT
+                || kind == ImageRefusal.CMYK;
+    }
+
     /**
      * A JPEG file without the segments of notes before its first scan: APP1 to APP13, APP15 and comments (APP0 and
-     * APP14 say how its colours are stored). Null for other files, damaged ones and those without notes.
+     * APP14 say how its colours are stored). Null for damaged files and those without notes.
      */
-    private static byte[] withoutNotes(Path file) throws IOException {
-        if (Files.size(file) > MAX_BARE_BYTES) {
-            return null;
-        }
-        byte[] all = Files.readAllBytes(file);
-        if (all.length < 4 || (all[0] & 0xFF) != 0xFF || (all[1] & 0xFF) != 0xD8) {
-            return null;
-        }
+    private static byte[] withoutNotes(byte[] all) {
         ByteArrayOutputStream bare = new ByteArrayOutputStream(all.length);
         bare.write(all, 0, 2);
         int at = 2;
@@ -144,17 +227,12 @@ public final class ImageFiles {
         return bare.size() < all.length ? bare.toByteArray() : null;
     }
 
-    private static GreyImage read(Path file, ImageInputStream in) throws IOException {
-        Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
-        if (!readers.hasNext()) {
-            throw refused(file, ImageRefusal.UNKNOWN_FORMAT, FORMATS);
-        }
-        ImageReader reader = readers.next();
-        try {
+    private static GreyImage decoded(byte[] bytes, ImageFormat format, String name, SizeJudge size)
+            throws IOException {
+        ImageReader reader = format.reader();
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
             // metadata (thumbnails, colour profiles) is not needed, and damaged metadata would stop the reader
             reader.setInput(in, true, true);
-            int width;
-            int height;
             BufferedImage image;
             String[] warning = new String[1];
             reader.addIIOReadWarningListener((source, text) -> {
@@ -163,31 +241,54 @@ public final class ImageFiles {
                 }
             });
             try {
-                width = reader.getWidth(0);
-                height = reader.getHeight(0);
-                if (width < 1 || height < 1 || (long) width * height > MAX_PIXELS) {
-                    throw refused(file, ImageRefusal.TOO_LARGE, width, height, (int) (MAX_PIXELS / 1_000_000));
+                int width = reader.getWidth(0);
+                int height = reader.getHeight(0);
+                if (format == ImageFormat.TIFF) {
+                    judgeDepth(reader, name);
                 }
-                if (hasNoType(reader)) {
-                    throw refused(file, ImageRefusal.CMYK);
+                judge(width, height, name, size);
+                if (format == ImageFormat.JPEG && !reader.getImageTypes(0).hasNext()) {
+                    // the JPEG reader offers no type for CMYK colours it cannot convert
+                    throw new InputRefusedException(name, ImageRefusal.CMYK);
                 }
                 image = reader.read(0);
-            } catch (IOException | RuntimeException e) {
+            } catch (IOException | RuntimeException | OutOfMemoryError e) {
                 if (e instanceof InputRefusedException) {
                     throw e;
                 }
                 // readers throw whatever a damaged file leads them to, unchecked exceptions included
                 throw e instanceof EOFException || e.getCause() instanceof EOFException
-                        ? damaged(e, file, ImageRefusal.CUT_SHORT)
-                        : damaged(e, file, ImageRefusal.DAMAGED, String.valueOf(e.getMessage()));
+                        ? refused(e, name, ImageRefusal.CUT_SHORT)
+                        : refused(e, name, ImageRefusal.DAMAGED, said(e));
             }
             if (warning[0] != null) {
-                throw refused(file, ImageRefusal.PARTLY_DAMAGED, warning[0]);
+                throw new InputRefusedException(name, ImageRefusal.PARTLY_DAMAGED, warning[0]);
             }
-            return grey(file, image);
+            return grey(name, image);
         } finally {
             reader.dispose();
         }
+    }
+
+    /** Only TIFF has more than 16 bits: of such a photo that is the fault, whatever its size. */
+    private static void judgeDepth(ImageReader reader, String name) throws IOException {
+        Iterator<ImageTypeSpecifier> types = reader.getImageTypes(0);
+        int bits = types.hasNext() ? bits(types.next().getColorModel()) : 0;
+        if (bits > MAX_BITS) {
+            throw new InputRefusedException(name, ImageRefusal.DEPTH, bits);
+        }
+    }
+
+    /** What an error says, or an error behind it. */
+    private static String said(Throwable error) {
+        int depth = 0;
+        for (Throwable t = error; t != null && depth < 10; t = t.getCause(), depth++) {
+            String message = t.getMessage();
+            if (message != null && !message.isBlank() && !message.equals("null")) {
+                return message.strip();
+            }
+        }
+        return "no reason is given";
     }
 
     /** Remarks on what comes beside the pixels: previews, colour profiles, metadata. */
@@ -197,15 +298,7 @@ public final class ImageFiles {
                 || text.contains("metadata") || text.contains("jfif");
     }
 
-    /** The JPEG reader offers no type for CMYK colours it cannot convert. */
-    private static boolean hasNoType(ImageReader reader) throws IOException {
-        if (!reader.getFormatName().toLowerCase(Locale.ROOT).startsWith("jp")) {
-            return false;
-        }
-        return !reader.getImageTypes(0).hasNext();
-    }
-
-    private static GreyImage grey(Path file, BufferedImage image) {
+    private static GreyImage grey(String name, BufferedImage image) {
         ColorModel colours = image.getColorModel();
         int width = image.getWidth();
         int height = image.getHeight();
@@ -217,20 +310,23 @@ public final class ImageFiles {
         int colourBands = colours.getNumColorComponents();
         int space = colours.getColorSpace().getType();
         if (colourBands == CMYK_BANDS) {
-            throw refused(file, ImageRefusal.CMYK);
+            throw new InputRefusedException(name, ImageRefusal.CMYK);
         }
         boolean isGrey = colourBands == 1 && space == ColorSpace.TYPE_GRAY;
+        int bits = bits(colours);
+        int type = image.getSampleModel().getTransferType();
         if (!isGrey && (colourBands != 3 || space != ColorSpace.TYPE_RGB)
-                || image.getSampleModel().getTransferType() > DataBuffer.TYPE_USHORT
-                && image.getSampleModel().getTransferType() != DataBuffer.TYPE_INT) {
-            throw refused(file, ImageRefusal.OTHER_COLOURS);
+                || type != DataBuffer.TYPE_BYTE && type != DataBuffer.TYPE_USHORT && type != DataBuffer.TYPE_INT) {
+            throw new InputRefusedException(name, ImageRefusal.OTHER_COLOURS);
         }
         Raster raster = image.getRaster();
         int bands = raster.getNumBands();
         int[] row = new int[width * bands];
         double[] scale = new double[bands];
+        int usedBits = bits > BYTE_BITS ? usedBits(raster, colourBands, bits, row) : bits;
         for (int b = 0; b < bands; b++) {
-            scale[b] = 255.0 / ((1 << colours.getComponentSize(b)) - 1);
+            int bandBits = b < colourBands && bits > BYTE_BITS ? usedBits : colours.getComponentSize(b);
+            scale[b] = 255.0 / ((1 << bandBits) - 1);
         }
         boolean multiplied = colours.isAlphaPremultiplied();
         for (int y = 0; y < height; y++) {
@@ -247,6 +343,36 @@ public final class ImageFiles {
             }
         }
         return GreyImage.packed(grey, width, height);
+    }
+
+    /** Bits of the widest component. */
+    private static int bits(ColorModel colours) {
+        int bits = 0;
+        for (int component : colours.getComponentSize()) {
+            bits = Math.max(bits, component);
+        }
+        return bits;
+    }
+
+    /** How many bits the largest colour value takes, of those that cameras have. */
+    private static int usedBits(Raster raster, int colourBands, int bits, int[] row) {
+        int width = raster.getWidth();
+        int bands = raster.getNumBands();
+        int largest = 0;
+        for (int y = 0; y < raster.getHeight(); y++) {
+            raster.getPixels(0, y, width, 1, row);
+            for (int i = 0; i < width * bands; i += bands) {
+                for (int b = 0; b < colourBands; b++) {
+                    largest = Math.max(largest, row[i + b]);
+                }
+            }
+        }
+        for (int fewer : BITS_IN_16) {
+            if (fewer < bits && largest < 1 << fewer) {
+                return fewer;
+            }
+        }
+        return bits;
     }
 
     private static void greyOfPalette(Raster raster, IndexColorModel palette, byte[] grey) {
@@ -266,15 +392,13 @@ public final class ImageFiles {
         }
     }
 
-    private static double luma(double red, double green, double blue) {
+    static double luma(double red, double green, double blue) {
         return 0.299 * red + 0.587 * green + 0.114 * blue;
     }
 
-    private static InputRefusedException refused(Path file, ImageRefusal kind, Object... arguments) {
-        return new InputRefusedException(file.toString(), kind, arguments);
-    }
-
-    private static InputRefusedException damaged(Exception cause, Path file, ImageRefusal kind, Object... arguments) {
-        return new InputRefusedException(Refusal.at(Place.of(file.toString()), kind, arguments), cause);
+    /** A refusal for an error; where a limit of the computer is behind it, that is said. */
+    private static InputRefusedException refused(Throwable cause, String name, ImageRefusal kind, Object... arguments) {
+        Refusal refusal = MachineRefusal.behind(cause).orElseGet(() -> Refusal.of(kind, arguments));
+        return new InputRefusedException(refusal.withPlace(Place.of(name)), cause);
     }
 }

@@ -2,18 +2,22 @@ package org.cellgauge.desktop;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.Verdict;
+import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.ChainsView;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 
-/** The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is unknown is left empty. */
+/**
+ * The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is unknown is left
+ * empty. A text that begins like a formula has an apostrophe before it.
+ */
 public final class SummaryCsv {
     private static final String[] COLUMNS = {"input", "name", "verdict", "object", "seen", "x_mm", "y_mm", "z_mm",
         "std_x_mm", "std_y_mm", "std_z_mm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_std_x_mm", "grip_std_y_mm",
         "grip_std_z_mm", "worst_std_mm", "target_std_mm", "within_target", "converged", "r_hat_max", "ess_bulk_min",
         "ess_tail_min", "mcse_std_rel_max", "reason", "action"};
+
+    private static final String FORMULA = "=+-@";
 
     private final StringBuilder text = new StringBuilder();
 
@@ -23,8 +27,7 @@ public final class SummaryCsv {
     }
 
     /** Adds the rows of a result: each object of the cell, or one row where it has none. */
-    public void add(CheckInput input, CheckResult result) {
-        ResultView view = ResultView.of(result);
+    public void add(CheckInput input, ResultView view) {
         if (view.objects().isEmpty()) {
             row(input, view, null);
         }
@@ -35,17 +38,18 @@ public final class SummaryCsv {
 
     /** Adds the row of an input that gave no result. */
     public void add(CheckInput input, String verdict, String reason) {
-        List<String> cells = new ArrayList<>(List.of(input.file().toString(), input.name(), verdict));
+        List<String> cells = new ArrayList<>(List.of(text(input.file().toString()), text(input.name()), verdict));
         while (cells.size() < COLUMNS.length - 2) {
             cells.add("");
         }
-        cells.add(reason);
+        cells.add(text(reason));
         cells.add("");
         line(cells);
     }
 
     private void row(CheckInput input, ResultView view, ResultRow object) {
-        List<String> cells = new ArrayList<>(List.of(input.file().toString(), input.name(), view.verdict().key()));
+        List<String> cells = new ArrayList<>(List.of(text(input.file().toString()), text(input.name()),
+                view.verdict().key()));
         boolean seen = object != null && object.seen();
         cells.add(object == null ? "" : String.valueOf(object.id().getAsInt()));
         cells.add(object == null ? "" : String.valueOf(seen));
@@ -57,17 +61,15 @@ public final class SummaryCsv {
         numbers(cells, grip != null ? grip.std() : null);
         cells.add(shown ? number(view.worstStdMm(object)) : "");
         cells.add(number(view.targetStdMm().orElse(Double.NaN)));
-        boolean judged = seen && view.targetStdMm().isPresent() && view.trusted();
-        cells.add(judged ? String.valueOf(object.verdict() == Verdict.PASS
-                && (grip == null || grip.verdict() == Verdict.PASS)) : "");
+        cells.add(seen && object.withinTarget() != null ? String.valueOf(object.withinTarget()) : "");
         ChainsView chains = view.chains();
         cells.add(String.valueOf(chains.converged()));
         cells.add(number(chains.rHatMax()));
         cells.add(number(chains.essBulkMin()));
         cells.add(number(chains.essTailMin()));
         cells.add(number(chains.mcseStdRelMax()));
-        cells.add(view.reason());
-        cells.add(view.action() == null ? "" : view.action());
+        cells.add(text(view.reason()));
+        cells.add(view.action() == null ? "" : text(view.action()));
         line(cells);
     }
 
@@ -75,6 +77,12 @@ public final class SummaryCsv {
         for (int i = 0; i < 3; i++) {
             cells.add(values == null ? "" : number(values[i]));
         }
+    }
+
+    /** A text that no program of tables takes for a formula, however a file is called. */
+    private static String text(String text) {
+        String printable = Printable.of(text);
+        return printable.isEmpty() || FORMULA.indexOf(printable.charAt(0)) < 0 ? printable : "'" + printable;
     }
 
     private static String number(double value) {

@@ -2,6 +2,7 @@ package org.cellgauge.desktop;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.cellgauge.internal.warning.Printable;
 
 /** A table of aligned columns for people: first columns flush left, numbers flush right, two spaces between. */
 public final class TextTable {
@@ -18,13 +19,17 @@ public final class TextTable {
     }
 
     /**
-     * Adds a row.
+     * Adds a row; characters of names that command a terminal become spaces.
      *
      * @param cells one text per column
      * @return this
      */
     public TextTable row(String... cells) {
-        rows.add(cells);
+        String[] printable = new String[cells.length];
+        for (int c = 0; c < cells.length; c++) {
+            printable[c] = Printable.of(cells[c]);
+        }
+        rows.add(printable);
         return this;
     }
 

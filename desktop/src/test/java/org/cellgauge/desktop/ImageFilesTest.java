@@ -1,6 +1,7 @@
 package org.cellgauge.desktop;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,10 +12,13 @@ import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.Random;
 import java.util.zip.CRC32;
 import javax.imageio.IIOImage;
@@ -100,6 +104,101 @@ class ImageFilesTest {
         assertEquals(255, grey.get(0, 0));
         assertEquals(128, grey.get(1, 0));
         assertEquals(1, grey.get(2, 0));
+    }
+
+    /** Cameras of 10 and 12 bits fill the lower bits of 16: 1023 and 4095 are white then. */
+    @ParameterizedTest
+    @CsvSource({"10", "12"})
+    void fewerBitsInSixteenAreTheWholeRange(int bits) throws IOException {
+        BufferedImage image = new BufferedImage(3, 1, BufferedImage.TYPE_USHORT_GRAY);
+        int white = (1 << bits) - 1;
+        image.getRaster().setSample(0, 0, 0, white);
+        image.getRaster().setSample(1, 0, 0, white / 3);
+        GreyImage grey = ImageFiles.read(write(image, "png"));
+        assertEquals(255, grey.get(0, 0));
+        assertEquals(85, grey.get(1, 0));
+        assertEquals(0, grey.get(2, 0));
+    }
+
+    /** Netpbm's own layout, written by hand: the stated largest value is white. */
+    @ParameterizedTest
+    @CsvSource({"255", "200", "1023", "4095", "65535"})
+    void pgmIsReadByItsLargestValue(int largest) throws IOException {
+        ByteArrayOutputStream pgm = new ByteArrayOutputStream();
+        pgm.write(("P5\n# by hand\n3 2\n" + largest + "\n").getBytes(StandardCharsets.US_ASCII));
+        for (int value : new int[] {0, largest, largest / 5, largest, 0, 0}) {
+            if (largest > 255) {
+                pgm.write(value >> 8);
+            }
+            pgm.write(value);
+        }
+        GreyImage grey = ImageFiles.decode(pgm.toByteArray(), "a.pgm", (w, h) -> { });
+        assertEquals(3, grey.widthPx());
+        assertEquals(255, grey.get(1, 0));
+        assertEquals(51, grey.get(2, 0), 1);
+        assertEquals(255, grey.get(0, 1));
+        assertEquals(0, grey.get(2, 1));
+    }
+
+    @Test
+    void ppmAsTextIsRead() {
+        byte[] ppm = "P3 2 1 # colours\n 10\n10 0 0  0 5 10".getBytes(StandardCharsets.US_ASCII);
+        GreyImage grey = ImageFiles.decode(ppm, "a.ppm", (w, h) -> { });
+        assertEquals(Math.round(0.299 * 255), grey.get(0, 0));
+        assertEquals(Math.round(0.587 * 127.5 + 0.114 * 255), grey.get(1, 0));
+        for (String damaged : new String[] {"P5 3 1 255\nab", "P2 2 1 10\n1 11", "P2 2 1 0\n0 0", "P2 2 1 10\n1 x",
+            "P5 99999 99999 255\n", "P5 0 1 255\n"}) {
+            assertThrows(InputRefusedException.class,
+                    () -> ImageFiles.decode(damaged.getBytes(StandardCharsets.US_ASCII), "a.pgm", (w, h) -> { }));
+        }
+    }
+
+    /** Lossless WebP of grey values 20 x + 10 y, written by Pillow 13 (libwebp). */
+    @Test
+    void webpIsRead() {
+        byte[] webp = Base64.getDecoder().decode("UklGRigAAABXRUJQVlA4TBsAAAAvC8AAAM1lRP8Dato2YHr3Ln+4E0FETADk8gIA");
+        GreyImage grey = ImageFiles.decode(webp, "a.webp", (w, h) -> { });
+        assertEquals(12, grey.widthPx());
+        assertEquals(4, grey.heightPx());
+        for (int i = 0; i < 48; i++) {
+            assertEquals(20 * (i % 12) + 10 * (i / 12), grey.get(i % 12, i / 12));
+        }
+    }
+
+    @Test
+    void heicIsNamedWithTheWayOut() throws IOException {
+        Path file = Files.write(folder.resolve("IMG_1.HEIC"),
+                "\0\0\0\u0018ftypheic\0\0\0\0mif1heic".getBytes(StandardCharsets.ISO_8859_1));
+        String message = refusal(file);
+        assertTrue(message.contains("HEIC") && message.contains("JPEG"), message);
+    }
+
+    /** No pixel of these is decoded: there is none. */
+    @Test
+    void sizeIsJudgedBeforePixelsAreDecoded() throws IOException {
+        Path file = Files.write(folder.resolve("a.png"), pngHeader(1200, 800));
+        InputRefusedException unwanted = new InputRefusedException("a.png", ImageRefusal.EMPTY);
+        byte[] bytes = Files.readAllBytes(file);
+        assertSame(unwanted, assertThrows(InputRefusedException.class,
+                () -> ImageFiles.decode(bytes, "a.png", (w, h) -> {
+                    assertEquals(1200, w);
+                    assertEquals(800, h);
+                    throw unwanted;
+                })));
+        assertTrue(refusal(Files.write(file, pngHeader(1, 100_000_000))).contains("1 x 100000000 px"));
+    }
+
+    /** A TIFF of one pixel, by hand: 32 bits of unsigned grey. */
+    @Test
+    void valuesOf32BitsAreNamed() throws IOException {
+        int[][] tags = {{256, 1}, {257, 1}, {258, 32}, {259, 1}, {262, 1}, {273, 8}, {277, 1}, {278, 1}, {279, 4}};
+        ByteBuffer tiff = ByteBuffer.allocate(12 + 2 + tags.length * 12 + 4).order(ByteOrder.LITTLE_ENDIAN);
+        tiff.put(new byte[] {'I', 'I', 42, 0}).putInt(12).putInt(1 << 30).putShort((short) tags.length);
+        for (int[] tag : tags) {
+            tiff.putShort((short) tag[0]).putShort((short) 3).putInt(1).putInt(tag[1]);
+        }
+        String message = refusal(Files.write(folder.resolve("a.tif"), tiff.array()));
+        assertTrue(message.contains("32 bits"), message);
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.time.Clock;
+import java.time.LocalDate;
 import java.time.LocalDateTime;
 import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
@@ -21,6 +22,7 @@ import org.cellgauge.internal.cell.CellWriter;
 import org.cellgauge.internal.overlay.CellOverlay;
 import org.cellgauge.internal.overlay.OverlayStyle;
 import org.cellgauge.output.ResultJson;
+import org.cellgauge.output.ResultRecord;
 import org.cellgauge.vision.GreyImage;
 import org.cellgauge.warning.Refusal;
 
@@ -95,14 +97,16 @@ public final class FolderArchive implements ResultArchive {
         String name = store.freeName("cellgauge-" + LocalDateTime.now(clock).format(TIME));
         byte[] png = GreyPng.encode(photo.luminance());
         String command = DesktopCommand.of(name, result.settings());
+        byte[] cell = utf8(CellWriter.text(result.cell(), Arrays.asList(
+                "Cell and camera of the result " + name + ", made by CellGauge " + version + " on an Android device.",
+                "The same figures on another machine:", command)));
+        ResultRecord record = ResultRecord.of(name + ".png", sha256(png), version).withCommand(command)
+                .withCell(name + ".cell.yaml", sha256(cell)).withDate(LocalDate.now(clock).toString());
         Map<String, byte[]> files = new LinkedHashMap<>();
         files.put(name + ".png", png);
-        files.put(name + ".result.json",
-                utf8(ResultJson.of(result, name + ".png", sha256(png), version, command)));
+        files.put(name + ".result.json", utf8(ResultJson.of(result, record)));
         files.put(name + ".overlay.png", overlayPng(photo.luminance(), result));
-        files.put(name + ".cell.yaml", utf8(CellWriter.text(result.cell(), Arrays.asList(
-                "Cell and camera of the result " + name + ", made by CellGauge " + version + " on an Android device.",
-                "The same figures on another machine:", command))));
+        files.put(name + ".cell.yaml", cell);
         store.write(name, files);
         links.changed();
         return saved(name);

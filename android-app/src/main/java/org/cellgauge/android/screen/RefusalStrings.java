@@ -134,6 +134,8 @@ final class RefusalStrings {
                 return R.string.refusal_cell_focal_lengths_differ;
             case PRINCIPAL_POINT_OUTSIDE:
                 return R.string.refusal_cell_principal_point_outside;
+            case PRINCIPAL_POINT_TURNED:
+                return R.string.refusal_cell_principal_point_turned;
             case PRINCIPAL_POINT_ZERO:
                 return R.string.refusal_cell_principal_point_zero;
             case SKEW:

@@ -78,6 +78,8 @@ final class WarningStrings {
                 return R.string.warning_far_from_gaussian;
             case OBJECTS_NOT_SEEN:
                 return R.string.warning_objects_not_seen;
+            case PRINCIPAL_POINT_OFF:
+                return R.string.warning_principal_point_off;
             case REFERENCES_NOT_SEEN:
                 return R.string.warning_references_not_seen;
             case SMALL_MARKERS:

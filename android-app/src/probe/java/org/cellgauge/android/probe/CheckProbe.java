@@ -14,6 +14,7 @@ import org.cellgauge.internal.overlay.CellOverlay;
 import org.cellgauge.internal.overlay.Shape;
 import org.cellgauge.internal.vision.BoofThreads;
 import org.cellgauge.output.ResultJson;
+import org.cellgauge.output.ResultRecord;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.BoofMarkerDetector;
@@ -47,7 +48,7 @@ public final class CheckProbe implements Function<Map<String, Object>, String> {
             Detections detections = BoofMarkerDetector.forCell(cell).detect(image, "photo.png");
             DetectionsFile.write(detections, out);
             CheckResult result = CellCheck.run(cell, detections, settings((String) input.get("preset")));
-            out.append(ResultJson.of(result, "photo.png", null, version()));
+            out.append(ResultJson.of(result, ResultRecord.of("photo.png", null, version())));
             for (Shape shape : CellOverlay.of(result).shapes()) {
                 out.append(shape.role()).append(' ').append(shape.status());
                 for (double[] stroke : shape.strokes()) {

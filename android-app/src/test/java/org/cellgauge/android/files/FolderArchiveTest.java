@@ -47,6 +47,7 @@ import org.cellgauge.live.LiveCheck;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.output.ResultJson;
+import org.cellgauge.output.ResultRecord;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.InitialEstimate;
@@ -168,8 +169,10 @@ public class FolderArchiveTest {
         assertArrayEquals(Fixtures.pixels(photo.luminance()),
                 Fixtures.pixels(PhotoReader.read(new ByteArrayInputStream(png), "png")));
         String json = new String(content(saved, ".result.json"), StandardCharsets.UTF_8);
-        assertEquals(ResultJson.of(result, NAME + ".png", sha256(png), VERSION,
-                DesktopCommand.of(NAME, result.settings())), json);
+        ResultRecord record = ResultRecord.of(NAME + ".png", sha256(png), VERSION)
+                .withCommand(DesktopCommand.of(NAME, result.settings()))
+                .withCell(NAME + ".cell.yaml", sha256(content(saved, ".cell.yaml"))).withDate("2024-05-17");
+        assertEquals(ResultJson.of(result, record), json);
         byte[] overlay = content(saved, ".overlay.png");
         Bitmap bitmap = BitmapFactory.decodeByteArray(overlay, 0, overlay.length);
         assertEquals(1280, bitmap.getWidth());

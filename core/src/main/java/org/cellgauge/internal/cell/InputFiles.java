@@ -33,21 +33,37 @@ public final class InputFiles {
      * @throws InputRefusedException if it is missing, a folder, not readable, larger than allowed or no UTF-8 text
      */
     public static String text(Path file, RefusalKind what, int maxBytes) {
-        byte[] bytes;
+        return text(bytes(file, what, maxBytes), file.toString(), what, maxBytes);
+    }
+
+    /**
+     * The bytes of a file.
+     *
+     * @param file the file
+     * @param what what it should be, without places, such as {@link CellPhrase#CELL_FILE}
+     * @param maxBytes largest size that such a file can sensibly have, bytes
+     * @return all of it; may be empty
+     * @throws InputRefusedException if it is missing, a folder, not readable or larger than allowed
+     */
+    public static byte[] bytes(Path file, RefusalKind what, int maxBytes) {
         if (Files.isDirectory(file)) {
             throw new InputRefusedException(file.toString(), CellRefusal.IS_FOLDER, what);
         }
         // bounded rather than by the stated size, so that an endless device cannot fill the memory
         try (InputStream in = Files.newInputStream(file)) {
-            bytes = bounded(in, maxBytes);
+            byte[] bytes = bounded(in, maxBytes);
+            if (bytes.length > maxBytes) {
+                throw new InputRefusedException(file.toString(), CellRefusal.TOO_LARGE, maxBytes / 1024, what);
+            }
+            return bytes;
         } catch (IOException e) {
             throw unreadable(file.toString(), e, what);
         }
-        return decode(bytes, file.toString(), what, maxBytes);
     }
 
     /**
-     * The text of a stream, as {@link #text}: for sources that are no files, such as Android's documents.
+     * The text of a stream, as {@link #text(Path, RefusalKind, int)}: for sources that are no files,
+     * such as Android's documents.
      *
      * @param in the stream, read to its end but not closed
      * @param name the name that messages give it
@@ -63,7 +79,7 @@ public final class InputFiles {
         } catch (IOException e) {
             throw unreadable(name, e, what);
         }
-        return decode(bytes, name, what, maxBytes);
+        return text(bytes, name, what, maxBytes);
     }
 
     private static InputRefusedException unreadable(String name, IOException e, RefusalKind what) {
@@ -93,7 +109,17 @@ public final class InputFiles {
         return out.toByteArray();
     }
 
-    private static String decode(byte[] bytes, String name, RefusalKind what, int maxBytes) {
+    /**
+     * The text that bytes are, as {@link #text(Path, RefusalKind, int)}.
+     *
+     * @param bytes all of a file
+     * @param name the name that messages give it
+     * @param what what it should be, without places
+     * @param maxBytes largest size that such a file can sensibly have, bytes
+     * @return its text; may be empty
+     * @throws InputRefusedException if it is larger than allowed or no UTF-8 text
+     */
+    public static String text(byte[] bytes, String name, RefusalKind what, int maxBytes) {
         if (bytes.length > maxBytes) {
             throw new InputRefusedException(name, CellRefusal.TOO_LARGE, maxBytes / 1024, what);
         }

@@ -7,16 +7,14 @@ import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
-import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.Verdict;
-import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.output.ModeView;
+import org.cellgauge.output.ReferencesView;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
-import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.statistics.Ellipse;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
@@ -61,11 +59,10 @@ final class CellDrawing {
 
     private final Cell cell;
     private final Detections detections;
-    private final CellEstimate estimate;
     private final ResultView results;
     /** Rows of the objects that have figures. */
     private final List<ResultRow> seen;
-    private final ReferenceCheck references;
+    private final ReferencesView references;
     private final Stage stage;
     private final ImageOrientation orientation;
     private final boolean panels;
@@ -92,14 +89,11 @@ final class CellDrawing {
      *
      * @param cell the cell
      * @param photo the markers of the photo
-     * @param estimate poses, or null where there are none
-     * @param results the same as a table, judged where a check is finished; null where there are none
-     * @param references what was found of the references, or null: nothing yet
+     * @param results poses with what is stated of them, judged where a check is finished; null where there are none
      * @param stage how far the figures have come
      * @param style how it is shown
      */
-    CellDrawing(Cell cell, Detections photo, CellEstimate estimate, ResultView results, ReferenceCheck references,
-            Stage stage, OverlayStyle style) {
+    CellDrawing(Cell cell, Detections photo, ResultView results, Stage stage, OverlayStyle style) {
         this.cell = cell;
         this.words = style.labels();
         this.legend = style.legend();
@@ -108,13 +102,12 @@ final class CellDrawing {
         this.photoWidth = photo.widthPx();
         this.photoHeight = photo.heightPx();
         this.detections = upright(photo, orientation);
-        this.estimate = estimate;
         this.seen = new ArrayList<>();
         this.results = results;
         if (results != null) {
             results.objects().stream().filter(ResultRow::seen).forEach(seen::add);
         }
-        this.references = references;
+        this.references = results == null ? null : results.references();
         this.stage = stage;
         this.width = detections.widthPx();
         this.height = detections.heightPx();
@@ -170,14 +163,13 @@ final class CellDrawing {
 
     private PinholeCamera camera() {
         PinholeCamera camera = cell.camera();
-        IntrinsicsEstimate unknown = estimate.intrinsics();
-        if (unknown == null) {
+        if (results.intrinsics().isEmpty()) {
             return camera;
         }
         double[] intrinsics = camera.intrinsics();
-        for (int i = 0; i < unknown.names().size(); i++) {
-            int index = camera.lens().parameterNames().indexOf(unknown.names().get(i));
-            double value = unknown.mean()[i];
+        for (ResultView.Intrinsic unknown : results.intrinsics()) {
+            int index = camera.lens().parameterNames().indexOf(unknown.name());
+            double value = unknown.mean();
             // a wrong estimate is to be drawn as well, as long as it is one of a camera
             if (Double.isFinite(value) && (value > 0 || index != PinholeCamera.FX && index != PinholeCamera.FY)) {
                 intrinsics[index] = value;
@@ -343,11 +335,11 @@ final class CellDrawing {
     }
 
     private boolean leftOut(int id) {
-        return references != null && references.fit(id) == null;
+        return references != null && !references.fit(id).used();
     }
 
     private boolean misplaced(int id) {
-        return references != null && references.fit(id) != null && references.fit(id).misplaced();
+        return references != null && references.fit(id).misplaced();
     }
 
     private ObjectMarker objectMarker(int id) {
@@ -544,7 +536,7 @@ final class CellDrawing {
     private Panel banner(Status status, String headline, String reason) {
         Panel panel = new Panel(Role.BANNER, status);
         double pad = 6 * unit;
-        double inner = width - 8 * unit - 2 * pad;
+        double inner = Math.max(0, width - 8 * unit - 2 * pad);
         double cap = HEADLINE_CAP_U * unit;
         double indent = 0;
         double y = pad + StrokeFont.ASCENT * cap;
@@ -576,7 +568,7 @@ final class CellDrawing {
         Panel panel = new Panel(Role.LEGEND, Status.NEUTRAL);
         double pad = 5 * unit;
         double cap = SMALL_CAP_U * unit;
-        double inner = width - 8 * unit - 2 * pad;
+        double inner = Math.max(0, width - 8 * unit - 2 * pad);
         double sample = 1.8 * cap;
         double u = pad;
         double baseline = pad + StrokeFont.ASCENT * cap;
@@ -765,6 +757,9 @@ final class CellDrawing {
         double w = (inCaps + markCaps) * cap + 2 * pad;
         double h = (StrokeFont.ASCENT + StrokeFont.DESCENT / 2 + (lines.size() - 1) * StrokeFont.LINE_SPACING) * cap
                 + 2 * pad;
+        if (!placer.hasRoom(w, h)) {
+            return;
+        }
         Box box = placer.place(w, h, target);
         leader(box, target, status);
         shapes.add(new PanelShape(Role.LABEL, status, unit, box));
@@ -786,7 +781,11 @@ final class CellDrawing {
         }
         double inCaps = StrokeFont.widthInCapHeights(text);
         double cap = Math.min(fitting(inCaps, 0), SMALL_CAP_U * letter);
-        Box box = placer.place(inCaps * cap, (StrokeFont.ASCENT + StrokeFont.DESCENT) * cap, target);
+        double h = (StrokeFont.ASCENT + StrokeFont.DESCENT) * cap;
+        if (!placer.hasRoom(inCaps * cap, h)) {
+            return;
+        }
+        Box box = placer.place(inCaps * cap, h, target);
         leader(box, target, status);
         shapes.add(new TextShape(Role.LABEL, status, BOLD, box.left(), box.top() + StrokeFont.ASCENT * cap, cap, text));
     }

@@ -38,6 +38,19 @@ public final class CellOverlay {
      * @return what to draw over the upright photo
      */
     public static Overlay of(CheckResult result, OverlayStyle style) {
+        return of(result.cell(), result.detections(), ResultView.of(result), style);
+    }
+
+    /**
+     * The overlay of a result, whether it comes from a check or from a file.
+     *
+     * @param cell the cell
+     * @param detections the markers of the photo
+     * @param result what was found; not preliminary
+     * @param style how it is shown; its banner is in English
+     * @return what to draw over the upright photo
+     */
+    public static Overlay of(Cell cell, Detections detections, ResultView result, OverlayStyle style) {
         String headline;
         switch (result.verdict()) {
             case PASS:
@@ -59,7 +72,7 @@ public final class CellOverlay {
                 headline = "NO TARGET SET";
                 break;
         }
-        return of(result, style, headline, result.reason());
+        return judged(cell, detections, result, style, headline, result.reason());
     }
 
     /**
@@ -72,11 +85,16 @@ public final class CellOverlay {
      * @return what to draw over the upright photo
      */
     public static Overlay of(CheckResult result, OverlayStyle style, String headline, String reason) {
+        return judged(result.cell(), result.detections(), ResultView.of(result), style, headline, reason);
+    }
+
+    private static Overlay judged(Cell cell, Detections detections, ResultView result, OverlayStyle style,
+            String headline, String reason) {
         CellDrawing.Stage stage = result.verdict() == Verdict.NOT_CONVERGED ? CellDrawing.Stage.NOT_CONVERGED
                 : result.verdict() == Verdict.CONTRADICTED ? CellDrawing.Stage.CONTRADICTED
                 : CellDrawing.Stage.FINAL;
-        return new CellDrawing(result.cell(), result.detections(), result.estimate(), ResultView.of(result),
-                result.referenceCheck(), stage, style).draw(status(result.verdict()), headline, reason);
+        return new CellDrawing(cell, detections, result, stage, style)
+                .draw(status(result.verdict()), headline, reason);
     }
 
     private static Status status(Verdict verdict) {
@@ -152,7 +170,7 @@ public final class CellOverlay {
 
     private static Overlay preliminary(Cell cell, Detections detections, CellEstimate estimate, String headline,
             OverlayStyle style) {
-        return new CellDrawing(cell, detections, estimate, ResultView.preliminary(cell, estimate), null,
+        return new CellDrawing(cell, detections, ResultView.preliminary(cell, estimate),
                 CellDrawing.Stage.PRELIMINARY, style)
                 .draw(Status.NEUTRAL, headline, "Figures are preliminary: the chains have not converged yet.");
     }
@@ -185,7 +203,7 @@ public final class CellOverlay {
      */
     public static Overlay ofDetections(Cell cell, Detections detections, Status status, String headline,
             String reason, OverlayStyle style) {
-        return new CellDrawing(cell, detections, null, null, null, CellDrawing.Stage.PRELIMINARY, style)
+        return new CellDrawing(cell, detections, null, CellDrawing.Stage.PRELIMINARY, style)
                 .draw(status, headline, reason);
     }
 }

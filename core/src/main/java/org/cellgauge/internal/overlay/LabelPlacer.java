@@ -9,6 +9,8 @@ final class LabelPlacer {
     private static final double HARD = 1e5;
     /** Price of covering what better stays visible. */
     private static final double SOFT = 200;
+    /** Share of the image that labels may take. */
+    private static final double MOST_LABELLED = 0.2;
     /** Steps of the fine grid in one of the coarse grid. */
     private static final int COARSE = 8;
     /** The two grids meet to within rounding. */
@@ -18,6 +20,8 @@ final class LabelPlacer {
     private final double unitPx;
     private final List<Box> hard = new ArrayList<>();
     private final List<Box> soft = new ArrayList<>();
+    private final Row row = new Row();
+    private double labelledPx2;
 
     LabelPlacer(double widthPx, double heightPx, double unitPx) {
         double margin = 3 * unitPx;
@@ -28,6 +32,15 @@ final class LabelPlacer {
     /** The part of the image labels may take. */
     Box area() {
         return area;
+    }
+
+    /**
+     * Whether one more label of a size can be told from the others: many cover what they name, and each costs a search
+     * through the image. What matters most is to be labelled first.
+     */
+    boolean hasRoom(double width, double height) {
+        double share = MOST_LABELLED * (area.right() - area.left()) * (area.bottom() - area.top());
+        return labelledPx2 == 0 || labelledPx2 + width * height <= share;
     }
 
     /** Keeps labels off a box: a marker, a panel, another label. */
@@ -58,6 +71,7 @@ final class LabelPlacer {
         double[][] sides = {{centreU, target.bottom() + gap}, {centreU, target.top() - gap - height},
             {target.right() + gap, centreV}, {target.left() - gap - width, centreV}};
         for (double[] s : sides) {
+            row.take(s[1], s[1] + height);
             double cost = area.contains(new Box(s[0], s[1], s[0] + width, s[1] + height))
                     ? cost(s[0], s[1], width, height, target, bestCost) : Double.POSITIVE_INFINITY;
             if (cost < bestCost) {
@@ -74,6 +88,7 @@ final class LabelPlacer {
             if (gap(v, v + height, target.top(), target.bottom()) / unitPx > limit) {
                 continue;
             }
+            row.take(v, v + height);
             for (double u = area.left(); u + width <= area.right() + 1e-9; u += step) {
                 if (gap(u, u + width, target.left(), target.right()) / unitPx > limit) {
                     continue;
@@ -92,6 +107,7 @@ final class LabelPlacer {
         double top = Double.isNaN(bestLeft) ? area.top() : bestTop;
         Box best = new Box(left, top, left + width, top + height);
         keepOff(best.grown(unitPx));
+        labelledPx2 += width * height;
         return best;
     }
 
@@ -99,6 +115,7 @@ final class LabelPlacer {
     private double leastOf(double step, double width, double height, Box target) {
         double least = Double.POSITIVE_INFINITY;
         for (double v = area.top(); v + height <= area.bottom() + 1e-9; v += step) {
+            row.take(v, v + height);
             for (double u = area.left(); u + width <= area.right() + 1e-9; u += step) {
                 least = Math.min(least, cost(u, v, width, height, target, least));
             }
@@ -106,6 +123,7 @@ final class LabelPlacer {
         return least;
     }
 
+    /** The price of a place within the row that was taken. */
     private double cost(double left, double top, double width, double height, Box target, double limit) {
         double right = left + width;
         double bottom = top + height;
@@ -115,13 +133,33 @@ final class LabelPlacer {
         double cost = distance / unitPx + 0.03 * Math.hypot((left + right - target.left() - target.right()) / 2,
                 (top + bottom - target.top() - target.bottom()) / 2) / unitPx;
         double size = (right - left) * (bottom - top);
-        for (int i = 0; i < hard.size() && cost < limit; i++) {
-            cost += HARD * overlap(hard.get(i), left, top, right, bottom) / size;
+        for (int i = 0; i < row.hard.size() && cost < limit; i++) {
+            cost += HARD * overlap(row.hard.get(i), left, top, right, bottom) / size;
         }
-        for (int i = 0; i < soft.size() && cost < limit; i++) {
-            cost += SOFT * overlap(soft.get(i), left, top, right, bottom) / size;
+        for (int i = 0; i < row.soft.size() && cost < limit; i++) {
+            cost += SOFT * overlap(row.soft.get(i), left, top, right, bottom) / size;
         }
         return cost;
+    }
+
+    /** The boxes that reach into a strip across the image, so that places in it are judged by few of many. */
+    private final class Row {
+        private final List<Box> hard = new ArrayList<>();
+        private final List<Box> soft = new ArrayList<>();
+
+        void take(double top, double bottom) {
+            within(LabelPlacer.this.hard, top, bottom, hard);
+            within(LabelPlacer.this.soft, top, bottom, soft);
+        }
+
+        private void within(List<Box> all, double top, double bottom, List<Box> some) {
+            some.clear();
+            for (int i = 0; i < all.size(); i++) {
+                if (all.get(i).top() < bottom && all.get(i).bottom() > top) {
+                    some.add(all.get(i));
+                }
+            }
+        }
     }
 
     /** The way between two stretches of an axis, 0 where they touch. */

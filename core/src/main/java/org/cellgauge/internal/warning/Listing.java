@@ -7,8 +7,14 @@ import java.util.function.Function;
 import org.cellgauge.warning.Message;
 import org.cellgauge.warning.MessageKind;
 
-/** Several things in a row, as in "5, 20 and 30"; immutable. */
+/**
+ * Several things in a row, as in "5, 20 and 30"; immutable. Of more than {@value #MAX_ITEMS} the last says how many
+ * more there are.
+ */
 public final class Listing {
+    /** Longest row. */
+    public static final int MAX_ITEMS = 60;
+
     /** What stands before the last of them. */
     public enum Join {
         /** All of them. */
@@ -32,7 +38,11 @@ public final class Listing {
 
     private Listing(Join join, List<?> items) {
         List<Object> checked = new ArrayList<>();
-        items.forEach(item -> checked.add(Message.checked(item)));
+        int named = items.size() <= MAX_ITEMS ? items.size() : MAX_ITEMS - 1;
+        items.subList(0, named).forEach(item -> checked.add(Message.checked(item)));
+        if (named < items.size()) {
+            checked.add("... (+" + (items.size() - named) + ")");
+        }
         this.join = join;
         this.items = Collections.unmodifiableList(checked);
     }

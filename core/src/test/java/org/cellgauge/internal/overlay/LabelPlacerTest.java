@@ -26,6 +26,18 @@ class LabelPlacerTest {
         }
     }
 
+    /** A fifth of 600 x 500 px within the margins is 100 labels of 20 x 30 px. */
+    @Test
+    void whatDoesNotFitIsNotPlaced() {
+        LabelPlacer placer = new LabelPlacer(606, 506, 1);
+        int placed = 0;
+        while (placer.hasRoom(20, 30) && placed < 1000) {
+            placer.place(20, 30, new Box(300, 200, 340, 240));
+            placed++;
+        }
+        assertEquals(100, placed);
+    }
+
     @Test
     void aLoneLabelIsBesideWhatItNames() {
         LabelPlacer placer = new LabelPlacer(640, 480, 1);

@@ -1,0 +1,68 @@
+package org.cellgauge.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.cellgauge.cell.CellRefusal;
+import org.cellgauge.desktop.BatchRefusal;
+import org.cellgauge.desktop.BatchWarning;
+import org.cellgauge.desktop.FolderRefusal;
+import org.cellgauge.desktop.ImageRefusal;
+import org.cellgauge.desktop.MachineRefusal;
+import org.cellgauge.output.ResultRefusal;
+import org.cellgauge.vision.DetectionWarning;
+import org.cellgauge.vision.DetectionsRefusal;
+import org.cellgauge.warning.CheckRefusal;
+import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.MessageKind;
+import org.junit.jupiter.api.Test;
+
+/** Programs know warnings and refusals by their codes. */
+class CodesTest {
+    private static final List<MessageKind[]> KINDS = List.of(CheckWarning.values(), DetectionWarning.values(),
+            BatchWarning.values(), CheckRefusal.values(), CellRefusal.values(), DetectionsRefusal.values(),
+            ImageRefusal.values(), FolderRefusal.values(), ResultRefusal.values(), BatchRefusal.values(),
+            MachineRefusal.values());
+
+    @Test
+    void noTwoMessagesShareACode() {
+        Map<String, MessageKind> kinds = new HashMap<>();
+        for (MessageKind[] all : KINDS) {
+            for (MessageKind kind : all) {
+                assertTrue(kind.code().matches("[a-z0-9]+(-[a-z0-9]+)*"), kind.code());
+                MessageKind other = kinds.put(kind.code(), kind);
+                assertTrue(other == null, kind.code() + " is " + kind + " and " + other);
+            }
+        }
+    }
+
+    /** The list holds what was ever told: a code that is renamed or taken away breaks someone's script. */
+    @Test
+    void codesThatAreToldStayAsTheyAre() throws IOException {
+        Set<String> now = new HashSet<>();
+        for (MessageKind[] all : KINDS) {
+            for (MessageKind kind : all) {
+                now.add(kind.code());
+            }
+        }
+        Matcher told = Pattern.compile("(?m)^- `([a-z0-9-]+)`").matcher(
+                Files.readString(Path.of(System.getProperty("cellgauge.root", ".."), "docs", "codes.md")));
+        Set<String> gone = new HashSet<>();
+        while (told.find()) {
+            if (!now.contains(told.group(1))) {
+                gone.add(told.group(1));
+            }
+        }
+        assertEquals(Set.of(), gone);
+    }
+}

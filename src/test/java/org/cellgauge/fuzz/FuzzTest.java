@@ -1,0 +1,27 @@
+package org.cellgauge.fuzz;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A short run over every reader and whole checks; the long one is a command (docs/robustness.md). */
+class FuzzTest {
+    private static final Path ROOT = Path.of(System.getProperty("cellgauge.root", "."));
+
+    @ParameterizedTest
+    @CsvSource({"CELL, 600", "CAMERA, 600", "DETECTIONS, 600", "IMAGE, 400", "RESULT, 40", "CHECK, 3"})
+    void nothingButRefusals(Target target, int count) throws IOException {
+        Fuzz fuzz = new Fuzz(target, 1, ROOT);
+        assertTrue(Arrays.equals(fuzz.input(3), new Fuzz(target, 1, ROOT).input(3)), "not reproducible");
+        for (int i = 0; i < count; i++) {
+            fuzz.tryOne(i);
+        }
+        assertEquals(List.of(), fuzz.faults());
+    }
+}

@@ -1,0 +1,105 @@
+package org.cellgauge.fuzz;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import javax.imageio.ImageIO;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
+
+/** Small inputs without a fault. */
+final class Scenes {
+    /** Stands between the two files of a check; no number in it. */
+    static final String BETWEEN = "\n=== corners ===\n";
+
+    static final String FISHEYE = """
+            model: kannala_brandt
+            pinhole: {fx: 400, fy: 400, cx: 640, cy: 480, width: 1280, height: 960, skew: 0}
+            symmetric: [1, -0.01, 0.002]
+            """;
+    static final String PRECISE_DETECTIONS = """
+            {"image": {"width": 1280, "height": 720, "name": "a.png"},
+             "light": {"tone_curve": "gamma 2.2", "edge_shift_std_px": 0.1, "blur_px": 0.7, "noise_grey": 2},
+             "markers": [{"id": 944, "corners_px": [[700, 150.5], [730, 150], [730.25, 180], [700, 180]],
+               "covariance_px2": [[1,0,0,0,0,0,0,0],[0,1,0,0,0,0,0,0],[0,0,1,0,0,0,0,0],[0,0,0,1,0,0,0,0],
+                 [0,0,0,0,1,0,0,0],[0,0,0,0,0,1,0,0],[0,0,0,0,0,0,1,0],[0,0,0,0,0,0,0,1]],
+               "edge_shift": {"px": 0.1, "variance_px2": 0.01, "covariance_with_corners_px2": [0,0,0,0,0,0,0,0]}}]}
+            """;
+    /** Written by Pillow: Java has no encoder. */
+    private static final String WEBP = "UklGRigAAABXRUJQVlA4TBsAAAAvC8AAAM1lRP8Dato2YHr3Ln+4E0FETADk8gIA";
+
+    private Scenes() {
+    }
+
+    /** The cell file of a fixture with its camera written into it. */
+    static String cellWithCamera(Path root, String scene) throws IOException {
+        Path folder = root.resolve("fixtures").resolve(scene);
+        String camera = Files.readString(folder.resolve("camera.yaml")).replaceAll("(?m)^#.*\n", "")
+                .replaceAll("(?m)^", "  ").stripTrailing();
+        return Files.readString(folder.resolve("cell.yaml")).replace("camera: camera.yaml", "camera:\n" + camera);
+    }
+
+    static Cell cell(Path root, String scene) throws IOException {
+        return CellReader.read(root.resolve("fixtures").resolve(scene).resolve("cell.yaml"));
+    }
+
+    /** Corners of the cell {@code lifted-4}, three tenths of a pixel of noise on them. */
+    static String detections() {
+        PinholeCamera camera = PinholeCamera.ideal(1280, 720, 581, 581, 640, 360);
+        RigidTransform cameraFromWorld = RigidTransform.ofEuler(418, 106, 1070, 3.08, 0.10, 0.02).inverse();
+        Map<Integer, RigidTransform> markers = new TreeMap<>(Map.of(944, RigidTransform.ofEuler(492, 380, 0, 0, 0, 0),
+                1234, RigidTransform.ofEuler(0, 380, 0, 0, 0, 0), 911, RigidTransform.ofEuler(492, 0, 0, 0, 0, 0),
+                22, RigidTransform.ofEuler(0, 0, 0, 0, 0, 0), 5, RigidTransform.ofEuler(370, 295, 0, 0, 0, 0.35),
+                20, RigidTransform.ofEuler(240, -44, 60, 0.3, 0, 2.29)));
+        SplittableRandom random = new SplittableRandom(7);
+        List<String> found = new ArrayList<>();
+        markers.forEach((id, pose) -> {
+            double[] px = MarkerGeometry.cornersPx(camera, cameraFromWorld.compose(pose), 47);
+            List<String> corners = new ArrayList<>();
+            for (int k = 0; k < 8; k += 2) {
+                corners.add(String.format(Locale.ROOT, "[%.3f, %.3f]", px[k] + 0.3 * random.nextGaussian(),
+                        px[k + 1] + 0.3 * random.nextGaussian()));
+            }
+            found.add("{\"id\": " + id + ", \"corners_px\": [" + String.join(", ", corners) + "]}");
+        });
+        return "{\"image\": {\"width\": 1280, \"height\": 720, \"name\": \"a.png\"}, \"markers\": ["
+                + String.join(",\n", found) + "]}";
+    }
+
+    /** One small image of each format, and of each way to store it. */
+    static List<byte[]> images() throws IOException {
+        List<byte[]> images = new ArrayList<>();
+        int[] types = {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_3BYTE_BGR, BufferedImage.TYPE_BYTE_INDEXED,
+            BufferedImage.TYPE_USHORT_GRAY, BufferedImage.TYPE_4BYTE_ABGR};
+        for (String format : new String[] {"png", "jpg", "bmp", "gif", "tiff"}) {
+            for (int type : types) {
+                BufferedImage image = new BufferedImage(24, 16, type);
+                for (int i = 0; i < 24 * 16; i++) {
+                    image.setRGB(i % 24, i / 24, 0xFF000000 | i * 0x051309 & 0xFFFFFF);
+                }
+                ByteArrayOutputStream out = new ByteArrayOutputStream();
+                if (ImageIO.write(image, format, out)) {
+                    images.add(out.toByteArray());
+                }
+            }
+        }
+        images.add(Base64.getDecoder().decode(WEBP));
+        images.add("P2 3 2 # text\n 9\n0 1 2 7 8 9".getBytes(StandardCharsets.US_ASCII));
+        images.add("P6\n2 1\n1023\n\u0001\u0002\u0003\u0000\u0001\u0001\u0001\u0001\u0002\u0002\u0003\u0003".getBytes(
+                StandardCharsets.US_ASCII));
+        return images;
+    }
+}

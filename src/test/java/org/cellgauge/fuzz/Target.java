@@ -1,0 +1,161 @@
+package org.cellgauge.fuzz;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.cellgauge.cell.CameraReader;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.check.CellCheck;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.desktop.ImageFiles;
+import org.cellgauge.desktop.ImageRefusal;
+import org.cellgauge.internal.cell.CellPhrase;
+import org.cellgauge.internal.cell.InputChecks;
+import org.cellgauge.internal.cell.InputFiles;
+import org.cellgauge.internal.overlay.CellOverlay;
+import org.cellgauge.output.ResultJson;
+import org.cellgauge.output.ResultReader;
+import org.cellgauge.output.ResultRecord;
+import org.cellgauge.output.ResultView;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.DetectionsFile;
+
+/** What inputs are tried on: each reader of files, and checks as a whole. */
+enum Target {
+    /** Cell files with the camera in them. */
+    CELL {
+        @Override
+        List<byte[]> corpus(Path root) throws IOException {
+            List<byte[]> cells = new ArrayList<>();
+            for (String scene : new String[] {"lifted-4", "distorted-4", "plane-3", "apriltag-4", "raised-3"}) {
+                cells.add(Scenes.cellWithCamera(root, scene).getBytes(StandardCharsets.UTF_8));
+            }
+            return cells;
+        }
+
+        @Override
+        void read(byte[] input) {
+            String text = InputFiles.text(input, "a.yaml", CellPhrase.CELL_FILE, CellReader.MAX_BYTES);
+            CellReader.read(text, "a.yaml", name -> "");
+        }
+    },
+
+    /** Camera files. */
+    CAMERA {
+        @Override
+        List<byte[]> corpus(Path root) throws IOException {
+            return List.of(Files.readAllBytes(root.resolve("fixtures/distorted-4/camera.yaml")),
+                    Files.readAllBytes(root.resolve("fixtures/plane-3/camera.yaml")), Scenes.FISHEYE.getBytes(
+                            StandardCharsets.UTF_8));
+        }
+
+        @Override
+        void read(byte[] input) {
+            String text = InputFiles.text(input, "a.yaml", CellPhrase.CAMERA_FILE, CameraReader.MAX_BYTES);
+            CameraReader.read(text, "a.yaml");
+        }
+    },
+
+    /** Detections files. */
+    DETECTIONS {
+        @Override
+        List<byte[]> corpus(Path root) throws IOException {
+            return List.of(Scenes.detections().getBytes(StandardCharsets.UTF_8),
+                    Scenes.PRECISE_DETECTIONS.getBytes(StandardCharsets.UTF_8));
+        }
+
+        @Override
+        void read(byte[] input) {
+            DetectionsFile.read(input, "a.json");
+        }
+    },
+
+    /** Photos of every format. */
+    IMAGE {
+        @Override
+        List<byte[]> corpus(Path root) throws IOException {
+            return Scenes.images();
+        }
+
+        @Override
+        void read(byte[] input) {
+            ImageFiles.decode(input, "a.png", (width, height) -> {
+                // a cell's camera has one size; what is far larger than the corpus is refused like that
+                if ((long) width * height > 1_000_000) {
+                    throw new InputRefusedException("a.png", ImageRefusal.EMPTY);
+                }
+            });
+        }
+    },
+
+    /** Stored results. */
+    RESULT {
+        @Override
+        List<byte[]> corpus(Path root) throws IOException {
+            Cell cell = Scenes.cell(root, "lifted-4");
+            CheckResult result = CellCheck.run(cell, DetectionsFile.read(
+                    Scenes.detections().getBytes(StandardCharsets.UTF_8), "a.json"), SHORT);
+            return List.of(ResultJson.of(result, RECORD).getBytes(StandardCharsets.UTF_8));
+        }
+
+        @Override
+        void read(byte[] input) {
+            ResultReader.of(new String(input, StandardCharsets.UTF_8), "a.result.json");
+        }
+    },
+
+    /** A cell and detections with other numbers in them, checked, drawn, written and read back. */
+    CHECK {
+        @Override
+        List<byte[]> corpus(Path root) throws IOException {
+            List<byte[]> pairs = new ArrayList<>();
+            for (String noise : new String[] {"pixel_std_px: 0.3", "pixel_std_px: auto"}) {
+                pairs.add((Scenes.cellWithCamera(root, "lifted-4").replace("target:", noise + "\ntarget:")
+                        + Scenes.BETWEEN + Scenes.detections()).getBytes(StandardCharsets.UTF_8));
+            }
+            return pairs;
+        }
+
+        @Override
+        byte[] mutated(byte[] input, Mutator mutator, List<byte[]> corpus) {
+            return mutator.withOtherNumbers(new String(input, StandardCharsets.UTF_8), 3)
+                    .getBytes(StandardCharsets.UTF_8);
+        }
+
+        @Override
+        void read(byte[] input) {
+            String[] parts = new String(input, StandardCharsets.UTF_8).split(Scenes.BETWEEN);
+            Cell cell = CellReader.read(parts[0], "a.yaml", name -> "");
+            Detections detections = DetectionsFile.read(parts[1].getBytes(StandardCharsets.UTF_8), "a.json");
+            InputChecks.imageSize(cell, detections.widthPx(), detections.heightPx(), "a.json");
+            CheckResult result = CellCheck.run(cell, detections, SHORT);
+            Oracle.judge(cell, detections, result);
+            CellOverlay.of(result);
+            ResultView read = ResultReader.of(ResultJson.of(result, RECORD), "a.result.json");
+            Oracle.require(read.verdict() == result.verdict(), "another verdict is read than was written");
+        }
+    };
+
+    private static final ResultRecord RECORD = ResultRecord.of("a.json", "0".repeat(64), "0");
+    private static final CheckSettings SHORT = CheckSettings.builder().chains(2).iterations(1000).build();
+
+    /** Inputs without a fault, of which mutations are made. */
+    abstract List<byte[]> corpus(Path root) throws IOException;
+
+    /**
+     * Takes an input as the program does.
+     *
+     * @throws InputRefusedException if it is refused
+     */
+    abstract void read(byte[] input);
+
+    byte[] mutated(byte[] input, Mutator mutator, List<byte[]> corpus) {
+        return mutator.mutated(input, corpus);
+    }
+}
