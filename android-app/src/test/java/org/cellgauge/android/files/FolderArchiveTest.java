@@ -264,8 +264,8 @@ public class FolderArchiveTest {
         assertEquals("cellgauge " + command, ours.get("command").getAsString());
         theirs.remove("command");
         ours.remove("command");
-        // all of it but version, day and where files lie: verdict, photo and cell with their hashes, settings, figures to
-        // the last digit, diagnostics
+        // all of it but version, day and where files lie: verdict, photo and cell with their hashes, settings, figures
+        // to the last digit, diagnostics
         for (String key : Arrays.asList("version", "date")) {
             theirs.remove(key);
             ours.remove(key);
