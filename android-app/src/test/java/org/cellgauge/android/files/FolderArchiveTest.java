@@ -264,10 +264,12 @@ public class FolderArchiveTest {
         assertEquals("cellgauge " + command, ours.get("command").getAsString());
         theirs.remove("command");
         ours.remove("command");
-        // all of it but the version and where files lie: verdict, photo with its hash, settings, figures to the last
-        // digit, diagnostics
-        theirs.remove("version");
-        ours.remove("version");
+        // all of it but version, day and where files lie: verdict, photo and cell with their hashes, settings, figures
+        // to the last digit, diagnostics
+        for (String key : Arrays.asList("version", "date")) {
+            theirs.remove(key);
+            ours.remove(key);
+        }
         assertEquals(ours, theirs);
     }
 
