@@ -322,7 +322,8 @@ public final class CheckCommand implements Callable<Integer> {
             ResultRow worst = view.worstObject();
             String std = worst == null || !view.showsFigures() ? "-" : CheckText.fixed(view.worstStdMm(worst), 2);
             table.row(input.name(), CheckText.word(result.verdict()), std,
-                    worst == null || !view.showsFigures() ? "" : CheckText.name(worst), CheckText.fixed(view.chains().rHatMax(), 4),
+                    worst == null || !view.showsFigures() ? "" : CheckText.name(worst),
+                    CheckText.fixed(view.chains().rHatMax(), 4),
                     CheckText.fixed(Math.min(view.chains().essBulkMin(), view.chains().essTailMin()), 0));
             if (json) {
                 stdout.print(batch && done > 1 ? ",\n" + text.stripTrailing() : text.stripTrailing());
