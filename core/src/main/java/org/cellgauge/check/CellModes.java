@@ -349,7 +349,11 @@ final class CellModes {
             boolean foreign = foreignReference(fit) >= 0;
             if (settings.model().likelihood() == LikelihoodModel.RIGID_MARKER && Contradiction.isSuspected(fit)) {
                 Contradiction found = Contradiction.of(atNoise(fit, observed));
-                Explanation best = found == null ? null : found.explanation();
+                if (found == null) {
+                    // corners that are noisier than stated explain it, and have a warning of their own
+                    return fit;
+                }
+                Explanation best = found.explanation();
                 if (best != null && best.cause() == Cause.REFERENCE_ELSEWHERE && best.orInstead().isEmpty()) {
                     return foreign ? cameraFitOf(without(all, indexOf(all, best.references().get(0))), intrinsics)
                             : fit;

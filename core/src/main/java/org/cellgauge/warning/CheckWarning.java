@@ -61,7 +61,8 @@ public enum CheckWarning implements WarningKind {
             + "check its id and position in the cell file"),
     /**
      * All markers of another size: by how much, %, {@link CheckPhrase#LARGER} or smaller, stated size
-     * ({@link CheckPhrase#STD_MM} or {@link CheckPhrase#STATED}), deviation, %, {@link CheckPhrase#OR_CAUSE} or nothing.
+     * ({@link CheckPhrase#STD_MM} or {@link CheckPhrase#STATED}), deviation, %, {@link CheckPhrase#OR_CAUSE} or
+     * nothing.
      */
     AS_IF_MARKERS("as if all markers were %s %% %s than %s (give or take %s %%): measure the black square of a print "
             + "and state that as size_mm%s"),
@@ -69,8 +70,8 @@ public enum CheckWarning implements WarningKind {
     AS_IF_SOME_MARKERS("as if markers %s were %s %% %s than %s (give or take %s %%): measure their black squares and "
             + "state that as size_mm%s"),
     /** Edges that lie off: px, deviation, px, {@link CheckPhrase#INWARDS} or outwards, what it may be instead. */
-    AS_IF_EDGES("as if the edges of all markers were seen %s px (give or take %s px) too far %s: see to light, focus and "
-            + "contrast, or state the camera's tone_curve%s"),
+    AS_IF_EDGES("as if the edges of all markers were seen %s px (give or take %s px) too far %s: see to light, focus "
+            + "and contrast, or state the camera's tone_curve%s"),
     /** Another focal length: %, {@link CheckPhrase#LONGER} or shorter, deviation, %, what it may be instead. */
     AS_IF_FOCAL_LENGTH("as if the focal length were %s %% %s than in the camera file (give or take %s %%): calibrate "
             + "the camera again, with this focus and image size%s"),

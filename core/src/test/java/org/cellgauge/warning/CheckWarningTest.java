@@ -40,8 +40,8 @@ class CheckWarningTest {
 
     @Test
     void ofWhatExplainsAMisfit() {
-        says("as if all markers were 2.1 % smaller than 47 mm (give or take 0.2 %): measure the black square of a print "
-                + "and state that as size_mm; it may be the focal length or reference 22 instead",
+        says("as if all markers were 2.1 % smaller than 47 mm (give or take 0.2 %): measure the black square of a "
+                + "print and state that as size_mm; it may be the focal length or reference 22 instead",
                 CheckWarning.AS_IF_MARKERS, n(2.1, 1), CheckPhrase.SMALLER, Warning.of(CheckPhrase.STD_MM, n(47, 0)),
                 n(0.2, 1), Warning.of(CheckPhrase.OR_CAUSE, Listing.or(Arrays.asList(
                         Warning.of(CheckPhrase.CAUSE_FOCAL_LENGTH), Warning.of(CheckPhrase.CAUSE_REFERENCE, 22)))));

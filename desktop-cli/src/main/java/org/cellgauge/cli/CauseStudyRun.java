@@ -24,7 +24,7 @@ final class CauseStudyRun {
     static final String ALL = "all";
     /** A cause must show by so many of its standard deviations. */
     private static final double DEVIATIONS = 5;
-    /** Share of cells in which it must be named first then, and share in which nothing may be said if nothing is wrong. */
+    /** Share of cells in which it must be named first then, and in which anything may be said if nothing is wrong. */
     private static final double NAMED = 0.9;
     private static final double FALSE_ALARMS = 0.01;
 

@@ -102,8 +102,8 @@ public final class ValidateCommand implements Callable<Integer> {
     private Double pixelStdPx;
 
     @Option(names = "--cause", paramLabel = "NAME|none|all",
-            description = "Counts how often what is wrong with a cell is named, in cells stated or photographed wrong in "
-                    + "that way, by 5 to 10 standard deviations where it has a size (those with any one other cause "
+            description = "Counts how often what is wrong with a cell is named, in cells stated or photographed wrong "
+                    + "in that way, by 5 to 10 standard deviations where it has a size (those with any one other cause "
                     + "allowed for); none: in how many right ones anything is said. No chains are run.")
     private String cause;
 
