@@ -523,7 +523,7 @@ public final class ChainDiagnostics {
             tail = even > 0 || pair >= 0 ? even : 0;
         }
         double tau = -1 + 2 * sum + tail;
-        double size = (double) 2 * chainCount * n;
+        double size = 2.0 * chainCount * n;
         return size / Math.max(tau, 1 / Math.log10(size));
     }
 

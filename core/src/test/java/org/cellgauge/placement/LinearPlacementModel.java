@@ -35,7 +35,7 @@ final class LinearPlacementModel {
     /** Sensitivities along x and y, reference by reference. */
     private final double[] inPlane;
     private final Tests tests;
-    /** Likelihood ratio of the likeliest reference and smallest p over weight of simulated cells as stated, ascending. */
+    /** Likelihood ratio of the likeliest reference, and smallest p over weight, of cells as stated; ascending. */
     private final double[] ratios = new double[CELLS];
     private final double[] least = new double[CELLS];
 
