@@ -108,6 +108,10 @@ public final class CheckCommand implements Callable<Integer> {
             description = "Prints the result file to standard output in place of the table; of several photos, a list.")
     private boolean json;
 
+    @Option(names = "--no-draws",
+            description = "Leaves out NAME.chain-K.csv, some MB a photo; the other results hold all figures.")
+    private boolean noDraws;
+
     private Cell cell;
     private CheckSettings settings;
     private String version;
@@ -343,7 +347,8 @@ public final class CheckCommand implements Callable<Integer> {
             CompletableFuture<Picture> picture = CompletableFuture.supplyAsync(() -> picture(outcome),
                     settings.sampling().threads() == 1 ? Runnable::run : Run::besides);
             Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
-            for (int i = 1; i <= result.draws().size(); i++) {
+            int chains = noDraws ? 0 : result.draws().size();
+            for (int i = 1; i <= chains; i++) {
                 int chain = i;
                 files.put(input.name() + ".chain-" + chain + ".csv", bytes -> {
                     Writer writer = new OutputStreamWriter(bytes, StandardCharsets.UTF_8);
@@ -355,7 +360,7 @@ public final class CheckCommand implements Callable<Integer> {
             files.put(input.name() + ".result.json", text(text));
             output.write(files);
             report.add(input, result, picture.join().jpeg(), command);
-            output.deleteChainsFrom(input.name(), result.draws().size() + 1);
+            output.deleteChainsFrom(input.name(), chains + 1);
             stages.end("files");
         }
 

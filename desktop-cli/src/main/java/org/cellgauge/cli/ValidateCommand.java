@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.cellgauge.cell.Cell;
@@ -54,8 +55,8 @@ public final class ValidateCommand implements Callable<Integer> {
     /** Share of simulations without a figure beyond which coverage of the others says little. */
     private static final double MOST_WITHOUT_FIGURE = 0.05;
     private static final int REPORTS = 10;
-    /** Options on which no figure depends. */
-    private static final Set<String> WITHOUT_EFFECT = Set.of("--json", "--out", "--threads", "--debug");
+    /** Options besides settings on which figures depend. */
+    private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only");
 
     @Spec
     private CommandSpec spec;
@@ -66,10 +67,6 @@ public final class ValidateCommand implements Callable<Integer> {
     @Option(names = "--cell", paramLabel = "CELL",
             description = "The cell file. Needed, but for --random-layouts.")
     private Path cellFile;
-
-    @Option(names = "--simulations", paramLabel = "N", defaultValue = "200",
-            description = "Number of simulated cells (${DEFAULT-VALUE}).")
-    private int simulations;
 
     @Option(names = "--object", paramLabel = "ID=X,Y,Z[,PSI,THETA,PHI]",
             description = "Nominal pose of an object of the cell in the world, mm and degrees; repeat it for others. "
@@ -82,24 +79,14 @@ public final class ValidateCommand implements Callable<Integer> {
                     + "straight at the plane z = 0, from where all markers fit.")
     private PoseArgument cameraPose;
 
-    @Option(names = "--spread", paramLabel = "MM,DEG", defaultValue = "50,10",
-            preprocessor = PoseArgument.MayBeNegative.class,
-            description = "Standard deviation of the true poses about the nominal ones, from simulation to simulation: "
-                    + "the camera swings about the references, objects move before the camera (${DEFAULT-VALUE}). "
-                    + "0,0: the truth is the same in all. At most the distance from camera to references, and below "
-                    + "57 degrees.")
-    private String spread;
-
-    @Option(names = "--pixel-std", paramLabel = "PX",
-            description = "Corner noise that is simulated, where it is to differ from the pixel_std_px of the cell "
-                    + "file, or that is 'auto'.")
-    private Double pixelStdPx;
-
     @Option(names = "--json", description = "Prints all counts and ranks as JSON in place of the tables.")
     private boolean json;
 
     @Mixin
-    private StudyOptions study;
+    private StudyOptions options;
+
+    private StudySettings study;
+    private CheckSettings check;
 
     /**
      * Runs the validation.
@@ -108,17 +95,17 @@ public final class ValidateCommand implements Callable<Integer> {
      */
     @Override
     public Integer call() {
-        CheckSettings check = CheckOptions.settings(spec.commandLine(), CheckOptions.OfValidate.USUAL);
-        study.check(spec.commandLine());
-        if (cellFile == null && !study.randomLayouts()) {
+        check = CheckOptions.settings(spec.commandLine(), CheckOptions.OfValidate.USUAL);
+        study = options.settings(spec.commandLine());
+        boolean randomLayouts = study.get(StudyTable.RANDOM_LAYOUTS);
+        if (cellFile == null && !randomLayouts) {
             throw new ParameterException(spec.commandLine(), "Missing required option: '--cell=CELL'");
         }
-        ParsedSpread spreads = parseSpread();
         Map<Integer, RigidTransform> given = ObjectPoses.parse(spec.commandLine(), objects);
         try {
-            if (study.randomLayouts()) {
+            if (randomLayouts) {
                 requireNoCell();
-                return study(check).randomLayouts(json, pixelStdPx, this::progress);
+                return studyRun().randomLayouts(json, this::progress);
             }
             Cell cell = CellReader.read(cellFile);
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, given);
@@ -126,21 +113,16 @@ public final class ValidateCommand implements Callable<Integer> {
             RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
             CellTruth nominal = new CellTruth(camera, poses);
             if (study.photos()) {
-                if (pixelStdPx != null) {
-                    throw new ParameterException(spec.commandLine(), "--pixel-std is the noise of drawn corners; with "
-                            + "--photos it is the detector's: leave it out, or say what the check is told with "
-                            + "--state-pixel-std");
-                }
-                CoverageStudyRun run = study(check);
-                return study.grid() ? run.grid(cell, nominal, (c, n) -> prior(c, n, spreads, check), json)
-                        : run.oneCell(cell, nominal, (c, n) -> prior(c, n, spreads, check), json, this::progress);
+                CoverageStudyRun run = studyRun();
+                return study.get(StudyTable.GRID) ? run.grid(cell, nominal, this::prior, json)
+                        : run.oneCell(cell, nominal, this::prior, json, this::progress);
             }
-            TruthPrior prior = prior(cell, nominal, spreads, check);
-            ValidationSettings settings = settings(cell, check);
+            TruthPrior prior = prior(cell, nominal);
+            ValidationSettings settings = settings(cell);
             ValidationResult result = Validation.run(prior, settings, this::progress);
             ValidationText text = new ValidationText(prior, settings, result);
             PrintWriter out = spec.commandLine().getOut();
-            out.print(json ? text.json(repeating(), Main.version()) : text.text());
+            out.print(json ? text.json(study.plain(), repeating(), Main.version()) : text.text());
             out.flush();
             return exitCode(result);
         } catch (InputRefusedException e) {
@@ -152,16 +134,16 @@ public final class ValidateCommand implements Callable<Integer> {
 
     /** What makes the figures again. */
     private String repeating() {
-        return RepeatingCommand.asGiven(spec.name(), spec.commandLine().getParseResult(), WITHOUT_EFFECT);
+        return RepeatingCommand.validate(cellFile, study, check, spec.commandLine().getParseResult(), DETERMINING);
     }
 
-    private CoverageStudyRun study(CheckSettings check) {
-        return new CoverageStudyRun(spec.commandLine(), study, check, simulations, repeating());
+    private CoverageStudyRun studyRun() {
+        return new CoverageStudyRun(spec.commandLine(), options, study, check, repeating());
     }
 
     private void requireNoCell() {
         String given = cellFile != null ? "--cell" : !objects.isEmpty() ? "--object"
-                : cameraPose != null ? "--camera-pose" : study.photos() && pixelStdPx != null ? "--pixel-std" : null;
+                : cameraPose != null ? "--camera-pose" : null;
         if (given != null) {
             throw new ParameterException(spec.commandLine(), "--random-layouts makes its own cells"
                     + (study.photos() ? " and photos" : "") + ": leave out " + given);
@@ -173,45 +155,27 @@ public final class ValidateCommand implements Callable<Integer> {
                 : result.covers(ValidationText.JUDGED) ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
     }
 
-    private TruthPrior prior(Cell cell, CellTruth nominal, ParsedSpread spreads, CheckSettings check) {
+    private TruthPrior prior(Cell cell, CellTruth nominal) {
+        NumberPair spread = study.get(StudyTable.SPREAD);
         try {
-            return new TruthPrior(cell, nominal, spreads.mm(), spreads.rad(),
+            return new TruthPrior(cell, nominal, spread.first(), Math.toRadians(spread.second()),
                     IntrinsicsPrior.stated(cell.camera(), check.model()));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), "--spread: " + e.getMessage());
         }
     }
 
-    private ValidationSettings settings(Cell cell, CheckSettings check) {
-        if (pixelStdPx == null && cell.pixelStdPx().isEmpty()) {
+    private ValidationSettings settings(Cell cell) {
+        OptionalDouble asked = study.get(StudyTable.PIXEL_STD_PX);
+        if (asked.isEmpty() && cell.pixelStdPx().isEmpty()) {
             throw new InputRefusedException(cellFile.toString(), CommandRefusal.NO_CORNER_NOISE);
         }
-        double pixels = pixelStdPx != null ? pixelStdPx : cell.pixelStdPx().getAsDouble();
-        try {
-            return new ValidationSettings(simulations, check, pixels, check.sampling().threads());
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage());
-        }
-    }
-
-    private record ParsedSpread(double mm, double rad) {
-    }
-
-    private ParsedSpread parseSpread() {
-        String[] parts = spread.split(",", -1);
-        try {
-            double mm = Double.parseDouble(parts[0].trim());
-            double degrees = Double.parseDouble(parts[parts.length - 1].trim());
-            if (parts.length == 2) {
-                return new ParsedSpread(mm, Math.toRadians(degrees));
-            }
-        } catch (NumberFormatException e) {
-            // said below
-        }
-        throw new ParameterException(spec.commandLine(), "--spread: '" + spread + "' is not MM,DEG, as in 50,10");
+        double pixels = asked.isPresent() ? asked.getAsDouble() : cell.pixelStdPx().getAsDouble();
+        return new ValidationSettings(study.simulations(), check, pixels, check.sampling().threads());
     }
 
     private void progress(int done) {
+        int simulations = study.simulations();
         int every = Math.max(1, simulations / REPORTS);
         if (done % every == 0 || done == simulations) {
             PrintWriter err = spec.commandLine().getErr();

@@ -29,6 +29,7 @@ import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.DetectionWarning;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.settings.SettingRefusal;
 import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Message;
@@ -53,6 +54,7 @@ public class WarningWordsTest {
         kinds.addAll(Arrays.asList(CellRefusal.values()));
         kinds.addAll(Arrays.asList(CellPhrase.values()));
         kinds.addAll(Arrays.asList(CheckRefusal.values()));
+        kinds.addAll(Arrays.asList(SettingRefusal.values()));
         kinds.addAll(Arrays.asList(FileRefusal.values()));
         return kinds;
     }
