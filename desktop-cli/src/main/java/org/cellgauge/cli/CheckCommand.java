@@ -22,7 +22,6 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
@@ -65,14 +64,14 @@ import picocli.CommandLine.Spec;
 /** {@code cellgauge check}: from photos of a cell to poses, their uncertainties and a verdict. */
 @Command(name = "check", mixinStandardHelpOptions = true, sortOptions = false, versionProvider = Main.Version.class,
         modelTransformer = CheckOptions.OfCheck.class,
-        description = "Finds the markers in photos of a cell, estimates the poses of camera and objects with their "
-                + "uncertainties, and judges these against the target of the cell file.",
-        footer = {"", "Examples:",
+        description = {"Finds the markers in photos of a cell, estimates the poses of camera and objects with their "
+                + "uncertainties, and judges these against the target of the cell file.", "", "Examples:",
             "  cellgauge check --cell cell.yaml photo.png",
             "  cellgauge check --cell cell.yaml photos/ --out results",
-            "  cellgauge check --cell cell.yaml --detections corners.json --json",
-            "  cellgauge check --cell cell.yaml photo.png --preset thesis --chains 4",
-            "",
+            "  cellgauge check --cell cell.yaml --detections a.json",
+            "  camera-tool | cellgauge check --cell cell.yaml --json -",
+            ""},
+        footer = {"",
             "Files in DIR: NAME.result.json, NAME.overlay.png and NAME.chain-K.csv (Stan CSV) of every photo,",
             "report.html and summary.csv of the run. Results of earlier runs of the same names are replaced.",
             "The table goes to standard output, progress and messages to standard error.",
@@ -89,7 +88,7 @@ public final class CheckCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Option(names = "--cell", required = true, paramLabel = "CELL", description = "The cell file.")
+    @Option(names = "--cell", required = true, paramLabel = "CELL", description = "The cell file; - is standard input, here and below.")
     private Path cellFile;
 
     @Parameters(paramLabel = "IMAGE", arity = "0..*",
@@ -130,14 +129,19 @@ public final class CheckCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(),
                     "nothing to check; name photos, a folder of them, or --detections FILE");
         }
+        List<Path> read = new ArrayList<>(images);
+        read.addAll(detectionsFiles);
+        read.add(cellFile);
+        StandardInput.requireOnce(spec.commandLine(), read);
         stages = new Stages(main.debug());
         BoofThreads.useOne();
         version = Main.version();
         try {
-            cell = CellReader.read(cellFile);
+            cell = StandardInput.cell(cellFile);
             stages.end("cell file");
             CheckOutput output = out != null ? CheckOutput.into(out) : json ? null : CheckOutput.into(DEFAULT_FOLDER);
-            return run(CheckInput.resolve(images, detectionsFiles), output);
+            return run(CheckInput.resolve(StandardInput.kept(images, System.in),
+                    StandardInput.kept(detectionsFiles, System.in)), output);
         } catch (InputRefusedException | CheckOutput.UnwritableException e) {
             return main.report(e, ExitCodes.INPUT_REFUSED, spec.commandLine());
         }

@@ -83,7 +83,11 @@ final class RepeatingCommand {
         }
     }
 
-    private static String file(Path path) {
+    private static String file(Path given) {
+        Path path = StandardInput.asGiven(given);
+        if (StandardInput.is(path)) {
+            return path.toString();
+        }
         // a name that begins with a hyphen would pass for an option
         return path.toString().startsWith("-") ? Path.of(".").resolve(path).toString() : path.toString();
     }

@@ -10,7 +10,6 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.desktop.render.CellSimulation;
 import org.cellgauge.geometry.RigidTransform;
@@ -32,17 +31,16 @@ import picocli.CommandLine.Spec;
 /** {@code cellgauge validate}: is a stated 95 % right 95 times in 100, for this cell? */
 @Command(name = "validate", mixinStandardHelpOptions = true, sortOptions = false,
         versionProvider = Main.Version.class, modelTransformer = CheckOptions.OfValidate.class,
-        description = "Simulates cells that were built and photographed just as precisely as the cell file states, "
-                + "checks each, and counts how often the stated regions hold the truth.",
-        footer = {"", "Examples:",
-            "  cellgauge validate --cell cell.yaml",
-            "  cellgauge validate --cell cell.yaml --object 5=370,295,0,0,0,20 \\",
-            "      --camera-pose 418,106,1070,3.08rad,0.10rad,0.02rad --spread 0,0 --simulations 1000",
-            "  cellgauge validate --cell cell.yaml --model corner-cube --json",
-            "  cellgauge validate --cell cell.yaml --photos --tone-curve srgb --blur-px 1.2 --marker-px 32",
-            "  cellgauge validate --cell cell.yaml --photos --grid --simulations 400 --out grid.md",
+        description = {"Simulates cells that were built and photographed just as precisely as the cell file states, "
+                + "checks each, and counts how often the stated regions hold the truth.", "", "Examples:",
+            "  cellgauge validate --photos --cell cell.yaml",
+            "  cellgauge validate --cell cell.yaml --pixel-std 0.1",
+            "  cellgauge validate --cell cell.yaml --model corner-cube",
+            "  cellgauge validate --photos --grid --cell cell.yaml \\",
+            "      --simulations 400 --out grid.md",
             "  cellgauge validate --random-layouts --simulations 400",
-            "",
+            ""},
+        footer = {"",
             "Angles are in degrees, as in the cell file, unless they end in 'rad'.",
             "Each check runs until it has converged and the Monte Carlo error of every standard deviation is below",
             "10 %%, unless --iterations or --precision is given: these errors average out over the simulations.",
@@ -107,7 +105,7 @@ public final class ValidateCommand implements Callable<Integer> {
                 requireNoCell();
                 return studyRun().randomLayouts(json, this::progress);
             }
-            Cell cell = CellReader.read(cellFile);
+            Cell cell = StandardInput.cell(cellFile);
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, given);
             Map<Integer, RigidTransform> poses = CellTruth.objectPoses(cell, given);
             RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
