@@ -158,7 +158,7 @@ class SettingTableTest {
         "{\"kappa\": -1}                  | kappa: must be positive, not -1",
         "{\"kappa\": \"much\"}            | kappa: 'much' is no number",
         "{\"chains\": 2.5}                | chains: '2.5' is no whole number",
-        "{\"sampler\": \"gibbs\"}         | sampler: 'gibbs' is not known; write independence, adaptive or thesis-mixture",
+        "{\"sampler\": \"gibbs\"}         | sampler: 'gibbs' is not known; write independence, adaptive or thesis",
         "{\"pose_prior_allowed\": 1}      | pose_prior_allowed: '1' is not known; write true or false",
         "{\"model\": [1]}                 | model: must be a single value",
         "{\"iterations\": 20, \"warmup\": 13} | warmup: must be at least 0 and leave at least 8 of the 20 iterations"})

@@ -88,7 +88,8 @@ public final class CheckCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Option(names = "--cell", required = true, paramLabel = "CELL", description = "The cell file; - is standard input, here and below.")
+    @Option(names = "--cell", required = true, paramLabel = "CELL",
+            description = "The cell file; - is standard input, here and below.")
     private Path cellFile;
 
     @Parameters(paramLabel = "IMAGE", arity = "0..*",

@@ -88,7 +88,8 @@ final class CheckOptions {
         if (given(SettingTable.ITERATIONS) != null) {
             for (Setting<?> other : List.of(SettingTable.PRECISION, SettingTable.MAX_ITERATIONS)) {
                 if (given(other) != null) {
-                    throw new ParameterException(command, SettingOptions.name(SettingTable.ITERATIONS) + " fixes the length of the "
+                    throw new ParameterException(command, SettingOptions.name(SettingTable.ITERATIONS)
+                            + " fixes the length of the "
                             + "chains; leave it out, or leave out " + SettingOptions.name(other));
                 }
             }

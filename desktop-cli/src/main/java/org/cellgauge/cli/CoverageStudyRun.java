@@ -258,7 +258,8 @@ final class CoverageStudyRun {
         return study.cornersOnly()
                 ? CoverageStudy.runCornersOnly(cells, detections, check.sampling().seed(), study.simulations(),
                         check.sampling().threads(), progress)
-                : CoverageStudy.run(cells, detections, check, study.simulations(), check.sampling().threads(), progress);
+                : CoverageStudy.run(cells, detections, check, study.simulations(), check.sampling().threads(),
+                        progress);
     }
 
     /** Whether all regions held, where there is any to hold. */

@@ -72,8 +72,8 @@ public final class SimulateCommand implements Callable<Integer> {
     private PoseArgument cameraPose;
 
     @Option(names = "--look-at", paramLabel = "X,Y,Z", preprocessor = PoseArgument.MayBeNegative.class,
-            description = "Point that the camera looks at, in the world, mm, in place of --camera-pose; up in the image "
-                    + "is up in the world, or y where it looks straight down.")
+            description = "Point that the camera looks at, in the world, mm, in place of --camera-pose; up in the "
+                    + "image is up in the world, or y where it looks straight down.")
     private String lookAt;
 
     @Option(names = "--camera-position", paramLabel = "X,Y,Z", preprocessor = PoseArgument.MayBeNegative.class,
