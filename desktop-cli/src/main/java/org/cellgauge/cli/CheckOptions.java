@@ -89,8 +89,8 @@ final class CheckOptions {
             for (Setting<?> other : List.of(SettingTable.PRECISION, SettingTable.MAX_ITERATIONS)) {
                 if (given(other) != null) {
                     throw new ParameterException(command, SettingOptions.name(SettingTable.ITERATIONS)
-                            + " fixes the length of the "
-                            + "chains; leave it out, or leave out " + SettingOptions.name(other));
+                            + " fixes the length of the chains; leave it out, or leave out "
+                            + SettingOptions.name(other));
                 }
             }
         } else if (given(SettingTable.PRECISION) != null || given(SettingTable.MAX_ITERATIONS) != null) {

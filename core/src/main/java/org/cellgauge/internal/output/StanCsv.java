@@ -22,10 +22,10 @@ public final class StanCsv {
     }
 
     /**
-     * Writes one chain. Angles are within half a turn of their reference direction, the same for all chains, and that is
-     * in (-pi, pi]: draws to both sides of half a turn stay together, beyond pi where need be, so that their mean and
-     * deviation are those of plain numbers. Numbers keep every digit. Of more than {@value #MOST_DRAWS} draws
-     * every second, third, … is written, as Stan thins; the result's figures rest on all of them.
+     * Writes one chain. Angles are within half a turn of their reference direction, which is the same for all chains:
+     * draws to both sides of half a turn stay together, beyond pi where need be, so that their mean and deviation are
+     * those of plain numbers. Numbers keep every digit. Of more than {@value #MOST_DRAWS} draws every second, third, …
+     * is written, as Stan thins; the result's figures rest on all of them.
      *
      * @param result what a check found
      * @param chain which chain, from 1
