@@ -10,12 +10,19 @@ import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.cellgauge.cli.Main;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** What the README shows is what its first command gives. */
 class ReadmeTest {
@@ -65,6 +72,43 @@ class ReadmeTest {
         assertTrue(from > 0 && to > from + 8, "the README shows a table");
         for (String line : readme.subList(from, to)) {
             assertTrue(printed.contains(line), "not printed: " + line + "\n" + printed);
+        }
+    }
+
+    /** What docs/files.md shows of draws runs over those of the first command, where Python has the modules. */
+    @ParameterizedTest
+    @MethodSource("snippets")
+    void snippetsOfTheDocumentsRun(String snippet) throws IOException, InterruptedException {
+        String python = System.getenv().getOrDefault("CELLGAUGE_PYTHON", "python3");
+        String imports = snippet.lines().filter(line -> line.startsWith("import ")).collect(Collectors.joining("\n"));
+        Assumptions.assumeTrue(run(python, imports, "imports").code() == 0, "no such modules for " + python);
+        Ran ran = run(python, snippet.replace("cellgauge-out/", folder + "/"), "snippet");
+        assertEquals(0, ran.code(), ran.printed());
+        assertTrue(ran.printed().contains("camera_x_mm"), ran.printed());
+    }
+
+    static List<String> snippets() throws IOException {
+        List<String> found = new ArrayList<>();
+        Matcher blocks = Pattern.compile("(?s)```python\n(.*?)```").matcher(
+                Files.readString(ROOT.resolve("docs/files.md")));
+        while (blocks.find()) {
+            found.add(blocks.group(1));
+        }
+        assertEquals(2, found.size(), "snippets in the document");
+        return found;
+    }
+
+    private record Ran(int code, String printed) {
+    }
+
+    private static Ran run(String python, String program, String name) throws IOException, InterruptedException {
+        Path printed = folder.resolve(name + ".out");
+        try {
+            Process process = new ProcessBuilder(python, "-c", program).redirectErrorStream(true)
+                    .redirectOutput(printed.toFile()).start();
+            return new Ran(process.waitFor(), Files.readString(printed));
+        } catch (IOException e) {
+            return new Ran(-1, "no Python: " + e.getMessage());
         }
     }
 }

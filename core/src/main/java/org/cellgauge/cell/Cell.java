@@ -107,6 +107,17 @@ public final class Cell {
     }
 
     /**
+     * The same cell with another deviation of the corners.
+     *
+     * @param px standard deviation of each corner coordinate, px, positive; empty where the photo is to tell it
+     * @return a new cell
+     * @throws IllegalArgumentException if the deviation is not positive
+     */
+    public Cell withPixelStdPx(OptionalDouble px) {
+        return new Cell(camera, family, references, objects, px, targetStdMm, prints, toneCurve);
+    }
+
+    /**
      * The same cell with another statement about the camera's tone curve.
      *
      * @param stated how the camera makes grey values of light, or null: to be estimated from each photo ("auto")

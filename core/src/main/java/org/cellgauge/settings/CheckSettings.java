@@ -5,12 +5,13 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Everything that determines the figures of a check besides its inputs; immutable. What each setting is, and which
  * values it may have, stands in {@link SettingTable}.
  */
-public final class CheckSettings {
+public final class CheckSettings implements SettingSource {
     /** Fewest iterations of a chain, and fewest of them that are kept. */
     static final int FEWEST_ITERATIONS = 8;
 
@@ -74,13 +75,7 @@ public final class CheckSettings {
         return sampling;
     }
 
-    /**
-     * Value of any setting.
-     *
-     * @param setting its row
-     * @param <T> type of its values
-     * @return the value, never null
-     */
+    @Override
     public <T> T get(Setting<T> setting) {
         return values.get(setting);
     }
@@ -326,7 +321,7 @@ public final class CheckSettings {
          * The settings.
          *
          * @return immutable
-         * @throws IllegalArgumentException if a value is out of range, with what to change
+         * @throws SettingRefusedException if a value is out of range, with what to change
          */
         public CheckSettings build() {
             SettingValues built = new SettingValues(values);
@@ -335,17 +330,14 @@ public final class CheckSettings {
             int cap = settings.sampling.cap();
             int warmup = settings.sampling.warmup();
             if (warmup < 0 || warmup > cap - FEWEST_ITERATIONS && built.get(SettingTable.WARMUP).isPresent()) {
-                throw new IllegalArgumentException("warm-up must be at least 0 and leave at least " + FEWEST_ITERATIONS
-                        + " of the " + cap + " iterations");
+                throw new SettingRefusedException(SettingTable.WARMUP,
+                        Refusal.of(SettingRefusal.TOO_FEW_LEFT, FEWEST_ITERATIONS, cap, warmup));
             }
             return settings;
         }
 
         private static <T> void requireInRange(Setting<T> row, SettingValues values) {
-            String refusal = row.refusal(values.get(row));
-            if (refusal != null) {
-                throw new IllegalArgumentException(row.name().replace('-', ' ') + " " + refusal);
-            }
+            row.requireInRange(values.get(row));
         }
     }
 }

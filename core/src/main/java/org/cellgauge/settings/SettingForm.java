@@ -7,6 +7,9 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.RefusalKind;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,27 +21,73 @@ public final class SettingForm<T> {
     private final String placeholder;
     private final List<String> words;
     private final Function<String, T> reader;
-    private final Function<T, Object> plain;
+    private final Function<T, @Nullable Object> plain;
+    private final @Nullable Function<T, String> text;
     private final @Nullable T open;
 
-    private SettingForm(String placeholder, List<String> words, Function<String, T> reader, Function<T, Object> plain,
-            @Nullable T open) {
+    private SettingForm(String placeholder, List<String> words, Function<String, T> reader,
+            Function<T, @Nullable Object> plain, @Nullable T open) {
+        this(placeholder, words, reader, plain, null, open);
+    }
+
+    private SettingForm(String placeholder, List<String> words, Function<String, T> reader,
+            Function<T, @Nullable Object> plain, @Nullable Function<T, String> text, @Nullable T open) {
         this.placeholder = placeholder;
         this.words = words;
         this.reader = reader;
         this.plain = plain;
+        this.text = text;
         this.open = open;
     }
 
-    /** One of the constants of an enum, by its word. */
-    static <E extends Enum<E> & Word> SettingForm<E> choice(E[] values) {
+    /**
+     * A form of its own.
+     *
+     * @param placeholder what stands for a value where none is given, for instance {@code MM,DEG}
+     * @param reader value of a text, or {@link UnreadableException}
+     * @param plain value as files hold it: a String, a Number, a Boolean, or null for none
+     * @param text what {@code reader} makes the same value of; empty where nothing is to be written
+     * @param <T> the values' type
+     * @return the form
+     */
+    public static <T> SettingForm<T> of(String placeholder, Function<String, T> reader,
+            Function<T, @Nullable Object> plain, Function<T, String> text) {
+        return new SettingForm<>(placeholder, List.of(), reader, plain, text, null);
+    }
+
+    /**
+     * Something to ask for by its name alone.
+     *
+     * @return a form without a placeholder, whose texts are {@code true} and {@code false}
+     */
+    public static SettingForm<Boolean> flag() {
+        SettingForm<Boolean> form = yesOrNo();
+        return new SettingForm<>("", form.words, form.reader, form.plain, null);
+    }
+
+    /**
+     * Whether it is asked for by its name alone.
+     *
+     * @return true for {@link #flag}
+     */
+    public boolean isFlag() {
+        return placeholder.isEmpty();
+    }
+
+    /**
+     * One of the constants of an enum, by its word.
+     *
+     * @param values the constants
+     * @param <E> the enum
+     * @return the form
+     */
+    public static <E extends Enum<E> & Word> SettingForm<E> choice(E[] values) {
         List<E> all = Arrays.asList(values.clone());
         List<String> words = all.stream().map(Word::word).collect(Collectors.toList());
         return new SettingForm<>(String.join("|", words), words, text -> {
             int at = words.indexOf(text);
             if (at < 0) {
-                throw new IllegalArgumentException("'" + text + "' is not known; write "
-                        + String.join(" or ", words));
+                throw notKnown(text, words);
             }
             return all.get(at);
         }, Word::word, null);
@@ -49,19 +98,29 @@ public final class SettingForm<T> {
         List<String> words = List.of("true", "false");
         return new SettingForm<>("true|false", words, text -> {
             if (!words.contains(text)) {
-                throw new IllegalArgumentException("'" + text + "' is not known; write true or false");
+                throw notKnown(text, words);
             }
             return Boolean.valueOf(text);
         }, value -> value, null);
     }
 
-    /** A whole number of 32 bits. */
-    static SettingForm<Integer> whole(String placeholder) {
+    /**
+     * A whole number of 32 bits.
+     *
+     * @param placeholder what stands for a value where none is given
+     * @return the form
+     */
+    public static SettingForm<Integer> whole(String placeholder) {
         return new SettingForm<>(placeholder, List.of(), SettingForm::readInt, value -> value, null);
     }
 
-    /** A whole number of 32 bits, or none. */
-    static SettingForm<OptionalInt> wholeOrOpen(String placeholder) {
+    /**
+     * A whole number of 32 bits, or none.
+     *
+     * @param placeholder what stands for a value where none is given
+     * @return the form
+     */
+    public static SettingForm<OptionalInt> wholeOrOpen(String placeholder) {
         return new SettingForm<>(placeholder, List.of(), text -> OptionalInt.of(readInt(text)),
                 value -> value.isPresent() ? value.getAsInt() : null, OptionalInt.empty());
     }
@@ -77,13 +136,23 @@ public final class SettingForm<T> {
         }, value -> value, null);
     }
 
-    /** A number. */
-    static SettingForm<Double> number(String placeholder) {
+    /**
+     * A number.
+     *
+     * @param placeholder what stands for a value where none is given
+     * @return the form
+     */
+    public static SettingForm<Double> number(String placeholder) {
         return new SettingForm<>(placeholder, List.of(), SettingForm::readDouble, value -> value, null);
     }
 
-    /** A number, or none. */
-    static SettingForm<OptionalDouble> numberOrOpen(String placeholder) {
+    /**
+     * A number, or none.
+     *
+     * @param placeholder what stands for a value where none is given
+     * @return the form
+     */
+    public static SettingForm<OptionalDouble> numberOrOpen(String placeholder) {
         return new SettingForm<>(placeholder, List.of(), text -> OptionalDouble.of(readDouble(text)),
                 value -> value.isPresent() ? value.getAsDouble() : null, OptionalDouble.empty());
     }
@@ -103,8 +172,12 @@ public final class SettingForm<T> {
         }
     }
 
-    private static IllegalArgumentException notWhole(String text) {
-        return new IllegalArgumentException("'" + text + "' is no whole number, or too large");
+    private static UnreadableException notWhole(String text) {
+        return new UnreadableException(SettingRefusal.NOT_WHOLE, text);
+    }
+
+    private static UnreadableException notKnown(String text, List<String> words) {
+        return new UnreadableException(SettingRefusal.NOT_KNOWN, text, Listing.or(words));
     }
 
     private static double readDouble(String text) {
@@ -116,7 +189,7 @@ public final class SettingForm<T> {
         } catch (NumberFormatException e) {
             // said below, as for what is not finite
         }
-        throw new IllegalArgumentException("'" + text + "' is no number");
+        throw new UnreadableException(SettingRefusal.NOT_A_NUMBER, text);
     }
 
     /**
@@ -126,6 +199,32 @@ public final class SettingForm<T> {
      */
     public String placeholder() {
         return placeholder;
+    }
+
+    /** A text that is no value of a form. */
+    public static final class UnreadableException extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        private final transient Refusal refusal;
+
+        /**
+         * A text that is no value.
+         *
+         * @param kind why: a sentence without its subject, which is the setting
+         * @param arguments what stands in the places of its pattern
+         */
+        public UnreadableException(RefusalKind kind, Object... arguments) {
+            this.refusal = Refusal.of(kind, arguments);
+        }
+
+        Refusal refusal() {
+            return refusal;
+        }
+
+        @Override
+        public String getMessage() {
+            return refusal.toString();
+        }
     }
 
     /** Value of a text; its refusal names the text alone, not the setting. */
@@ -145,6 +244,9 @@ public final class SettingForm<T> {
 
     /** Text that {@link #read} makes the same value of; empty where nothing is to be written. */
     String text(T value) {
+        if (text != null) {
+            return text.apply(value);
+        }
         Object written = plain(value);
         if (written == null) {
             return words.isEmpty() ? "" : words.get(words.size() - 1);

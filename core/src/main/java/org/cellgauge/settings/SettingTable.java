@@ -20,7 +20,7 @@ public final class SettingTable {
     /** Half extent of corner-cube's box in placement deviations. */
     public static final Setting<Double> KAPPA = Setting.of(Part.MODEL, "kappa", SettingForm.number("K"), 0.5,
             "Half extent of corner-cube's box in standard deviations")
-            .within(positive(), "must be positive");
+            .within(positive(), SettingRefusal.NOT_POSITIVE);
 
     /** How the camera pose is sampled. */
     public static final Setting<SamplerKind> SAMPLER = Setting.of(Part.SAMPLING, "sampler",
@@ -29,30 +29,30 @@ public final class SettingTable {
     /** Number of chains. */
     public static final Setting<Integer> CHAINS = Setting.of(Part.SAMPLING, "chains", SettingForm.whole("N"), 4,
             "Number of chains")
-            .within(n -> n >= 1 && n <= 1000, "must be between 1 and 1000");
+            .within(n -> n >= 1 && n <= 1000, SettingRefusal.NOT_BETWEEN, 1, 1000);
 
     /** Iterations of each chain, warm-up included, where they are fixed. */
     public static final Setting<OptionalInt> ITERATIONS = Setting.of(Part.SAMPLING, "iterations",
             SettingForm.wholeOrOpen("N"), OptionalInt.empty(),
             "Iterations of each chain, warm-up included; without a number, as many as the wanted precision takes")
             .within(n -> n.orElse(CheckSettings.FEWEST_ITERATIONS) >= CheckSettings.FEWEST_ITERATIONS,
-                    "must be at least " + CheckSettings.FEWEST_ITERATIONS);
+                    SettingRefusal.TOO_SMALL, CheckSettings.FEWEST_ITERATIONS);
 
     /** Monte Carlo error of every standard deviation, relative to it, at which sampling stops. */
     public static final Setting<Double> PRECISION = Setting.of(Part.SAMPLING, "target_mcse_std_rel",
             SettingForm.number("SHARE"), 0.02,
             "Chains run until the Monte Carlo error of every standard deviation is below this share of it")
-            .named("precision").where(settings -> !settings.sampling().iterations().isPresent())
-            .within(share -> share > 0 && share < 1, "must be a share between 0 and 1, such as 0.02 for 2 %");
+            .named("precision").where(SettingTable::ofOpenLength)
+            .within(share -> share > 0 && share < 1, SettingRefusal.NOT_BELOW_ALL);
 
     /** Cap on the iterations of each chain where they are not fixed. */
     public static final Setting<Integer> MAX_ITERATIONS = Setting.of(Part.SAMPLING, "max_iterations",
             SettingForm.whole("N"), 50_000,
             "Cap on the iterations of each chain, warm-up included, whatever the precision is by then; a warning says "
                     + "if it was not reached")
-            .where(settings -> !settings.sampling().iterations().isPresent())
+            .where(SettingTable::ofOpenLength)
             .within(n -> n >= CheckSettings.FEWEST_ITERATIONS,
-                    "must be at least " + CheckSettings.FEWEST_ITERATIONS);
+                    SettingRefusal.TOO_SMALL, CheckSettings.FEWEST_ITERATIONS);
 
     /** Iterations of each chain that are not kept, where they are fixed. */
     public static final Setting<OptionalInt> WARMUP = Setting.of(Part.SAMPLING, "warmup",
@@ -74,7 +74,7 @@ public final class SettingTable {
             SettingForm.number("PX"), 200.0,
             "Where focal lengths are estimated: standard deviation of what is known of the focal length beforehand, "
                     + "about the camera file's fx, px")
-            .in("px").where(SettingTable::focalUnknown).within(positive(), "must be a positive number of px");
+            .in("px").where(SettingTable::focalUnknown).within(positive(), SettingRefusal.NOT_POSITIVE_IN, "px");
 
     /** Standard deviation of the prior of the aspect ratio fy / fx, as a share of the camera file's. */
     public static final Setting<Double> ASPECT_PRIOR_STD = Setting.of(Part.MODEL, "aspect_prior_std",
@@ -83,7 +83,7 @@ public final class SettingTable {
                     + "of the camera file's; independent for two focal lengths that know nothing of each other, as in "
                     + "the thesis")
             .where(SettingTable::focalUnknown)
-            .within(share -> share > 0, "must be a share above 0, such as 0.005 for half a per cent");
+            .within(share -> share > 0, SettingRefusal.NOT_ABOVE_NOTHING);
 
     /** First estimate of the camera pose. */
     public static final Setting<InitialEstimate> INITIAL = Setting.of(Part.SAMPLING, "initial",
@@ -117,12 +117,12 @@ public final class SettingTable {
             "Largest standard deviation allowed on any axis of any object and gripping point, mm, in place of the "
                     + "cell file's")
             .in("mm").named("target")
-            .within(mm -> positive().test(mm.orElse(1)), "must be a positive number of mm");
+            .within(mm -> positive().test(mm.orElse(1)), SettingRefusal.NOT_POSITIVE_IN, "mm");
 
     /** Number of threads. */
     public static final Setting<Integer> THREADS = Setting.of(Part.SAMPLING, "threads", SettingForm.whole("N"),
             Math.max(1, Runtime.getRuntime().availableProcessors()), "Number of threads; no figure depends on it")
-            .usually("all cores").withoutEffectOnFigures().within(n -> n >= 1, "must be at least 1");
+            .usually("all cores").withoutEffectOnFigures().within(n -> n >= 1, SettingRefusal.TOO_SMALL, 1);
 
     private static final List<Setting<?>> ALL = List.of(MODEL, KAPPA, SAMPLER, CHAINS, ITERATIONS, PRECISION,
             MAX_ITERATIONS, WARMUP, SEED, ESTIMATE, FOCAL_PRIOR_STD_PX, ASPECT_PRIOR_STD, INITIAL, START, OBJECT_NOISE,
@@ -144,7 +144,11 @@ public final class SettingTable {
         return value -> value > 0 && Double.isFinite(value);
     }
 
-    private static boolean focalUnknown(CheckSettings settings) {
-        return settings.model().estimate() == Estimate.FOCAL;
+    private static boolean ofOpenLength(SettingSource settings) {
+        return !settings.get(ITERATIONS).isPresent();
+    }
+
+    private static boolean focalUnknown(SettingSource settings) {
+        return settings.get(ESTIMATE) == Estimate.FOCAL;
     }
 }

@@ -20,6 +20,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.cellgauge.internal.settings.SettingsJson;
+import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.warning.Refusal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -156,10 +158,10 @@ class SettingTableTest {
         "{\"kappa\": -1}                  | kappa: must be positive, not -1",
         "{\"kappa\": \"much\"}            | kappa: 'much' is no number",
         "{\"chains\": 2.5}                | chains: '2.5' is no whole number",
-        "{\"sampler\": \"gibbs\"}         | sampler: 'gibbs' is not known; write independence or adaptive",
+        "{\"sampler\": \"gibbs\"}         | sampler: 'gibbs' is not known; write independence, adaptive or thesis",
         "{\"pose_prior_allowed\": 1}      | pose_prior_allowed: '1' is not known; write true or false",
-        "{\"model\": [1]}                 | model must be a single value",
-        "{\"iterations\": 20, \"warmup\": 13} | warm-up must be at least 0 and leave at least 8 of the 20 iterations"})
+        "{\"model\": [1]}                 | model: must be a single value",
+        "{\"iterations\": 20, \"warmup\": 13} | warmup: must be at least 0 and leave at least 8 of the 20 iterations"})
     void aFaultyFileIsRefused(String json, String message) {
         JsonObject object = JsonParser.parseString(json).getAsJsonObject();
         String said = assertThrows(IllegalArgumentException.class, () -> SettingsJson.read(object)).getMessage();
@@ -169,27 +171,44 @@ class SettingTableTest {
     /** Each range at its ends, by the table of the command line's help. */
     @Test
     void valuesOutOfRangeAreRefused() {
-        refused("kappa must be positive, not 0", CheckSettings.builder().kappa(0));
-        refused("kappa must be positive, not Infinity", CheckSettings.builder().kappa(Double.POSITIVE_INFINITY));
-        refused("chains must be between 1 and 1000, not 1001", CheckSettings.builder().chains(1001));
-        refused("iterations must be at least 8, not 7", CheckSettings.builder().iterations(7));
-        refused("max iterations must be at least 8, not 7", CheckSettings.builder().maxIterations(7));
-        refused("precision must be a share between 0 and 1, such as 0.02 for 2 %, not 1",
+        refused("kappa: must be positive, not 0", CheckSettings.builder().kappa(0));
+        refused("kappa: must be positive, not Infinity", CheckSettings.builder().kappa(Double.POSITIVE_INFINITY));
+        refused("chains: must be between 1 and 1000, not 1001", CheckSettings.builder().chains(1001));
+        refused("iterations: must be at least 8, not 7", CheckSettings.builder().iterations(7));
+        refused("max_iterations: must be at least 8, not 7", CheckSettings.builder().maxIterations(7));
+        refused("target_mcse_std_rel: must be a share between 0 and 1, such as 0.02 for 2 %, not 1",
                 CheckSettings.builder().targetMcseStdRel(1));
-        refused("focal prior std must be a positive number of px, not NaN",
+        refused("focal_prior_std_px: must be a positive number of px, not NaN",
                 CheckSettings.builder().focalPriorStdPx(Double.NaN));
-        refused("aspect prior std must be a share above 0, such as 0.005 for half a per cent, not 0",
+        refused("aspect_prior_std: must be a share above 0, such as 0.005 for half a per cent, not 0",
                 CheckSettings.builder().aspectPriorStd(0));
-        refused("target must be a positive number of mm, not -1", CheckSettings.builder().targetStdMm(-1));
-        refused("threads must be at least 1, not 0", CheckSettings.builder().threads(0));
-        refused("warm-up must be at least 0", CheckSettings.builder().warmup(-1));
-        refused("warm-up must be at least 0", CheckSettings.builder().iterations(20).warmup(13));
+        refused("target_std_mm: must be a positive number of mm, not -1", CheckSettings.builder().targetStdMm(-1));
+        refused("threads: must be at least 1, not 0", CheckSettings.builder().threads(0));
+        refused("warmup: must be at least 0", CheckSettings.builder().warmup(-1));
+        refused("warmup: must be at least 0", CheckSettings.builder().iterations(20).warmup(13));
         assertEquals(12, CheckSettings.builder().iterations(20).warmup(12).build().sampling().warmup());
         assertNull(SettingTable.CHAINS.refusal(1000));
     }
 
     private static void refused(String message, CheckSettings.Builder builder) {
-        String said = assertThrows(IllegalArgumentException.class, builder::build).getMessage();
+        String said = assertThrows(SettingRefusedException.class, builder::build).getMessage();
         assertTrue(said.startsWith(message), said);
+    }
+
+    /** Kind and arguments, of which any language makes its words. */
+    @Test
+    void aRefusalIsData() {
+        SettingRefusedException tooMany = assertThrows(SettingRefusedException.class,
+                () -> SettingTable.CHAINS.read("1001"));
+        assertEquals(SettingTable.CHAINS, tooMany.setting());
+        assertEquals(Refusal.of(SettingRefusal.NOT_BETWEEN, 1, 1000, "1001"), tooMany.refusal());
+        SettingRefusedException unknown = assertThrows(SettingRefusedException.class,
+                () -> SettingTable.MODEL.read("cube"));
+        assertEquals(Refusal.of(SettingRefusal.NOT_KNOWN, "cube", Listing.or(List.of("rigid-marker", "corner-cube"))),
+                unknown.refusal());
+        SettingRefusedException together = assertThrows(SettingRefusedException.class,
+                () -> CheckSettings.builder().iterations(20).warmup(13).build());
+        assertEquals(SettingTable.WARMUP, together.setting());
+        assertEquals(Refusal.of(SettingRefusal.TOO_FEW_LEFT, 8, 20, 13), together.refusal());
     }
 }

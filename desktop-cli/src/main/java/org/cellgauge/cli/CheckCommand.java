@@ -34,15 +34,15 @@ import picocli.CommandLine.Spec;
 /** {@code cellgauge check}: from photos of a cell to poses, their uncertainties and a verdict. */
 @Command(name = "check", mixinStandardHelpOptions = true, sortOptions = false, versionProvider = Main.Version.class,
         modelTransformer = CheckOptions.OfCheck.class,
-        description = "Finds the markers in photos of a cell, estimates the poses of camera and objects with their "
-                + "uncertainties, and judges these against the target of the cell file.",
-        footer = {"", "Examples:",
+        description = {"Finds the markers in photos of a cell, estimates the poses of camera and objects with their "
+                + "uncertainties, and judges these against the target of the cell file.", "", "Examples:",
             "  cellgauge check --cell cell.yaml photo.png",
             "  cellgauge check --cell cell.yaml photos/ --out results",
-            "  cellgauge check --cell cell.yaml --detections corners.json --json",
-            "  cellgauge check --cell cell.yaml photo.png --preset thesis --chains 4",
-            "  cellgauge check --cell cell.yaml photos/ --out results --rejudge --target 2",
-            "",
+            "  cellgauge check --cell cell.yaml --detections a.json",
+            "  cellgauge check --cell cell.yaml photos/ --rejudge --target 2",
+            "  camera-tool | cellgauge check --cell cell.yaml --json -",
+            ""},
+        footer = {"",
             "Files in DIR: NAME.result.json, NAME.overlay.png and NAME.chain-K.csv (Stan CSV) of every photo,",
             "report.html and summary.csv of the run. Results of earlier runs of the same names are replaced.",
             "The table goes to standard output, progress and messages to standard error.",
@@ -59,7 +59,8 @@ public final class CheckCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Option(names = "--cell", required = true, paramLabel = "CELL", description = "The cell file.")
+    @Option(names = "--cell", required = true, paramLabel = "CELL",
+            description = "The cell file; - is standard input, here and below.")
     private Path cellFile;
 
     @Parameters(paramLabel = "IMAGE", arity = "0..*",
@@ -84,6 +85,10 @@ public final class CheckCommand implements Callable<Integer> {
                     + "same inputs, settings and, but for its target, the same cell.")
     private boolean rejudge;
 
+    @Option(names = "--no-draws",
+            description = "Leaves out NAME.chain-K.csv, some MB a photo; the other results hold all figures.")
+    private boolean noDraws;
+
     private Stages stages;
 
     /**
@@ -98,13 +103,18 @@ public final class CheckCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(),
                     "nothing to check; name photos, a folder of them, or --detections FILE");
         }
+        List<Path> read = new ArrayList<>(images);
+        read.addAll(detectionsFiles);
+        read.add(cellFile);
+        StandardInput.requireOnce(spec.commandLine(), read);
         stages = new Stages(main.debug());
         try {
-            CellFile cell = CellFile.read(cellFile);
+            CellFile cell = StandardInput.cellFile(cellFile);
             stages.end("cell file");
             boolean files = !json || rejudge || out != null;
             ResultFolder folder = files ? ResultFolder.into(out == null ? DEFAULT_FOLDER : out) : null;
-            return run(cell, settings, CheckInput.resolve(images, detectionsFiles), folder);
+            return run(cell, settings, CheckInput.resolve(StandardInput.kept(images, System.in),
+                    StandardInput.kept(detectionsFiles, System.in)), folder);
         } catch (InputRefusedException | ResultFolder.UnwritableException e) {
             return main.report(e, ExitCodes.INPUT_REFUSED, spec.commandLine());
         }
@@ -119,7 +129,7 @@ public final class CheckCommand implements Callable<Integer> {
                 .command(input -> RepeatingCommand.check(cellFile, input, settings));
         BatchOutcome outcome;
         try {
-            outcome = (rejudge ? batch.rejudge() : batch).build().run(inputs);
+            outcome = (rejudge ? batch.rejudge() : noDraws ? batch.withoutDraws() : batch).build().run(inputs);
         } catch (ResultFolder.UnwritableException e) {
             printed.endOfTable();
             throw e;

@@ -5,13 +5,13 @@ import java.util.Map;
 import java.util.function.BiFunction;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Setting;
+import org.cellgauge.settings.SettingRefusedException;
 import org.cellgauge.settings.SettingTable;
 import picocli.CommandLine;
 import picocli.CommandLine.IModelTransformer;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.ParseResult;
 
 /**
  * Options of the commands that sample, made from the table of settings: each is called after its setting. What is not
@@ -20,9 +20,6 @@ import picocli.CommandLine.ParseResult;
 final class CheckOptions {
     private static final String PRESET = "--preset";
     private static final String THESIS = "thesis";
-
-    /** What an option is to be shown with, where it is not what its setting takes. */
-    private static final Map<Setting<?>, String> LABELS = Map.of(SettingTable.ESTIMATE, "none|focal|intrinsics");
 
     /** A text that an option refuses with words of its own. */
     private static final Map<Setting<?>, BiFunction<String, String, String>> REFUSED = Map.of(SettingTable.ESTIMATE,
@@ -47,12 +44,16 @@ final class CheckOptions {
         }
     }
 
-    /** Adds the options to {@code validate}: errors of its checks average out, and it judges nothing by a target. */
+    /**
+     * Adds those of {@link StudyTable} and these to {@code validate}: errors of its checks average out, and it judges
+     * nothing by a target.
+     */
     static final class OfValidate implements IModelTransformer {
         static final CheckSettings USUAL = CheckSettings.builder().targetMcseStdRel(0.1).build();
 
         @Override
         public CommandSpec transform(CommandSpec spec) {
+            SettingOptions.add(spec, StudyTable.all(), StudySettings.USUAL);
             return add(spec, USUAL, List.of(SettingTable.TARGET_STD_MM));
         }
     }
@@ -65,26 +66,9 @@ final class CheckOptions {
                 .description("Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of "
                         + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no "
                         + "noise of the objects' own corners. Options given besides still count.").build());
-        for (Setting<?> setting : SettingTable.all()) {
-            if (!without.contains(setting)) {
-                spec.addOption(OptionSpec.builder(name(setting)).type(String.class)
-                        .paramLabel(LABELS.getOrDefault(setting, setting.form().placeholder()))
-                        .description(description(setting, usual)).build());
-            }
-        }
+        SettingOptions.add(spec, SettingTable.all().stream().filter(row -> !without.contains(row)).toList(), usual);
         last.forEach(spec::addOption);
         return spec;
-    }
-
-    private static String description(Setting<?> setting, CheckSettings usual) {
-        String words = usual.get(setting).equals(setting.usual()) ? setting.usualWords() : setting.text(usual);
-        // a per cent sign begins a variable there
-        return (setting.description() + (words.isEmpty() ? "" : " (" + words + ")") + ".").replace("%", "%%");
-    }
-
-    /** The option of a setting. */
-    static String name(Setting<?> setting) {
-        return "--" + setting.name();
     }
 
     /**
@@ -104,8 +88,9 @@ final class CheckOptions {
         if (given(SettingTable.ITERATIONS) != null) {
             for (Setting<?> other : List.of(SettingTable.PRECISION, SettingTable.MAX_ITERATIONS)) {
                 if (given(other) != null) {
-                    throw new ParameterException(command, name(SettingTable.ITERATIONS) + " fixes the length of the "
-                            + "chains; leave it out, or leave out " + name(other));
+                    throw new ParameterException(command, SettingOptions.name(SettingTable.ITERATIONS)
+                            + " fixes the length of the chains; leave it out, or leave out "
+                            + SettingOptions.name(other));
                 }
             }
         } else if (given(SettingTable.PRECISION) != null || given(SettingTable.MAX_ITERATIONS) != null) {
@@ -119,13 +104,13 @@ final class CheckOptions {
         }
         try {
             return builder.build();
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(command, e.getMessage());
+        } catch (SettingRefusedException e) {
+            throw SettingOptions.refused(command, e);
         }
     }
 
     private CheckSettings.Builder start() {
-        String preset = matched(PRESET);
+        String preset = command.getParseResult().matchedOptionValue(PRESET, (String) null);
         if (preset == null) {
             return usual.toBuilder();
         }
@@ -136,24 +121,19 @@ final class CheckOptions {
     }
 
     private void read(Setting<?> setting, String text, CheckSettings.Builder builder) {
-        String refusal = REFUSED.getOrDefault(setting, (option, word) -> null).apply(name(setting), text);
+        String refusal = REFUSED.getOrDefault(setting, (option, word) -> null)
+                .apply(SettingOptions.name(setting), text);
         if (refusal != null) {
             throw new ParameterException(command, refusal);
         }
         try {
             setting.read(text, builder);
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(command, name(setting) + ": " + e.getMessage());
+        } catch (SettingRefusedException e) {
+            throw SettingOptions.refused(command, e);
         }
     }
 
-    /** What was given for a setting, or null. */
     private String given(Setting<?> setting) {
-        return command.getCommandSpec().findOption(name(setting)) == null ? null : matched(name(setting));
-    }
-
-    private String matched(String option) {
-        ParseResult parsed = command.getParseResult();
-        return parsed.matchedOptionValue(option, (String) null);
+        return SettingOptions.given(command, setting);
     }
 }

@@ -49,20 +49,17 @@ final class CoverageStudyRun {
 
     private final CommandLine command;
     private final StudyOptions options;
+    private final StudySettings study;
     private final CheckSettings check;
-    private final int simulations;
     private final String repeating;
 
-    CoverageStudyRun(CommandLine command, StudyOptions options, CheckSettings check, int simulations,
+    CoverageStudyRun(CommandLine command, StudyOptions options, StudySettings study, CheckSettings check,
             String repeating) {
         this.command = command;
         this.options = options;
+        this.study = study;
         this.check = check;
-        this.simulations = simulations;
         this.repeating = repeating;
-        if (simulations < 1 || simulations > 1_000_000) {
-            throw new ParameterException(command, "simulations must be between 1 and 1000000, not " + simulations);
-        }
         // each simulation is one thread's; BoofCV would spread its part over all cores
         BoofThreads.useOne();
     }
@@ -81,16 +78,17 @@ final class CoverageStudyRun {
      */
     int oneCell(Cell given, CellTruth nominal, BiFunction<Cell, CellTruth, TruthPrior> priors, boolean json,
             IntConsumer progress) {
-        PhotoOptions.requirePrintable(command, given, options.printGainMm());
-        Cell cell = options.stated(command, given);
-        CellTruth seen = options.markerPx() == null ? nominal : atSide(cell, nominal, options.markerPx());
-        Sensor sensor = options.sensor(command);
+        PhotoOptions.requirePrintable(command, given, study.printGainMm());
+        Cell cell = study.stated(given);
+        OptionalDouble side = study.get(StudyTable.MARKER_PX);
+        CellTruth seen = side.isEmpty() ? nominal : atSide(cell, nominal, side.getAsDouble());
+        Sensor sensor = study.sensor();
         TruthPrior prior = priors.apply(cell, seen);
         CoverageFigures figures = run(OneCell.inFullView(prior),
-                new RenderedPhotos(sensor, options.jpegQuality(), options.printGainMm()), progress);
-        Map<String, Object> settings = settings();
+                new RenderedPhotos(sensor, study.jpegQuality(), study.printGainMm()), progress);
+        Map<String, Object> settings = study.plain();
         addTruth(settings, cell, seen, prior);
-        addSensor(settings, sensor, options.jpegQuality(), options.printGainMm());
+        addSensor(settings, sensor, study.jpegQuality(), study.printGainMm());
         addPoses(settings, seen);
         return print(figures, settings, json, String.format(Locale.ROOT, "photos with %s, blur %s px, light times %s, "
                 + "markers of %.1f px, seed %d", sensor.toneCurve().words(), CheckText.plain(sensor.blurPx()),
@@ -99,7 +97,7 @@ final class CoverageStudyRun {
 
     // ---- random layouts
 
-    int randomLayouts(boolean json, Double pixelStdPx, IntConsumer progress) {
+    int randomLayouts(boolean json, IntConsumer progress) {
         if (check.model().estimate() != Estimate.NONE) {
             throw new ParameterException(command, "--random-layouts draws cameras that the check knows; leave out "
                     + "--estimate, or give a --cell");
@@ -107,22 +105,21 @@ final class CoverageStudyRun {
         CellSource cells;
         DetectionSource detections;
         String what;
-        Map<String, Object> settings = settings();
-        settings.put("random_layouts", true);
-        if (options.photos()) {
-            Sensor sensor = options.sensor(command);
-            OptionalDouble stated = options.statedPixelStd(command);
+        Map<String, Object> settings = study.plain();
+        if (study.photos()) {
+            Sensor sensor = study.sensor();
             cells = RandomLayouts.withNoise(MarkerFamily.SQUARE_BINARY,
-                    stated == null ? OptionalDouble.empty() : stated);
-            detections = new RenderedPhotos(sensor, options.jpegQuality(), options.printGainMm());
+                    study.get(StudyTable.STATED_PIXEL_STD_PX).orElse(OptionalDouble.empty()));
+            detections = new RenderedPhotos(sensor, study.jpegQuality(), study.printGainMm());
             what = "a layout for each, photos with " + sensor.toneCurve().words() + ", blur "
                     + CheckText.plain(sensor.blurPx()) + " px";
-            addSensor(settings, sensor, options.jpegQuality(), options.printGainMm());
+            addSensor(settings, sensor, study.jpegQuality(), study.printGainMm());
         } else {
-            cells = pixelStdPx == null ? RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY)
-                    : RandomLayouts.withNoise(MarkerFamily.SQUARE_BINARY, OptionalDouble.of(pixelStdPx));
+            OptionalDouble px = study.get(StudyTable.PIXEL_STD_PX);
+            cells = px.isEmpty() ? RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY)
+                    : RandomLayouts.withNoise(MarkerFamily.SQUARE_BINARY, px);
             detections = DrawnCorners.asStated();
-            settings.put("simulated_pixel_std_px", pixelStdPx == null ? "drawn" : pixelStdPx);
+            settings.put("simulated_pixel_std_px", px.isEmpty() ? "drawn" : px.getAsDouble());
             what = "a layout for each, corners drawn with the stated noise";
         }
         return print(run(cells, detections, progress), settings, json, what + ", seed " + check.sampling().seed());
@@ -143,14 +140,14 @@ final class CoverageStudyRun {
     int grid(Cell given, CellTruth nominal, BiFunction<Cell, CellTruth, TruthPrior> priors, boolean json)
             throws IOException {
         List<PhotoGrid.Row> rows = new ArrayList<>();
-        for (PhotoGrid.Row row : PhotoGrid.rows(options.sensor(command))) {
+        for (PhotoGrid.Row row : PhotoGrid.rows(study.sensor())) {
             if (options.onlyWords().stream().allMatch(row.name()::contains)) {
                 rows.add(row);
             }
         }
         if (rows.isEmpty()) {
             throw new ParameterException(command, "--only: no row of the grid has all of these words; names are like '"
-                    + PhotoGrid.rows(options.sensor(command)).get(0).name() + "'");
+                    + PhotoGrid.rows(study.sensor()).get(0).name() + "'");
         }
         Path file = options.out();
         List<String> done = file != null && Files.exists(file) ? Files.readAllLines(file) : List.of();
@@ -187,7 +184,7 @@ final class CoverageStudyRun {
                 Files.write(file, (line + "\n").getBytes(StandardCharsets.UTF_8), StandardOpenOption.APPEND);
             }
             if (json && figures != null) {
-                Map<String, Object> settings = settings();
+                Map<String, Object> settings = study.plain();
                 settings.put("row", row.name());
                 addSensor(settings, row.sensor(), row.jpegQuality(), row.printGainMm());
                 addTruth(settings, found.cell, found.seen, found.prior);
@@ -213,7 +210,7 @@ final class CoverageStudyRun {
     /** One row; null, with a message, if its markers do not fit into the image. */
     private RowResult row(PhotoGrid.Row row, Cell given, CellTruth nominal,
             BiFunction<Cell, CellTruth, TruthPrior> priors) {
-        Cell cell = options.stated(command, row.aprilTags() ? PhotoGrid.withAprilTags(given) : given);
+        Cell cell = study.stated(row.aprilTags() ? PhotoGrid.withAprilTags(given) : given);
         CellTruth named = row.aprilTags() ? new CellTruth(nominal.worldFromCamera(),
                 PhotoGrid.renumbered(given, nominal.worldFromObjects())) : nominal;
         try {
@@ -258,38 +255,28 @@ final class CoverageStudyRun {
     // ---- common
 
     private CoverageFigures run(CellSource cells, DetectionSource detections, IntConsumer progress) {
-        return options.cornersOnly()
-                ? CoverageStudy.runCornersOnly(cells, detections, check.sampling().seed(), simulations,
+        return study.cornersOnly()
+                ? CoverageStudy.runCornersOnly(cells, detections, check.sampling().seed(), study.simulations(),
                         check.sampling().threads(), progress)
-                : CoverageStudy.run(cells, detections, check, simulations, check.sampling().threads(), progress);
+                : CoverageStudy.run(cells, detections, check, study.simulations(), check.sampling().threads(),
+                        progress);
     }
 
     /** Whether all regions held, where there is any to hold. */
     private boolean covers(CoverageFigures figures) {
-        return options.cornersOnly() || StudyText.covers(figures);
+        return study.cornersOnly() || StudyText.covers(figures);
     }
 
     private List<String> columns() {
-        return options.cornersOnly() ? StudyText.CORNER_COLUMNS : StudyText.COLUMNS;
+        return study.cornersOnly() ? StudyText.CORNER_COLUMNS : StudyText.COLUMNS;
     }
 
     private List<String> cellsOfRow(CoverageFigures figures, List<String> columns) {
         StudyText text = new StudyText(figures);
-        List<String> all = options.cornersOnly() ? text.markdownRowOfCorners() : text.markdownRow();
+        List<String> all = study.cornersOnly() ? text.markdownRowOfCorners() : text.markdownRow();
         List<String> cells = new ArrayList<>();
         columns.forEach(column -> cells.add(all.get(columns().indexOf(column))));
         return cells;
-    }
-
-    private Map<String, Object> settings() {
-        Map<String, Object> settings = new LinkedHashMap<>();
-        settings.put("simulations", simulations);
-        settings.put("seed", check.sampling().seed());
-        settings.put("model", check.model().likelihood().word());
-        settings.put("estimate", check.model().estimate().word());
-        settings.put("photos", options.photos());
-        settings.put("corners_only", options.cornersOnly());
-        return settings;
     }
 
     /** What check's settings hold besides. */
@@ -310,7 +297,7 @@ final class CoverageStudyRun {
         settings.put("object_poses", objects);
     }
 
-    private void addSensor(Map<String, Object> settings, Sensor sensor, int jpegQuality, double printGainMm) {
+    private static void addSensor(Map<String, Object> settings, Sensor sensor, int jpegQuality, double printGainMm) {
         settings.put("tone_curve", sensor.toneCurve().words());
         settings.put("blur_px", sensor.blurPx());
         settings.put("exposure", sensor.exposure());
@@ -322,9 +309,6 @@ final class CoverageStudyRun {
         settings.put("gradient", sensor.gradient());
         settings.put("jpeg_quality", jpegQuality);
         settings.put("print_gain_mm", printGainMm);
-        OptionalDouble stated = options.statedPixelStd(command);
-        settings.put("stated_pixel_std_px", stated == null ? "as in the cell" : stated.isPresent()
-                ? stated.getAsDouble() : "auto");
     }
 
     private int print(CoverageFigures figures, Map<String, Object> settings, boolean json, String what) {

@@ -9,7 +9,10 @@ import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
@@ -20,6 +23,8 @@ import org.cellgauge.desktop.MachineRefusal;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
@@ -28,9 +33,16 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /** Entry point of the command {@code cellgauge}. */
 @Command(name = "cellgauge", mixinStandardHelpOptions = true, versionProvider = Main.Version.class,
         description = "Honest uncertainties of camera and object poses in a robot cell.",
-        subcommands = {CheckCommand.class, SimulateCommand.class, ValidateCommand.class})
+        subcommands = {CheckCommand.class, SimulateCommand.class, ValidateCommand.class, FamiliesCommand.class,
+            CommandLine.HelpCommand.class},
+        footer = {"", "A first call, from a clone:",
+            "  cellgauge check --cell fixtures/lifted-4/cell.yaml \\",
+            "      fixtures/lifted-4/photo.png",
+            "'cellgauge help COMMAND' shows a command's options."})
 public final class Main implements Callable<Integer> {
-    private static final int HELP_WIDTH = 100;
+    /** Columns of help where no terminal says how many it has, and the most of one that does. */
+    private static final int HELP_WIDTH = 80;
+    private static final int NARROWEST = 60;
     private static final Pattern UNKNOWN_OPTION = Pattern.compile("Unknown option: '([^']*)'");
 
     @Option(names = "--debug", scope = ScopeType.INHERIT,
@@ -40,15 +52,14 @@ public final class Main implements Callable<Integer> {
     private CommandLine commandLine;
 
     /**
-     * The program needs a command to do anything.
+     * Without a command there is nothing to do: shows what there is.
      *
-     * @return never
-     * @throws ParameterException always
+     * @return the code of a usage error, since a script that calls so has lost its words
      */
     @Override
     public Integer call() {
-        throw new ParameterException(commandLine,
-                "no command given; a call begins with, for instance, 'cellgauge check'");
+        commandLine.usage(commandLine.getErr());
+        return ExitCodes.USAGE;
     }
 
     /**
@@ -95,27 +106,33 @@ public final class Main implements Callable<Integer> {
     public static CommandLine commandLine() {
         Main main = new Main();
         main.commandLine = new CommandLine(main);
-        main.commandLine.setUsageHelpWidth(HELP_WIDTH);
+        main.commandLine.setUsageHelpWidth(helpWidth(System.getenv("COLUMNS")));
+        main.commandLine.setColorScheme(CommandLine.Help.defaultColorScheme(ansi(System.getenv())));
+        // examples tell more than a list of all options
+        main.commandLine.getSubcommands().values().forEach(Main::examplesFirst);
         // a photo may be called @args.png; its text is no option
         main.commandLine.setExpandAtFiles(false);
         // a mistyped option after "--detections FILE" must not pass for one more file
         main.commandLine.setUnmatchedOptionsAllowedAsOptionParameters(false);
-        main.commandLine.setParameterExceptionHandler((e, args) -> usage(e));
+        main.commandLine.setParameterExceptionHandler(Main::usage);
         main.commandLine.setExecutionExceptionHandler((e, command, parsed) -> main.report(e,
                 e instanceof InputRefusedException || MachineRefusal.behind(e).isPresent() ? ExitCodes.INPUT_REFUSED
                         : ExitCodes.INTERNAL_ERROR, command));
         return main.commandLine;
     }
 
-    private static int usage(ParameterException e) {
+    private static int usage(ParameterException e, String[] args) {
         CommandLine command = e.getCommandLine();
         PrintWriter err = command.getErr();
-        Matcher unknown = UNKNOWN_OPTION.matcher(e.getMessage());
-        if (unknown.lookingAt()) {
+        String unknown = unknownOption(e, args);
+        if (unknown != null) {
             // what else picocli has to say follows from the unknown option, and hides its suggestions
-            err.println(unknown.group());
+            err.println("Unknown option: '" + unknown + "'");
             UnmatchedArgumentException.printSuggestions(
-                    new UnmatchedArgumentException(command, List.of(unknown.group(1))), err);
+                    new UnmatchedArgumentException(command, List.of(unknown)), err);
+        } else if (command.getParent() == null && e instanceof UnmatchedArgumentException unmatched) {
+            err.println("Unknown command: '" + unmatched.getUnmatched().get(0) + "'");
+            UnmatchedArgumentException.printSuggestions(e, err);
         } else {
             err.println(e.getMessage());
             UnmatchedArgumentException.printSuggestions(e, err);
@@ -123,6 +140,20 @@ public final class Main implements Callable<Integer> {
         err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         err.flush();
         return ExitCodes.USAGE;
+    }
+
+    /** The unknown option that an error is about or that is behind it; null where there is none. */
+    private static String unknownOption(ParameterException e, String[] args) {
+        Matcher named = UNKNOWN_OPTION.matcher(e.getMessage());
+        if (named.lookingAt()) {
+            return named.group(1);
+        }
+        // an option that is missing may be there, mistyped
+        return e instanceof MissingParameterException ? Arrays.stream(args)
+                .filter(word -> word.startsWith("--") && word.length() > 2)
+                .map(word -> word.replaceFirst("=.*", ""))
+                .filter(word -> e.getCommandLine().getCommandSpec().findOption(word) == null)
+                .findFirst().orElse(null) : null;
     }
 
     /** Whether stack traces and times are wanted. */
@@ -153,12 +184,38 @@ public final class Main implements Callable<Integer> {
         return exitCode;
     }
 
+    /** Columns of help for what the environment says of the terminal's, which may be null or no number. */
+    static int helpWidth(String columns) {
+        try {
+            return Math.max(NARROWEST, Math.min(HELP_WIDTH, Integer.parseInt(columns)));
+        } catch (NumberFormatException e) {
+            return HELP_WIDTH;
+        }
+    }
+
+    /** Whether colours are shown: by a terminal that can, where the user has not asked for none. */
+    static CommandLine.Help.Ansi ansi(Map<String, String> environment) {
+        // picocli asks for a terminal itself, but takes a dumb one for able
+        return environment.containsKey("NO_COLOR") || "dumb".equals(environment.get("TERM"))
+                ? CommandLine.Help.Ansi.OFF : CommandLine.Help.Ansi.AUTO;
+    }
+
+    private static void examplesFirst(CommandLine command) {
+        List<String> keys = new ArrayList<>(command.getHelpSectionKeys());
+        keys.remove(UsageMessageSpec.SECTION_KEY_SYNOPSIS_HEADING);
+        keys.remove(UsageMessageSpec.SECTION_KEY_SYNOPSIS);
+        int description = keys.indexOf(UsageMessageSpec.SECTION_KEY_DESCRIPTION);
+        keys.addAll(description + 1, List.of(UsageMessageSpec.SECTION_KEY_SYNOPSIS_HEADING,
+                UsageMessageSpec.SECTION_KEY_SYNOPSIS));
+        command.setHelpSectionKeys(keys);
+        command.getCommandSpec().usageMessage().abbreviateSynopsis(true);
+    }
+
     /** A word in the colour of its meaning, where a terminal shows it and the user has not asked for none. */
     static String coloured(String word, int exitCode) {
         String colour = exitCode == ExitCodes.OK ? "fg(green),bold"
                 : exitCode == ExitCodes.TARGET_MISSED ? "fg(red),bold" : "fg(yellow),bold";
-        // picocli asks for a terminal, NO_COLOR and the like
-        return CommandLine.Help.Ansi.AUTO.string("@|" + colour + " " + word + "|@");
+        return ansi(System.getenv()).string("@|" + colour + " " + word + "|@");
     }
 
     /**

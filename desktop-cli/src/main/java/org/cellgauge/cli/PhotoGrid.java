@@ -39,7 +39,7 @@ final class PhotoGrid {
      * @param printGainMm gain of the prints
      * @param aprilTags whether markers are of {@code apriltag-36h11} in place of the cell's family
      */
-    record Row(String curve, double blurPx, int markerPx, StudyOptions.Exposure exposure, String other, Sensor sensor,
+    record Row(String curve, double blurPx, int markerPx, StudyTable.Exposure exposure, String other, Sensor sensor,
             int jpegQuality, double printGainMm, boolean aprilTags) {
         /** First cells of the row, by which it is found again in a file. */
         List<String> cells() {
@@ -76,14 +76,14 @@ final class PhotoGrid {
         curves.forEach((word, sensor) -> {
             for (double blur : BLURS_PX) {
                 for (int marker : MARKERS_PX) {
-                    for (StudyOptions.Exposure exposure : StudyOptions.Exposure.values()) {
+                    for (StudyTable.Exposure exposure : StudyTable.Exposure.values()) {
                         rows.add(new Row(word, blur, marker, exposure, "",
                                 sensor.withBlurPx(blur).withExposure(exposure.factor), 0, 0, false));
                     }
                 }
             }
         });
-        Sensor usual = curves.get("sRGB").withBlurPx(StudyOptions.BLUR_PX);
+        Sensor usual = curves.get("sRGB").withBlurPx(StudyTable.BLUR_PX.usual());
         for (int quality : new int[] {95, 85, 70}) {
             rows.add(special("JPEG " + quality, usual, 32, quality, 0, false));
         }
@@ -96,7 +96,7 @@ final class PhotoGrid {
 
     private static Row special(String other, Sensor sensor, int markerPx, int jpegQuality, double printGainMm,
             boolean aprilTags) {
-        return new Row("sRGB", sensor.blurPx(), markerPx, StudyOptions.Exposure.NORMAL, other, sensor, jpegQuality,
+        return new Row("sRGB", sensor.blurPx(), markerPx, StudyTable.Exposure.NORMAL, other, sensor, jpegQuality,
                 printGainMm, aprilTags);
     }
 

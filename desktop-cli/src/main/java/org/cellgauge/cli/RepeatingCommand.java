@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Setting;
+import org.cellgauge.settings.SettingSource;
 import org.cellgauge.settings.SettingTable;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParseResult;
@@ -32,12 +33,7 @@ final class RepeatingCommand {
      */
     static String check(Path cellFile, CheckInput input, CheckSettings settings) {
         List<String> words = new ArrayList<>(List.of("cellgauge", "check", "--cell", file(cellFile)));
-        for (Setting<?> setting : SettingTable.all()) {
-            if (setting.isTold(settings)) {
-                words.add(CheckOptions.name(setting));
-                words.add(setting.text(settings));
-            }
-        }
+        addTold(words, SettingTable.all(), settings, CheckOptions.OfCheck.USUAL);
         if (input.isDetections()) {
             words.add("--detections");
         }
@@ -46,32 +42,52 @@ final class RepeatingCommand {
     }
 
     /**
-     * A command as it was given, but for options on which no figure depends.
+     * The command of a validation.
      *
-     * @param name name of the command
-     * @param parsed what the user gave
-     * @param without names of options to leave out
-     * @return one line for a POSIX shell
+     * @param cellFile as named by the user, or null for none
+     * @param study what was simulated
+     * @param check how it was checked
+     * @param parsed what the user gave, for options besides settings
+     * @param others their names
+     * @return one line for a POSIX shell in the folder that the file is named from
      */
-    static String asGiven(String name, ParseResult parsed, Set<String> without) {
-        List<String> words = new ArrayList<>(List.of("cellgauge", name));
+    static String validate(Path cellFile, StudySettings study, CheckSettings check, ParseResult parsed,
+            Set<String> others) {
+        List<String> words = new ArrayList<>(List.of("cellgauge", "validate"));
+        if (cellFile != null) {
+            words.addAll(List.of("--cell", file(cellFile)));
+        }
+        addTold(words, StudyTable.all(), study, StudySettings.USUAL);
         // an option that is given twice is matched twice, each time with all its values
         for (OptionSpec option : new LinkedHashSet<>(parsed.matchedOptions())) {
-            if (without.contains(option.longestName())) {
-                continue;
-            }
-            if (option.arity().max() == 0) {
-                words.add(option.longestName());
-            }
-            for (String value : option.arity().max() == 0 ? List.<String>of() : option.originalStringValues()) {
-                words.add(option.longestName());
-                words.add(value.trim());
+            if (others.contains(option.longestName())) {
+                for (String value : option.originalStringValues()) {
+                    words.add(option.longestName());
+                    words.add(value.trim());
+                }
             }
         }
+        addTold(words, SettingTable.all(), check, CheckOptions.OfValidate.USUAL);
         return line(words);
     }
 
-    private static String file(Path path) {
+    private static void addTold(List<String> words, List<Setting<?>> rows, SettingSource settings,
+            SettingSource usual) {
+        for (Setting<?> row : rows) {
+            if (row.isTold(settings, usual)) {
+                words.add(SettingOptions.name(row));
+                if (!row.form().isFlag()) {
+                    words.add(row.text(settings));
+                }
+            }
+        }
+    }
+
+    private static String file(Path given) {
+        Path path = StandardInput.asGiven(given);
+        if (StandardInput.is(path)) {
+            return path.toString();
+        }
         // a name that begins with a hyphen would pass for an option
         return path.toString().startsWith("-") ? Path.of(".").resolve(path).toString() : path.toString();
     }

@@ -6,13 +6,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.desktop.ResultFolder;
@@ -38,12 +38,14 @@ import picocli.CommandLine.Spec;
 /** {@code cellgauge simulate}: renders photos of a cell with known truth. */
 @Command(name = "simulate", mixinStandardHelpOptions = true, sortOptions = false,
         versionProvider = Main.Version.class,
-        description = "Renders photos of a cell with known truth: NAME.png (NAME.jpg with --jpeg) and, beside it, "
-                + "NAME.truth.json.",
-        footer = {"", "Example:",
-            "  cellgauge simulate --cell cell.yaml --object 5=370,295,0,0,0,20 \\",
-            "      --camera-pose 418,106,1070,3.08rad,0.10rad,0.02rad --out photos",
-            "",
+        description = {"Renders photos of a cell with known truth: NAME.png (NAME.jpg with --jpeg) and, beside it, "
+                + "NAME.truth.json.", "", "Examples:",
+            "  cellgauge simulate --cell cell.yaml --out photos \\",
+            "      --object 5=370,295,0,0,0,20",
+            "  cellgauge simulate --cell cell.yaml --out photos \\",
+            "      --look-at 250,190,0 --camera-position 250,-400,900",
+            ""},
+        footer = {"",
             "Angles are in degrees, as in the cell file, unless they end in 'rad';",
             "psi, theta, phi turn about x, y, z: R = Rz(phi) Ry(theta) Rx(psi).",
             "The written files are named on standard output.",
@@ -72,6 +74,19 @@ public final class SimulateCommand implements Callable<Integer> {
             description = "Pose of the camera in the world, mm and degrees. Without it the camera looks straight at "
                     + "the plane z = 0, from where all markers fit.")
     private PoseArgument cameraPose;
+
+    @Option(names = "--look-at", paramLabel = "X,Y,Z", preprocessor = PoseArgument.MayBeNegative.class,
+            description = "Point that the camera looks at, in the world, mm, in place of --camera-pose; up in the "
+                    + "image is up in the world, or y where it looks straight down.")
+    private String lookAt;
+
+    @Option(names = "--camera-position", paramLabel = "X,Y,Z", preprocessor = PoseArgument.MayBeNegative.class,
+            description = "With --look-at: where the camera stands, in the world, mm.")
+    private String cameraPosition;
+
+    @Option(names = "--distance", paramLabel = "MM",
+            description = "With --look-at, in place of --camera-position: straight above the point, so far from it.")
+    private Double distanceMm;
 
     @Option(names = "--camera-jitter", paramLabel = "MM,DEG", defaultValue = "0,0",
             preprocessor = PoseArgument.MayBeNegative.class,
@@ -204,13 +219,15 @@ public final class SimulateCommand implements Callable<Integer> {
         if (name.isEmpty() || name.startsWith(".") || name.contains("/") || name.contains("\\")) {
             throw usage("--name: '" + name + "' is no file name; folders go to --out");
         }
+        requireOneViewpoint();
         Map<Integer, RigidTransform> poses = ObjectPoses.parse(spec.commandLine(), objects);
         PrintWriter err = spec.commandLine().getErr();
         try {
-            Cell cell = CellReader.read(cellFile);
+            Cell cell = StandardInput.cell(cellFile);
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, poses);
             PhotoOptions.requirePrintable(spec.commandLine(), cell, printGainMm);
-            RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
+            RigidTransform camera = lookAt != null ? lookingAt() : cameraPose != null ? cameraPose.pose()
+                    : CellSimulation.overview(cell, poses);
             if (Files.exists(out) && !Files.isDirectory(out)) {
                 throw usage("--out: " + out + " is a file, not a folder");
             }
@@ -244,6 +261,10 @@ public final class SimulateCommand implements Callable<Integer> {
             output.write(files);
             files.keySet().forEach(file -> stdout.println(out.resolve(file)));
             stdout.flush();
+            if (count > 1) {
+                err.println("[" + (i + 1) + "/" + count + "] " + imageName);
+                err.flush();
+            }
             for (SceneTruth.MarkerInImage marker : SceneTruth.of(photo.scene())) {
                 if (!marker.whollyInside()) {
                     err.println(base + ": marker " + marker.id() + " is not wholly inside the image.");
@@ -259,6 +280,46 @@ public final class SimulateCommand implements Callable<Integer> {
             }
         }
         err.flush();
+    }
+
+    private void requireOneViewpoint() {
+        if (lookAt == null && (cameraPosition != null || distanceMm != null)) {
+            throw usage((cameraPosition != null ? "--camera-position" : "--distance")
+                    + " needs the point to look at: give --look-at, too");
+        }
+        if (lookAt != null && cameraPose != null) {
+            throw usage("--look-at and --camera-pose both say where the camera looks: leave out one of them");
+        }
+        if (lookAt != null && (cameraPosition == null) == (distanceMm == null)) {
+            throw usage("--look-at: say from where, with either --camera-position X,Y,Z or --distance MM");
+        }
+        if (distanceMm != null && !(distanceMm > 0 && Double.isFinite(distanceMm))) {
+            throw usage("--distance: must be positive, not " + distanceMm);
+        }
+    }
+
+    private RigidTransform lookingAt() {
+        double[] target = point("--look-at", lookAt);
+        double[] from = cameraPosition != null ? point("--camera-position", cameraPosition)
+                : new double[] {target[0], target[1], target[2] + distanceMm};
+        try {
+            return CellSimulation.lookingAt(from, target);
+        } catch (IllegalArgumentException e) {
+            throw usage("--look-at: " + e.getMessage());
+        }
+    }
+
+    private double[] point(String option, String text) {
+        String[] parts = text.split(",", -1);
+        try {
+            double[] point = Arrays.stream(parts).mapToDouble(part -> Double.parseDouble(part.trim())).toArray();
+            if (point.length == 3 && Arrays.stream(point).allMatch(Double::isFinite)) {
+                return point;
+            }
+        } catch (NumberFormatException e) {
+            // said below
+        }
+        throw usage(option + ": '" + text.trim() + "' is not X,Y,Z in mm, as in 250,190,0");
     }
 
     private Sensor sensor() {

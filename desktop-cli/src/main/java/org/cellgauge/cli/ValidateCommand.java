@@ -6,10 +6,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.desktop.render.CellSimulation;
@@ -35,18 +35,17 @@ import picocli.CommandLine.Spec;
 /** {@code cellgauge validate}: is a stated 95 % right 95 times in 100, for this cell? */
 @Command(name = "validate", mixinStandardHelpOptions = true, sortOptions = false,
         versionProvider = Main.Version.class, modelTransformer = CheckOptions.OfValidate.class,
-        description = "Simulates cells that were built and photographed just as precisely as the cell file states, "
-                + "checks each, and counts how often the stated regions hold the truth.",
-        footer = {"", "Examples:",
-            "  cellgauge validate --cell cell.yaml",
-            "  cellgauge validate --cell cell.yaml --object 5=370,295,0,0,0,20 \\",
-            "      --camera-pose 418,106,1070,3.08rad,0.10rad,0.02rad --spread 0,0 --simulations 1000",
-            "  cellgauge validate --cell cell.yaml --model corner-cube --json",
-            "  cellgauge validate --cell cell.yaml --photos --tone-curve srgb --blur-px 1.2 --marker-px 32",
-            "  cellgauge validate --cell cell.yaml --photos --grid --simulations 400 --out grid.md",
+        description = {"Simulates cells that were built and photographed just as precisely as the cell file states, "
+                + "checks each, and counts how often the stated regions hold the truth.", "", "Examples:",
+            "  cellgauge validate --photos --cell cell.yaml",
+            "  cellgauge validate --cell cell.yaml --pixel-std 0.1",
+            "  cellgauge validate --cell cell.yaml --model corner-cube",
+            "  cellgauge validate --photos --grid --cell cell.yaml \\",
+            "      --simulations 400 --out grid.md",
             "  cellgauge validate --random-layouts --simulations 400",
             "  cellgauge validate --random-layouts --cause all --simulations 300",
-            "",
+            ""},
+        footer = {"",
             "Angles are in degrees, as in the cell file, unless they end in 'rad'.",
             "Each check runs until it has converged and the Monte Carlo error of every standard deviation is below",
             "10 %%, unless --iterations or --precision is given: these errors average out over the simulations.",
@@ -54,14 +53,13 @@ import picocli.CommandLine.Spec;
             "",
             "Exit codes: 0 all 95 %% regions hold the truth as often as they claim, within chance, 1 internal error,",
             "2 usage, 3 input refused, 4 a 95 %% region holds it too rarely or too often, 5 more than 5 %% of the",
-            "simulations gave no figure. With --cause: 0 it is named first in 90 %% of the cells and nothing is said",
-            "of 99 %% of right ones, 4 it is not."})
+            "simulations gave no figure."})
 public final class ValidateCommand implements Callable<Integer> {
     /** Share of simulations without a figure beyond which coverage of the others says little. */
     private static final double MOST_WITHOUT_FIGURE = 0.05;
     private static final int REPORTS = 10;
-    /** Options on which no figure depends. */
-    private static final Set<String> WITHOUT_EFFECT = Set.of("--json", "--out", "--threads", "--debug");
+    /** Options besides settings on which figures depend. */
+    private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only", "--cause", "--alone");
 
     @Spec
     private CommandSpec spec;
@@ -73,10 +71,6 @@ public final class ValidateCommand implements Callable<Integer> {
             description = "The cell file. Needed, but for --random-layouts.")
     private Path cellFile;
 
-    @Option(names = "--simulations", paramLabel = "N", defaultValue = "200",
-            description = "Number of simulated cells (${DEFAULT-VALUE}).")
-    private int simulations;
-
     @Option(names = "--object", paramLabel = "ID=X,Y,Z[,PSI,THETA,PHI]",
             description = "Nominal pose of an object of the cell in the world, mm and degrees; repeat it for others. "
                     + "Objects without one are spread between the references, turned like these.")
@@ -87,19 +81,6 @@ public final class ValidateCommand implements Callable<Integer> {
             description = "Nominal pose of the camera in the world, mm and degrees. Without it the camera looks "
                     + "straight at the plane z = 0, from where all markers fit.")
     private PoseArgument cameraPose;
-
-    @Option(names = "--spread", paramLabel = "MM,DEG", defaultValue = "50,10",
-            preprocessor = PoseArgument.MayBeNegative.class,
-            description = "Standard deviation of the true poses about the nominal ones, from simulation to simulation: "
-                    + "the camera swings about the references, objects move before the camera (${DEFAULT-VALUE}). "
-                    + "0,0: the truth is the same in all. At most the distance from camera to references, and below "
-                    + "57 degrees.")
-    private String spread;
-
-    @Option(names = "--pixel-std", paramLabel = "PX",
-            description = "Corner noise that is simulated, where it is to differ from the pixel_std_px of the cell "
-                    + "file, or that is 'auto'.")
-    private Double pixelStdPx;
 
     @Option(names = "--cause", paramLabel = "NAME|none|all",
             description = "Counts how often what is wrong with a cell is named, in cells stated or photographed wrong "
@@ -115,7 +96,10 @@ public final class ValidateCommand implements Callable<Integer> {
     private boolean json;
 
     @Mixin
-    private StudyOptions study;
+    private StudyOptions options;
+
+    private StudySettings study;
+    private CheckSettings check;
 
     /**
      * Runs the validation.
@@ -124,46 +108,41 @@ public final class ValidateCommand implements Callable<Integer> {
      */
     @Override
     public Integer call() {
-        CheckSettings check = CheckOptions.settings(spec.commandLine(), CheckOptions.OfValidate.USUAL);
-        study.check(spec.commandLine());
-        if (cellFile == null && !study.randomLayouts()) {
+        check = CheckOptions.settings(spec.commandLine(), CheckOptions.OfValidate.USUAL);
+        study = options.settings(spec.commandLine());
+        boolean randomLayouts = study.get(StudyTable.RANDOM_LAYOUTS);
+        if (cellFile == null && !randomLayouts) {
             throw new ParameterException(spec.commandLine(), "Missing required option: '--cell=CELL'");
         }
-        ParsedSpread spreads = parseSpread();
         Map<Integer, RigidTransform> given = ObjectPoses.parse(spec.commandLine(), objects);
         try {
             requireCornersForCauses();
-            if (study.randomLayouts()) {
+            if (randomLayouts) {
                 requireNoCell();
                 if (cause != null) {
-                    return causes(RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY), check);
+                    return causes(RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY));
                 }
-                return study(check).randomLayouts(json, pixelStdPx, this::progress);
+                return studyRun().randomLayouts(json, this::progress);
             }
-            Cell cell = CellReader.read(cellFile);
+            Cell cell = StandardInput.cell(cellFile);
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, given);
             Map<Integer, RigidTransform> poses = CellTruth.objectPoses(cell, given);
             RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
             CellTruth nominal = new CellTruth(camera, poses);
             if (cause != null) {
-                return causes(OneCell.of(prior(cell, nominal, spreads, check)), check);
+                return causes(OneCell.of(prior(cell, nominal)));
             }
             if (study.photos()) {
-                if (pixelStdPx != null) {
-                    throw new ParameterException(spec.commandLine(), "--pixel-std is the noise of drawn corners; with "
-                            + "--photos it is the detector's: leave it out, or say what the check is told with "
-                            + "--state-pixel-std");
-                }
-                CoverageStudyRun run = study(check);
-                return study.grid() ? run.grid(cell, nominal, (c, n) -> prior(c, n, spreads, check), json)
-                        : run.oneCell(cell, nominal, (c, n) -> prior(c, n, spreads, check), json, this::progress);
+                CoverageStudyRun run = studyRun();
+                return study.get(StudyTable.GRID) ? run.grid(cell, nominal, this::prior, json)
+                        : run.oneCell(cell, nominal, this::prior, json, this::progress);
             }
-            TruthPrior prior = prior(cell, nominal, spreads, check);
-            ValidationSettings settings = settings(cell, check);
+            TruthPrior prior = prior(cell, nominal);
+            ValidationSettings settings = settings(cell);
             ValidationResult result = Validation.run(prior, settings, this::progress);
             ValidationText text = new ValidationText(prior, settings, result);
             PrintWriter out = spec.commandLine().getOut();
-            out.print(json ? text.json(repeating(), Main.version()) : text.text());
+            out.print(json ? text.json(study.plain(), repeating(), Main.version()) : text.text());
             out.flush();
             return exitCode(result);
         } catch (InputRefusedException e) {
@@ -173,15 +152,17 @@ public final class ValidateCommand implements Callable<Integer> {
         }
     }
 
-    private int causes(CellSource cells, CheckSettings check) {
-        return new CauseStudyRun(spec.commandLine(), cells, check, simulations).run(cause, alone, json, this::progress);
+    private int causes(CellSource cells) {
+        return new CauseStudyRun(spec.commandLine(), cells, check, study.simulations()).run(cause, alone, json,
+                this::progress);
     }
 
     private void requireCornersForCauses() {
         if (cause == null && alone) {
             throw new ParameterException(spec.commandLine(), "--alone is about --cause: give that, too");
         }
-        if (cause != null && (study.photos() || pixelStdPx != null)) {
+        boolean noise = study.get(StudyTable.PIXEL_STD_PX).isPresent();
+        if (cause != null && (study.photos() || noise)) {
             throw new ParameterException(spec.commandLine(), "--cause draws corners with the noise that cells state: "
                     + "leave out " + (study.photos() ? "--photos" : "--pixel-std"));
         }
@@ -189,16 +170,16 @@ public final class ValidateCommand implements Callable<Integer> {
 
     /** What makes the figures again. */
     private String repeating() {
-        return RepeatingCommand.asGiven(spec.name(), spec.commandLine().getParseResult(), WITHOUT_EFFECT);
+        return RepeatingCommand.validate(cellFile, study, check, spec.commandLine().getParseResult(), DETERMINING);
     }
 
-    private CoverageStudyRun study(CheckSettings check) {
-        return new CoverageStudyRun(spec.commandLine(), study, check, simulations, repeating());
+    private CoverageStudyRun studyRun() {
+        return new CoverageStudyRun(spec.commandLine(), options, study, check, repeating());
     }
 
     private void requireNoCell() {
         String given = cellFile != null ? "--cell" : !objects.isEmpty() ? "--object"
-                : cameraPose != null ? "--camera-pose" : study.photos() && pixelStdPx != null ? "--pixel-std" : null;
+                : cameraPose != null ? "--camera-pose" : null;
         if (given != null) {
             throw new ParameterException(spec.commandLine(), "--random-layouts makes its own cells"
                     + (study.photos() ? " and photos" : "") + ": leave out " + given);
@@ -210,45 +191,27 @@ public final class ValidateCommand implements Callable<Integer> {
                 : result.covers(ValidationText.JUDGED) ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
     }
 
-    private TruthPrior prior(Cell cell, CellTruth nominal, ParsedSpread spreads, CheckSettings check) {
+    private TruthPrior prior(Cell cell, CellTruth nominal) {
+        NumberPair spread = study.get(StudyTable.SPREAD);
         try {
-            return new TruthPrior(cell, nominal, spreads.mm(), spreads.rad(),
+            return new TruthPrior(cell, nominal, spread.first(), Math.toRadians(spread.second()),
                     IntrinsicsPrior.stated(cell.camera(), check.model()));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), "--spread: " + e.getMessage());
         }
     }
 
-    private ValidationSettings settings(Cell cell, CheckSettings check) {
-        if (pixelStdPx == null && cell.pixelStdPx().isEmpty()) {
+    private ValidationSettings settings(Cell cell) {
+        OptionalDouble asked = study.get(StudyTable.PIXEL_STD_PX);
+        if (asked.isEmpty() && cell.pixelStdPx().isEmpty()) {
             throw new InputRefusedException(cellFile.toString(), CommandRefusal.NO_CORNER_NOISE);
         }
-        double pixels = pixelStdPx != null ? pixelStdPx : cell.pixelStdPx().getAsDouble();
-        try {
-            return new ValidationSettings(simulations, check, pixels, check.sampling().threads());
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage());
-        }
-    }
-
-    private record ParsedSpread(double mm, double rad) {
-    }
-
-    private ParsedSpread parseSpread() {
-        String[] parts = spread.split(",", -1);
-        try {
-            double mm = Double.parseDouble(parts[0].trim());
-            double degrees = Double.parseDouble(parts[parts.length - 1].trim());
-            if (parts.length == 2) {
-                return new ParsedSpread(mm, Math.toRadians(degrees));
-            }
-        } catch (NumberFormatException e) {
-            // said below
-        }
-        throw new ParameterException(spec.commandLine(), "--spread: '" + spread + "' is not MM,DEG, as in 50,10");
+        double pixels = asked.isPresent() ? asked.getAsDouble() : cell.pixelStdPx().getAsDouble();
+        return new ValidationSettings(study.simulations(), check, pixels, check.sampling().threads());
     }
 
     private void progress(int done) {
+        int simulations = study.simulations();
         int every = Math.max(1, simulations / REPORTS);
         if (done % every == 0 || done == simulations) {
             PrintWriter err = spec.commandLine().getErr();

@@ -29,7 +29,6 @@ import org.cellgauge.internal.validation.ValidationResult;
 import org.cellgauge.internal.validation.ValidationSettings;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.LikelihoodModel;
 
 /** A validation in tables for people, and as JSON. */
@@ -224,38 +223,26 @@ final class ValidationText {
     /**
      * All counts and ranks.
      *
+     * @param study what was simulated, by key
      * @param command what makes them again
      * @param version of this program
      * @return JSON in ASCII, ended by a line feed
      */
-    String json(String command, String version) {
+    String json(Map<String, ?> study, String command, String version) {
         CheckSettings check = settings.check();
         JsonObject root = new JsonObject();
         root.addProperty("schema", 1);
         root.addProperty("covers_95", result.covers(JUDGED));
-        JsonObject used = new JsonObject();
-        used.addProperty("simulations", result.simulations());
-        used.addProperty("model", check.model().likelihood().word());
-        used.addProperty("kappa", check.model().kappa());
-        used.addProperty("sampler", check.sampling().sampler().word());
-        used.addProperty("seed", check.sampling().seed());
+        Gson gson = new GsonBuilder().setPrettyPrinting().serializeNulls().create();
+        JsonObject used = gson.toJsonTree(study).getAsJsonObject();
         used.addProperty("simulated_pixel_std_px", settings.pixelStdPx());
         used.addProperty("spread_mm", prior.stdMm());
         used.addProperty("spread_rad", prior.stdRad());
-        used.addProperty("estimate", check.model().estimate().word());
-        boolean focal = check.model().estimate() == Estimate.FOCAL;
-        used.add("focal_prior_std_px", focal ? number(check.model().focalPriorStdPx()) : JsonNull.INSTANCE);
-        used.add("aspect_prior_std", focal ? number(check.model().aspectPriorStd()) : JsonNull.INSTANCE);
         used.add("camera_pose", pose(prior.nominal().worldFromCamera()));
         JsonObject objects = new JsonObject();
         prior.nominal().worldFromObjects().forEach((id, p) -> objects.add(String.valueOf(id), pose(p)));
         used.add("object_poses", objects);
-        Gson gson = new GsonBuilder().setPrettyPrinting().serializeNulls().create();
-        SettingsJson.plain(check).forEach((key, value) -> {
-            if (!used.has(key)) {
-                used.add(key, gson.toJsonTree(value));
-            }
-        });
+        SettingsJson.plain(check).forEach((key, value) -> used.add(key, gson.toJsonTree(value)));
         root.add("settings", used);
         root.addProperty("not_converged", result.notConverged());
         root.addProperty("refused", result.refused());

@@ -196,7 +196,7 @@ class CheckFaultsTest {
                 new Fault(PLAIN + " --object-noise some", 2, "--object-noise", "detection"),
                 new Fault(PLAIN + " --chains 0", 2, "chains", "1"),
                 new Fault(PLAIN + " --chains four", 2, "--chains", "'four'"),
-                new Fault(PLAIN + " --iterations 100 --warmup 100", 2, "warm-up", "100"),
+                new Fault(PLAIN + " --iterations 100 --warmup 100", 2, "--warmup", "100"),
                 new Fault(PLAIN + " --iterations 3", 2, "iterations"),
                 new Fault(PLAIN + " --kappa 0", 2, "kappa"),
                 new Fault(PLAIN + " --threads 0", 2, "threads"),

@@ -13,8 +13,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.internal.settings.SettingsJson;
@@ -28,6 +34,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
 
 /** The written command is run, and what it finds compared: nothing that determines figures may be missing in it. */
 class RepeatingCommandTest {
@@ -96,7 +103,7 @@ class RepeatingCommandTest {
         String few = setting == SettingTable.PRECISION ? " --max-iterations 300"
                 : setting == SettingTable.MAX_ITERATIONS ? " --precision 0.9" : ofLength ? "" : FEW;
         String options = few + (before == USUAL ? "" : " --estimate focal") + " "
-                + CheckOptions.name(setting) + " " + other(setting);
+                + SettingOptions.name(setting) + " " + other(setting);
         String found = check(options);
         JsonElement value = json(found).getAsJsonObject("settings").get(setting.key());
         assertNotEquals(String.valueOf(setting.plain(before)), value.isJsonNull() ? "null" : value.getAsString(),
@@ -132,11 +139,72 @@ class RepeatingCommandTest {
         JsonObject written = json(found).getAsJsonObject("settings");
         assertEquals(0.75, written.get("kappa").getAsDouble());
         assertEquals(20, written.get("spread_mm").getAsDouble());
+        for (Setting<?> row : StudyTable.all()) {
+            assertTrue(written.has(row.key()), row.key());
+        }
         for (String key : SettingsJson.plain(USUAL).keySet()) {
             assertTrue(written.has(key), key);
         }
         assertEquals(USUAL.toBuilder().iterations(300).kappa(0.75).build(), SettingsJson.read(written));
         assertEquals(found, again(json(found)));
+    }
+
+    /**
+     * Every setting of a study stands in the JSON and, where it is not the default, in the command, whose words make
+     * the same settings again. Nothing is rendered for this: the words are read alone.
+     */
+    @Test
+    void theCommandOfAStudyTellsEverySetting() {
+        Map<Setting<?>, String> others = new LinkedHashMap<>();
+        others.put(StudyTable.SIMULATIONS, "7");
+        others.put(StudyTable.PHOTOS, "true");
+        others.put(StudyTable.CORNERS_ONLY, "true");
+        others.put(StudyTable.SPREAD, "20,5.5");
+        others.put(StudyTable.TONE_CURVE, "gamma 1.8");
+        others.put(StudyTable.BLUR_PX, "1.25");
+        others.put(StudyTable.MARKER_PX, "32");
+        others.put(StudyTable.EXPOSURE, "clipped");
+        others.put(StudyTable.JPEG_QUALITY, "85");
+        others.put(StudyTable.UNSHARP, "0.6,1.2");
+        others.put(StudyTable.PRINT_GAIN_MM, "-0.1");
+        others.put(StudyTable.GRADIENT, "-0.4");
+        others.put(StudyTable.NOISE_GREY, "3");
+        others.put(StudyTable.FULL_WELL_ELECTRONS, "10000");
+        others.put(StudyTable.STATED_PIXEL_STD_PX, "auto");
+        Set<Setting<?>> alone = Set.of(StudyTable.GRID, StudyTable.RANDOM_LAYOUTS, StudyTable.PIXEL_STD_PX);
+        Set<Setting<?>> tried = new HashSet<>(others.keySet());
+        tried.addAll(alone);
+        assertEquals(new HashSet<>(StudyTable.all()), tried, "a new setting is tried here, too");
+        toldAndReadBack(others);
+        toldAndReadBack(Map.of(StudyTable.PHOTOS, "true", StudyTable.GRID, "true"));
+        toldAndReadBack(Map.of(StudyTable.RANDOM_LAYOUTS, "true", StudyTable.PIXEL_STD_PX, "0.2"));
+    }
+
+    private static void toldAndReadBack(Map<Setting<?>, String> texts) {
+        Map<Setting<?>, Object> values = new HashMap<>();
+        texts.forEach((row, text) -> values.put(row, row.read(text)));
+        StudySettings study = new StudySettings(values);
+        CheckSettings thesis = CheckSettings.thesis().seed(-5).build();
+        CommandLine none = parsed(List.of("validate"));
+        String command = RepeatingCommand.validate(cell, study, thesis, none.getParseResult(), Set.of());
+        List<String> words = new ArrayList<>();
+        Matcher quotedOrPlain = Pattern.compile("'([^']*)'|(\\S+)").matcher(command);
+        while (quotedOrPlain.find()) {
+            words.add(quotedOrPlain.group(1) != null ? quotedOrPlain.group(1) : quotedOrPlain.group(2));
+        }
+        CommandLine again = parsed(words.subList(1, words.size()));
+        StudySettings read = new StudyOptions().settings(again);
+        assertEquals(study.plain(), read.plain(), command);
+        texts.forEach((row, text) -> assertTrue(command.contains(row.form().isFlag() ? SettingOptions.name(row)
+                : SettingOptions.name(row) + " " + RepeatingCommand.quoted(text)), row + ": " + command));
+        assertEquals(SettingsJson.plain(thesis),
+                SettingsJson.plain(CheckOptions.settings(again, CheckOptions.OfValidate.USUAL)));
+    }
+
+    private static CommandLine parsed(List<String> words) {
+        CommandLine root = Main.commandLine();
+        root.parseArgs(words.toArray(new String[0]));
+        return root.getSubcommands().get(words.get(0));
     }
 
     /** Words as a real shell reads them. */

@@ -67,7 +67,8 @@ class ValidatePhotosTest {
                 "object_poses", "seed", "kappa", "target_mcse_std_rel", "rotation_prior")), settings.toString());
         assertTrue(settings.get("target_mcse_std_rel").isJsonNull(), "chains of a fixed length aim at no precision");
         String command = result.get("command").getAsString();
-        assertTrue(command.endsWith(" --photos --tone-curve linear --simulations 4 --noise 1"), command);
+        assertEquals("cellgauge validate --cell " + cell + " --simulations 4 --photos --tone-curve linear --noise 1 "
+                + "--object 5=290,150,0 --object 20=110,150,0 --iterations 500", command);
         Set<String> regions = new HashSet<>();
         result.getAsJsonArray("regions").forEach(r -> regions.add(r.getAsJsonObject().get("part").getAsString() + " "
                 + r.getAsJsonObject().get("name").getAsString()));
@@ -223,13 +224,13 @@ class ValidatePhotosTest {
         "--corners-only                                 | --corners-only is about photos: give --photos, too",
         "--photos --only srgb                           | --only is about the rows of --grid",
         "--photos --out x.md                            | --out is about the rows of --grid",
-        "--photos --exposure bright                     | --exposure: 'bright' is not known; write normal or clipped",
+        "--photos --exposure bright                     | --exposure: 'bright' is not known; write normal, clipped",
         "--photos --tone-curve bright                   | --tone-curve: 'bright' is no tone curve; write srgb, linear",
-        "--photos --jpeg 0                              | --jpeg: the quality must be between 1 and 100, not 0",
-        "--photos --marker-px -1                        | --marker-px: must be positive, not -1",
+        "--photos --jpeg 0                              | --jpeg: must be between 1 and 100, not 0",
+        "--photos --marker-px -1                        | --marker-px: must be a positive number of px, not -1",
         "--photos --unsharp 1                           | --unsharp: '1' is not AMOUNT,RADIUS_PX, as in 0.6,1.2",
         "--photos --print-gain 9                        | --print-gain: must be below half a cell of every marker",
-        "--photos --blur-px -1                          | blur must be between 0 and 20 px, not -1",
+        "--photos --blur-px -1                          | --blur-px: must be between 0 and 20, not -1",
         "--photos --pixel-std 0.1                       | --pixel-std is the noise of drawn corners",
         "--photos --state-pixel-std some                | --state-pixel-std: write auto or a positive number of px",
         "--photos --grid --blur-px 1                    | --grid goes through --blur-px itself",
@@ -237,7 +238,11 @@ class ValidatePhotosTest {
         "--photos --random-layouts                      | --random-layouts makes its own cells and photos: leave out "
                 + "--cell",
         "--photos --random-layouts --marker-px 32       | --random-layouts draws the size of markers: leave out",
-        "--photos --simulations 0                       | simulations must be between 1 and 1000000, not 0",
+        "--photos --noise 300                           | --noise: must be between 0 and 255, not 300",
+        "--photos --gradient -2                         | --gradient: must be between -1 and 1, not -2",
+        "--photos --unsharp 1,0                         | --unsharp: must have an amount between 0 and 10 and a radius",
+        "--spread 5                                     | --spread: '5' is not MM,DEG, as in 50,10",
+        "--photos --simulations 0                       | --simulations: must be between 1 and 1000000, not 0",
     })
     void optionsThatMakeNoSenseAreUsageErrors(String args, String message) {
         CommandCall call = validate(args.trim().split(" +"));

@@ -93,6 +93,7 @@ public final class BatchCheck {
         private Function<CheckInput, String> command = input -> null;
         private BatchListener listener = outcome -> { };
         private boolean storedOnly;
+        private boolean withDraws = true;
 
         private Builder(CellFile cellFile) {
             this.cellFile = cellFile;
@@ -172,6 +173,16 @@ public final class BatchCheck {
          */
         public Builder listener(BatchListener value) {
             listener = value;
+            return this;
+        }
+
+        /**
+         * Leaves out the files of draws, some megabytes of each input.
+         *
+         * @return this
+         */
+        public Builder withoutDraws() {
+            withDraws = false;
             return this;
         }
 
@@ -437,7 +448,8 @@ public final class BatchCheck {
             CompletableFuture<Picture> picture = CompletableFuture.supplyAsync(() -> picture(result),
                     settings.sampling().threads() == 1 || sampled == null ? Runnable::run : BatchCheck::besides);
             Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
-            for (int i = 1; sampled != null && i <= sampled.draws().size(); i++) {
+            int chains = sampled == null || !with.withDraws ? 0 : sampled.draws().size();
+            for (int i = 1; i <= chains; i++) {
                 int chain = i;
                 files.put(input.name() + ".chain-" + chain + ".csv", bytes -> {
                     Writer writer = new OutputStreamWriter(bytes, StandardCharsets.UTF_8);
@@ -450,7 +462,7 @@ public final class BatchCheck {
             with.folder.write(files);
             report.add(input, result.stored(), picture.join().jpeg());
             if (sampled != null) {
-                with.folder.deleteChainsFrom(input.name(), sampled.draws().size() + 1);
+                with.folder.deleteChainsFrom(input.name(), chains + 1);
             }
             with.listener.stage("files");
         }

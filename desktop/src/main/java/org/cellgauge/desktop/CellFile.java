@@ -1,5 +1,6 @@
 package org.cellgauge.desktop;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
@@ -27,11 +28,22 @@ public record CellFile(Path file, Cell cell, String sha256, String cameraName, S
      * @throws InputRefusedException if one of the two is missing or faulty
      */
     public static CellFile read(Path file) {
-        Cell cell = CellReader.read(file);
-        StatedCamera camera = CellReader.statedCamera(
-                InputFiles.text(file, CellPhrase.CELL_FILE, CellReader.MAX_BYTES), file.toString());
+        return of(file, CellReader.read(file), InputFiles.text(file, CellPhrase.CELL_FILE, CellReader.MAX_BYTES));
+    }
+
+    /**
+     * A cell that was read already.
+     *
+     * @param file the cell file as named by the user; a camera file that it names lies beside it
+     * @param cell what it holds
+     * @param text its text
+     * @return cell and files
+     * @throws InputRefusedException if the camera file cannot be read
+     */
+    public static CellFile of(Path file, Cell cell, String text) {
+        StatedCamera camera = CellReader.statedCamera(text, file.toString());
         boolean apart = camera.kind() == StatedCamera.Kind.FILE;
-        return new CellFile(file, cell, Sha256.of(file), apart ? camera.fileName() : null,
+        return new CellFile(file, cell, Sha256.of(text.getBytes(StandardCharsets.UTF_8)), apart ? camera.fileName() : null,
                 apart ? Sha256.of(file.resolveSibling(camera.fileName())) : null);
     }
 

@@ -4,6 +4,7 @@ import org.cellgauge.android.R;
 import org.cellgauge.android.files.FileRefusal;
 import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.internal.cell.CellPhrase;
+import org.cellgauge.settings.SettingRefusal;
 import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.MessageKind;
 
@@ -22,6 +23,9 @@ final class RefusalStrings {
         }
         if (kind instanceof CheckRefusal) {
             return of((CheckRefusal) kind);
+        }
+        if (kind instanceof SettingRefusal) {
+            return of((SettingRefusal) kind);
         }
         return kind instanceof FileRefusal ? of((FileRefusal) kind) : WarningStrings.NONE;
     }
@@ -144,6 +148,35 @@ final class RefusalStrings {
                 return R.string.refusal_cell_distortion_folds;
             case IMAGE_SIZE:
                 return R.string.refusal_cell_image_size;
+            default:
+                return WarningStrings.NONE;
+        }
+    }
+
+    private static int of(SettingRefusal kind) {
+        switch (kind) {
+            case NOT_KNOWN:
+                return R.string.refusal_setting_not_known;
+            case NOT_WHOLE:
+                return R.string.refusal_setting_not_whole;
+            case NOT_A_NUMBER:
+                return R.string.refusal_setting_not_a_number;
+            case NOT_ONE_VALUE:
+                return R.string.refusal_setting_not_one_value;
+            case NOT_POSITIVE:
+                return R.string.refusal_setting_not_positive;
+            case NOT_POSITIVE_IN:
+                return R.string.refusal_setting_not_positive_in;
+            case NOT_BETWEEN:
+                return R.string.refusal_setting_not_between;
+            case TOO_SMALL:
+                return R.string.refusal_setting_too_small;
+            case NOT_BELOW_ALL:
+                return R.string.refusal_setting_not_below_all;
+            case NOT_ABOVE_NOTHING:
+                return R.string.refusal_setting_not_above_nothing;
+            case TOO_FEW_LEFT:
+                return R.string.refusal_setting_too_few_left;
             default:
                 return WarningStrings.NONE;
         }

@@ -26,6 +26,7 @@ import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.SettingRefusal;
 import org.cellgauge.vision.DetectionWarning;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
@@ -53,6 +54,7 @@ public class WarningWordsTest {
         kinds.addAll(Arrays.asList(CellRefusal.values()));
         kinds.addAll(Arrays.asList(CellPhrase.values()));
         kinds.addAll(Arrays.asList(CheckRefusal.values()));
+        kinds.addAll(Arrays.asList(SettingRefusal.values()));
         kinds.addAll(Arrays.asList(FileRefusal.values()));
         return kinds;
     }

@@ -10,7 +10,8 @@ import org.cellgauge.settings.CheckSettings;
 
 /**
  * The kept draws of a chain as Stan's command line writes them ("Stan CSV", CmdStan User's Guide, chapter "Stan CSV
- * File Format"): comment lines, a line of names, one line per draw. Tools of the field read it, ArviZ by
+ * File Format"): comment lines, a line of names, one line per draw, comment lines about time. Tools of the field read
+ * it: CmdStanPy by {@code from_csv}, of which ArviZ takes draws by {@code from_cmdstanpy}, and older ArviZ by itself by
  * {@code from_cmdstan}.
  */
 public final class StanCsv {
@@ -21,8 +22,10 @@ public final class StanCsv {
     }
 
     /**
-     * Writes one chain. Angles are in (-pi, pi]; numbers keep every digit. Of more than {@value #MOST_DRAWS} draws
-     * every second, third, … is written, as Stan thins; the result's figures rest on all of them.
+     * Writes one chain. Angles are within half a turn of their reference direction, which is the same for all chains:
+     * draws to both sides of half a turn stay together, beyond pi where need be, so that their mean and deviation are
+     * those of plain numbers. Numbers keep every digit. Of more than {@value #MOST_DRAWS} draws every second, third, …
+     * is written, as Stan thins; the result's figures rest on all of them.
      *
      * @param result what a check found
      * @param chain which chain, from 1
@@ -46,12 +49,14 @@ public final class StanCsv {
         comment(out, "    num_warmup = " + result.warmup());
         comment(out, "    save_warmup = false (Default)");
         comment(out, "    thin = " + thin + (thin == 1 ? " (Default)" : ""));
-        comment(out, "    algorithm = " + result.samplerUsed().word());
+        // to its readers, all that Stan does not adapt itself: others are to report steps and metric of its own sampler
+        comment(out, "    algorithm = fixed_param");
         comment(out, "id = " + chain);
         comment(out, "data");
         comment(out, "  file = " + inputName);
         comment(out, "random");
         comment(out, "  seed = " + settings.sampling().seed());
+        comment(out, "sampler = " + result.samplerUsed().word());
         comment(out, "verdict = " + result.verdict().key());
         QuantityLayout layout = result.layout();
         List<String> names = layout.names();
@@ -61,10 +66,24 @@ public final class StanCsv {
             line.setLength(0);
             for (int q = 0; q < names.size(); q++) {
                 double value = draws.get(q, i);
-                line.append(q == 0 ? "" : ",").append(number(layout.isAngle(q) ? Angles.wrapToPi(value) : value));
+                line.append(q == 0 ? "" : ",")
+                        .append(number(layout.isAngle(q) ? unwrapped(value, layout.referenceRad(q)) : value));
             }
             out.append(line.append('\n'));
         }
+        // readers know by these lines that a file is whole; times are not measured, since files are the same each time
+        comment(out, "");
+        comment(out, " Elapsed Time: 0 seconds (Warm-up)");
+        comment(out, "               0 seconds (Sampling)");
+        comment(out, "               0 seconds (Total)");
+        comment(out, "");
+    }
+
+    /** An angle within half a turn of a direction, rad; one that is there as it is in (-pi, pi] keeps its digits. */
+    static double unwrapped(double angleRad, double directionRad) {
+        double angle = Angles.wrapToPi(angleRad);
+        double off = angle - Angles.wrapToPi(directionRad);
+        return off > Math.PI ? angle - 2 * Math.PI : off <= -Math.PI ? angle + 2 * Math.PI : angle;
     }
 
     private static void comment(Appendable out, String text) throws IOException {

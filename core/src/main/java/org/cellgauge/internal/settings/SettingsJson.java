@@ -6,7 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Setting;
+import org.cellgauge.settings.SettingRefusal;
+import org.cellgauge.settings.SettingRefusedException;
 import org.cellgauge.settings.SettingTable;
+import org.cellgauge.warning.Refusal;
 
 /** Settings as files hold them, by key; what stands in a file makes the same settings again. */
 public final class SettingsJson {
@@ -36,7 +39,7 @@ public final class SettingsJson {
      *
      * @param object the value of the key {@code settings}, as {@link #plain} has it
      * @return the settings
-     * @throws IllegalArgumentException if a value is none of its setting or out of range: a sentence that names the key
+     * @throws SettingRefusedException if a value is none of its setting or out of range
      */
     public static CheckSettings read(JsonObject object) {
         CheckSettings.Builder builder = CheckSettings.builder();
@@ -46,13 +49,9 @@ public final class SettingsJson {
                 continue;
             }
             if (!value.isJsonPrimitive()) {
-                throw new IllegalArgumentException(row.key() + " must be a single value");
+                throw new SettingRefusedException(row, Refusal.of(SettingRefusal.NOT_ONE_VALUE));
             }
-            try {
-                row.read(value.getAsString(), builder);
-            } catch (IllegalArgumentException e) {
-                throw new IllegalArgumentException(row.key() + ": " + e.getMessage(), e);
-            }
+            row.read(value.getAsString(), builder);
         }
         // what a null means is told by the others: open, or of no meaning among them
         CheckSettings stated = builder.build();

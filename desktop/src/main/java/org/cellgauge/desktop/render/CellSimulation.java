@@ -123,6 +123,38 @@ public final class CellSimulation {
                 0);
     }
 
+    /**
+     * A camera that looks at a point.
+     *
+     * @param fromMm where it stands, in the world, mm
+     * @param targetMm what is in the middle of its image, in the world, mm
+     * @return worldFromCamera; z of the world points up in the image, or y of the world where the camera looks straight
+     *     up or down (within a degree), where z has no direction in the image
+     * @throws IllegalArgumentException if the two are one point
+     */
+    public static RigidTransform lookingAt(double[] fromMm, double[] targetMm) {
+        double[] forward = unit(new double[] {targetMm[0] - fromMm[0], targetMm[1] - fromMm[1],
+            targetMm[2] - fromMm[2]});
+        double[] up = Math.abs(forward[2]) > Math.cos(Math.toRadians(1)) ? new double[] {0, 1, 0}
+                : new double[] {0, 0, 1};
+        double[] right = unit(cross(forward, up));
+        double[] down = cross(forward, right);
+        return RigidTransform.of(new double[] {right[0], down[0], forward[0], right[1], down[1], forward[1], right[2],
+            down[2], forward[2]}, fromMm);
+    }
+
+    private static double[] unit(double[] v) {
+        double length = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        if (!(length > 0)) {
+            throw new IllegalArgumentException("the camera stands in the point itself");
+        }
+        return new double[] {v[0] / length, v[1] / length, v[2] / length};
+    }
+
+    private static double[] cross(double[] a, double[] b) {
+        return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    }
+
     private static void enclose(double[] low, double[] high, double[] centre, double sizeMm) {
         for (int axis = 0; axis < 3; axis++) {
             // a marker turned any way stays within its half diagonal
