@@ -17,8 +17,8 @@ import org.cellgauge.internal.statistics.SharedLevel;
  * <p>Tried of a reference are shifts along each world axis, shifts half-way between two axes, and turns about each
  * axis. The limits are such that a cell as stated raises any alarm with the chance {@link #LEVEL}. The level is shared
  * by the chance that each test would find what it looks for, five stated deviations along its direction (weights fixed
- * by the layout alone keep the level: Genovese, Roeder and Wasserman, "False discovery control with p-value weighting", Biometrika
- * 2006): a test of what the pose absorbs anyway must not cost the others their sharpness.
+ * by the layout alone keep the level: Genovese, Roeder and Wasserman, "False discovery control with p-value
+ * weighting", Biometrika 2006): a test of what the pose absorbs anyway must not cost the others their sharpness.
  * Causes share it by the chance of finding the size that their {@link CausePattern} calls typical.
  */
 final class DirectionScore {
