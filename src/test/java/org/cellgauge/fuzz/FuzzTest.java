@@ -15,7 +15,7 @@ class FuzzTest {
     private static final Path ROOT = Path.of(System.getProperty("cellgauge.root", "."));
 
     @ParameterizedTest
-    @CsvSource({"CELL, 600", "CAMERA, 600", "DETECTIONS, 600", "IMAGE, 400", "RESULT, 40", "CHECK, 3"})
+    @CsvSource({"CELL, 300", "CAMERA, 300", "DETECTIONS, 300", "IMAGE, 200", "RESULT, 15", "CHECK, 2"})
     void nothingButRefusals(Target target, int count) throws IOException {
         Fuzz fuzz = new Fuzz(target, 1, ROOT);
         assertTrue(Arrays.equals(fuzz.input(3), new Fuzz(target, 1, ROOT).input(3)), "not reproducible");
