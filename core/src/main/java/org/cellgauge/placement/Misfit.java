@@ -85,7 +85,7 @@ public final class Misfit {
 
     static Misfit ofOverlap(boolean inPhoto, int markerId, int otherId) {
         return new Misfit(inPhoto ? Kind.ONE_PLACE_IN_PHOTO : Kind.ONE_PLACE_IN_CELL, OptionalInt.of(markerId),
-                OptionalInt.of(otherId), Double.NaN, Double.NaN, Double.NaN, null);
+                OptionalInt.of(otherId), Double.NaN, Double.NaN, Double.NaN, null, null);
     }
 
     /**

@@ -14,6 +14,7 @@ import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
+import org.cellgauge.desktop.BatchRefusal;
 import org.cellgauge.desktop.CellFile;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
@@ -110,7 +111,7 @@ final class StandardInput {
             Files.copy(in, file);
             return file;
         } catch (IOException e) {
-            throw new InputRefusedException(Refusal.at(Place.of(WORD.toString()), CommandRefusal.NOT_READABLE,
+            throw new InputRefusedException(Refusal.at(Place.of(WORD.toString()), BatchRefusal.NOT_READABLE,
                     String.valueOf(e.getMessage())), e);
         }
     }
