@@ -272,7 +272,7 @@ public final class CameraReader {
         judgePrincipalPoint(pinhole, "cy", k[PinholeCamera.CY], height, CellPhrase.HEIGHT);
         if (isMiddle(k[PinholeCamera.CX], height) && isMiddle(k[PinholeCamera.CY], width)
                 && !isMiddle(k[PinholeCamera.CX], width) && !isMiddle(k[PinholeCamera.CY], height)) {
-            throw pinhole.optional("cx").refused(CellRefusal.PRINCIPAL_POINT_TURNED, plain(k[PinholeCamera.CX]),
+            throw pinhole.at("cx").refused(CellRefusal.PRINCIPAL_POINT_TURNED, plain(k[PinholeCamera.CX]),
                     plain(k[PinholeCamera.CY]), height, width);
         }
         if (k[PinholeCamera.CX] == 0 && k[PinholeCamera.CY] == 0) {

@@ -117,7 +117,7 @@ final class CellModes {
 
     /** What is said where the result leans on the weak prior of the camera pose; null where it does not. */
     @Nullable Warning directionOpen() {
-        if (camera.posePrior == null) {
+        if (camera.posePrior == null || contradiction != null) {
             return null;
         }
         double share = LinearModel.priorShare(camera.mode(), PosePrior.WEAK_STD_MM, PosePrior.WEAK_STD_RAD);
@@ -355,12 +355,16 @@ final class CellModes {
                 }
                 Explanation best = found.explanation();
                 if (best != null && best.cause() == Cause.REFERENCE_ELSEWHERE && best.orInstead().isEmpty()) {
-                    return foreign ? cameraFitOf(without(all, indexOf(all, best.references().get(0))), intrinsics)
-                            : fit;
+                    if (!foreign) {
+                        return fit;
+                    }
+                    int id = best.references().get(0);
+                    warnings.add(Warning.of(CheckWarning.REFERENCE_LEFT_OUT, id));
+                    return cameraFitOf(without(all, indexOf(all, id)), intrinsics);
                 }
                 if (best != null && (foreign || best.cause().isOutright())) {
                     contradiction = found;
-                    return fit;
+                    return agreeing(fit, intrinsics);
                 }
             }
             return foreign ? withoutForeign(fit, intrinsics) : fit;
@@ -372,12 +376,26 @@ final class CellModes {
             int foreign = foreignReference(fit);
             while (foreign >= 0) {
                 if (fit.view.size() < 3 || 2 * (fit.view.size() - 1) <= all.view.size()) {
-                    contradiction = settings.model().likelihood() == LikelihoodModel.RIGID_MARKER
-                            ? Contradiction.UNEXPLAINED : null;
-                    return fit;
+                    boolean rigid = settings.model().likelihood() == LikelihoodModel.RIGID_MARKER;
+                    contradiction = rigid ? Contradiction.UNEXPLAINED : null;
+                    return rigid ? agreeing(fit, intrinsics) : fit;
                 }
+                warnings.add(Warning.of(CheckWarning.REFERENCE_LEFT_OUT, fit.view.references().get(foreign).id()));
                 fit = cameraFitOf(without(fit.view, foreign), intrinsics);
                 foreign = foreignReference(fit);
+            }
+            return fit;
+        }
+
+        /**
+         * What the chains of references in contradiction run on, so that they can start at all: those that make sense
+         * together. No figure of theirs is shown, so that none is said to be left out.
+         */
+        private CameraFit agreeing(CameraFit all, IntrinsicsPrior intrinsics) {
+            CameraFit fit = all;
+            for (int foreign = foreignReference(fit); foreign >= 0 && fit.view.size() > 1;
+                    foreign = foreignReference(fit)) {
+                fit = cameraFitOf(without(fit.view, foreign), intrinsics);
             }
             return fit;
         }
@@ -390,9 +408,8 @@ final class CellModes {
             return m;
         }
 
-        /** The references but for one that is said to be left out. */
-        private ReferenceView without(ReferenceView view, int leftOut) {
-            warnings.add(Warning.of(CheckWarning.REFERENCE_LEFT_OUT, view.references().get(leftOut).id()));
+        /** The references but for one. */
+        private static ReferenceView without(ReferenceView view, int leftOut) {
             List<Integer> kept = new ArrayList<>();
             for (int m = 0; m < view.size(); m++) {
                 if (m != leftOut) {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.estimate.VarianceSource;
@@ -42,7 +43,7 @@ public final class JudgedObject {
         return new JudgedObject(object.id(),
                 new JudgedPoint(object.pose().std(), none, none, null, shares(object.budget())),
                 object.grip() == null ? null
-                        : new JudgedPoint(object.grip().stdMm(), none, none, null, shares(object.gripBudget())));
+                        : new JudgedPoint(object.grip().stdMm(), none, none, null, shares(Objects.requireNonNull(object.gripBudget(), "of its grip"))));
     }
 
     /** An object as the chains have it. */
@@ -59,7 +60,8 @@ public final class JudgedObject {
                 point(object.pose().std(), diagnostics, position, moved == null ? null : moved.errorMm(),
                         object.budget()),
                 object.grip() == null ? null : point(object.grip().stdMm(), diagnostics, grip,
-                        moved == null ? null : moved.gripErrorMm(), object.gripBudget()));
+                        moved == null ? null : moved.gripErrorMm(),
+                        Objects.requireNonNull(object.gripBudget(), "of its grip")));
     }
 
     private static JudgedPoint point(double[] std, Diagnostics diagnostics, Quantity[] quantities,

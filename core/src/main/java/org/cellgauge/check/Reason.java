@@ -325,7 +325,7 @@ public final class Reason {
             case TOO_SHORT:
                 return notConverged("fewer than " + ChainDiagnostics.MIN_DRAWS + " draws each");
             case CONTRADICTED:
-                return "No figure: " + p.misfit.contradiction();
+                return "No figure: " + Objects.requireNonNull(p.misfit, "contradicted by it").contradiction();
             case TWO_CAMERA_POSES:
                 return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): "
                         + "add a reference out of their plane.", 100 * p.share.getAsDouble());

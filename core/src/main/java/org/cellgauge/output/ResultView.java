@@ -19,6 +19,7 @@ import org.cellgauge.check.TargetTest;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.warning.Message;
@@ -206,11 +207,12 @@ public final class ResultView extends Value {
                 rows.add(notSeen(marker.id()));
                 continue;
             }
-            ObjectEstimate before = quick.object(marker.id());
+            ObjectEstimate before = Objects.requireNonNull(quick.object(marker.id()), "seen by both");
             rows.add(object(object).laplace(LaplaceView.of(before.pose().mean(), before.pose().std(),
                     object.pose().mean(), object.pose().std())).build());
             if (object.grip() != null) {
-                rows.add(grip(object).laplace(LaplaceView.of(before.grip().meanMm(), before.grip().stdMm(),
+                PointEstimate gripBefore = Objects.requireNonNull(before.grip(), "an object has it or has not");
+                rows.add(grip(object).laplace(LaplaceView.of(gripBefore.meanMm(), gripBefore.stdMm(),
                         object.grip().meanMm(), object.grip().stdMm())).build());
             }
         }
@@ -270,8 +272,9 @@ public final class ResultView extends Value {
     }
 
     private static ResultRow.Builder grip(ObjectEstimate object) {
-        return new ResultRow.Builder(ResultRow.Kind.GRIP, OptionalInt.of(object.id())).point(object.grip())
-                .budget(BudgetShare.of(object.gripBudget())).ellipse95Px(object.gripEllipse95Px());
+        return new ResultRow.Builder(ResultRow.Kind.GRIP, OptionalInt.of(object.id()))
+                .point(Objects.requireNonNull(object.grip()))
+                .budget(BudgetShare.of(Objects.requireNonNull(object.gripBudget()))).ellipse95Px(object.gripEllipse95Px());
     }
 
     private static Builder intrinsics(@Nullable IntrinsicsEstimate estimate, Builder builder) {

@@ -90,9 +90,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
     /** Whether markers that are missing are looked for again, and their reasons, at several times the cost. */
     private final boolean looksTwice;
     /** Finds faint markers; null until one is missing. */
-    private BaseDetectFiducialSquare<GrayU8> faintSquares;
+    private @Nullable BaseDetectFiducialSquare<GrayU8> faintSquares;
     /** Says why markers are missing; null until one is. */
-    private MarkerSurvey survey;
+    private @Nullable MarkerSurvey survey;
     /** Looks at the bent image of a wide lens as well; null for others. */
     private final @Nullable BaseDetectFiducialSquare<GrayU8> bentSquares;
     private final @Nullable ToneCurve statedCurve;

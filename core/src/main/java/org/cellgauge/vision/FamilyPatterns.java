@@ -63,7 +63,7 @@ public final class FamilyPatterns {
     }
 
     /** What BoofCV calls the dictionary; null for square-binary. */
-    ConfigHammingMarker dictionary() {
+    @Nullable ConfigHammingMarker dictionary() {
         return dictionary;
     }
 

@@ -336,7 +336,7 @@ final class MarkerSurvey {
                     + (r.mirrored ? 2 : 0) + (own ? 0 : 1);
         }
 
-        private Reading read(GrayF32 square, double threshold, Codes codes) {
+        private @Nullable Reading read(GrayF32 square, double threshold, Codes codes) {
             MarkerGrid grid = codes.grid;
             int n = grid.codeCells();
             boolean proves = n * n >= PROVING_BITS && !codes.family.isSquareBinary();

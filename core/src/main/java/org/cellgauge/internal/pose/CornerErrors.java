@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
@@ -297,6 +298,7 @@ public final class CornerErrors {
      * @throws IllegalStateException if the noise is stated
      */
     public Map<Integer, Double> noSquares(double level) {
+        AddedNoise unknown = Objects.requireNonNull(added, "noise that is stated is no belief");
         double[] log = logPrior();
         int told = 0;
         for (MarkerErrors m : markers.values()) {
@@ -315,15 +317,15 @@ public final class CornerErrors {
             for (int i = 0; i < log.length; i++) {
                 ofOthers[i] -= logSquareness(m, i);
             }
-            NoiseBelief belief = new NoiseBelief(added, ofOthers);
+            NoiseBelief belief = new NoiseBelief(unknown, ofOthers);
             double chance = 0;
             for (int i = 0; i < log.length; i++) {
                 chance += belief.weight(i)
-                        * Math.exp(-0.5 * m.squareness.chiSquare(added.variancePx2(AddedNoise.atNode(i))));
+                        * Math.exp(-0.5 * m.squareness.chiSquare(unknown.variancePx2(AddedNoise.atNode(i))));
             }
             if (chance < level / told) {
                 found.put(entry.getKey(), Math.sqrt(0.5
-                        * m.squareness.chiSquare(added.variancePx2(belief.ofMeanVariance()))));
+                        * m.squareness.chiSquare(unknown.variancePx2(belief.ofMeanVariance()))));
             }
         }
         List<Map.Entry<Integer, Double>> worstFirst = new ArrayList<>(found.entrySet());
@@ -465,11 +467,11 @@ public final class CornerErrors {
         Map<Integer, MarkerErrors> out = new LinkedHashMap<>(markers);
         Map<Integer, Double> times = new LinkedHashMap<>(inflations);
         factors.forEach((id, factor) -> {
-            double[] covariance = markers.get(id).covariancePx2.clone();
+            double[] covariance = of(id).covariancePx2.clone();
             for (int i = 0; i < 64; i++) {
                 covariance[i] *= factor;
             }
-            out.put(id, markers.get(id).setAside(covariance));
+            out.put(id, of(id).setAside(covariance));
             times.put(id, Math.sqrt(factor / 2));
         });
         return new CornerErrors(Collections.unmodifiableMap(out), statedStdPx, added, edges, sizesMm, sizeStdMm,

@@ -62,12 +62,12 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
     }
 
     private RigidMarkerLikelihood(ReferenceView view, double[] points, double[] observed, double[] whitening,
-            PoseMode mode) {
+            @Nullable PoseMode mode) {
         this.points = points;
         this.observed = observed;
         loose = mode == null ? null : loose(view, mode);
         shift = new double[loose == null ? 0 : loose.count()];
-        byShift = loose == null ? shift : loose.columns(points, mode.state());
+        byShift = loose == null || mode == null ? shift : loose.columns(points, mode.state());
         columns = view.columnsPx();
         unknowns = view.unknowns();
         noise = null;
@@ -112,7 +112,7 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         noise = new NoiseWhitening(errors, ids, mode.placementPx2());
     }
 
-    private static LooseAxes loose(ReferenceView view, PoseMode mode) {
+    private static @Nullable LooseAxes loose(ReferenceView view, PoseMode mode) {
         LooseAxes axes = new LooseAxes(view, mode);
         return axes.count() == 0 ? null : axes;
     }

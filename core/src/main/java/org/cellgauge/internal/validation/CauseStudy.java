@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.IntConsumer;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
@@ -241,7 +242,7 @@ public final class CauseStudy {
         int quarters = 1 + random.nextInt(3);
         List<Reference> stated = new ArrayList<>(references);
         Wrong wrong;
-        switch (cause) {
+        switch (Objects.requireNonNull(cause, "nothing is wrong then")) {
             case EXCHANGED:
                 int k = n < 2 ? m : (m + 1 + random.nextInt(n - 1)) % n;
                 stated.set(m, placed(references.get(m), references.get(k).worldFromMarker()));
@@ -322,7 +323,7 @@ public final class CauseStudy {
         double[] intrinsics = cell.camera().intrinsics();
         Detections photo = seen;
         double sizes = 1;
-        switch (cause) {
+        switch (Objects.requireNonNull(cause, "nothing is wrong then")) {
             case MARKER_SIZE:
                 sizes = 1 / (1 + size);
                 break;
