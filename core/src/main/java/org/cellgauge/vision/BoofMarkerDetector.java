@@ -20,6 +20,7 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import org.cellgauge.cell.Cell;
@@ -211,7 +212,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family, FamilyPatterns patterns, int percent) {
         return family.isSquareBinary() ? squareBinary(family.codeCells(), percent)
-                : squareHamming(patterns.dictionary(), percent);
+                : squareHamming(Objects.requireNonNull(patterns.dictionary(), "no square-binary"), percent);
     }
 
     private static BaseDetectFiducialSquare<GrayU8> squareBinary(int codeCells, int percent) {

@@ -18,6 +18,7 @@ import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Looks for what is in an image in place of the markers that a cell asks for: markers printed white on black or
