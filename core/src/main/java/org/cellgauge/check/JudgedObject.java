@@ -43,7 +43,8 @@ public final class JudgedObject {
         return new JudgedObject(object.id(),
                 new JudgedPoint(object.pose().std(), none, none, null, shares(object.budget())),
                 object.grip() == null ? null
-                        : new JudgedPoint(object.grip().stdMm(), none, none, null, shares(Objects.requireNonNull(object.gripBudget(), "of its grip"))));
+                        : new JudgedPoint(object.grip().stdMm(), none, none, null,
+                                shares(Objects.requireNonNull(object.gripBudget(), "of its grip"))));
     }
 
     /** An object as the chains have it. */

@@ -83,7 +83,8 @@ public final class Reason {
     }
 
     static Reason notConverged(Diagnostics diagnostics) {
-        Quantity parameter = Objects.requireNonNull(diagnostics.worstParameter(), "chains that converged have no reason");
+        Quantity parameter = Objects.requireNonNull(diagnostics.worstParameter(),
+                "chains that converged have no reason");
         ChainDiagnostics worst = diagnostics.of(parameter);
         Parts parts = new Parts(kindOf(worst.status()));
         parts.worstParameter = parameter;

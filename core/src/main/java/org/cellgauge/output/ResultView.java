@@ -274,7 +274,8 @@ public final class ResultView extends Value {
     private static ResultRow.Builder grip(ObjectEstimate object) {
         return new ResultRow.Builder(ResultRow.Kind.GRIP, OptionalInt.of(object.id()))
                 .point(Objects.requireNonNull(object.grip()))
-                .budget(BudgetShare.of(Objects.requireNonNull(object.gripBudget()))).ellipse95Px(object.gripEllipse95Px());
+                .budget(BudgetShare.of(Objects.requireNonNull(object.gripBudget())))
+                .ellipse95Px(object.gripEllipse95Px());
     }
 
     private static Builder intrinsics(@Nullable IntrinsicsEstimate estimate, Builder builder) {

@@ -356,8 +356,8 @@ public final class ReferenceCheck {
     }
 
     /**
-     * What that adds to a reason: markers in one place, the likeliest cause, or how badly all fit; null where nothing is
-     * contradicted.
+     * What that adds to a reason: markers in one place, the likeliest cause, or how badly all fit; null where nothing
+     * is contradicted.
      */
     public @Nullable Misfit misfit() {
         return !overlaps.isEmpty() ? overlaps.get(0).misfit()

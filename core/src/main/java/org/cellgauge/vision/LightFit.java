@@ -91,7 +91,7 @@ final class LightFit {
     private static final double BLUE_CORRELATION = 0.03;
     private static final double BLUE_DEVIATIONS = 2;
     private static final double NOISE_AMOUNT_STD = 0.15;
-    /** Markers that a mask is undone about first, and by how much their noise must speak against it to end the search. */
+    /** Markers that a mask is undone about first, and how much their noise must speak against it to end the search. */
     private static final int MOST_TRIED = 2;
     private static final double RULED_OUT = -3;
     /** How much alike the leverages of neighbours are. */
@@ -390,8 +390,8 @@ final class LightFit {
      * @param offsetBy receives the mean change of a side's offset, px
      * @return covariance of the three, or null where nothing tells them
      */
-    private double @Nullable [] shapeCovariance(List<MarkerEdges> some, double correlation, boolean withShift, double power,
-            double[] score, double[] offsetBy) {
+    private double @Nullable [] shapeCovariance(List<MarkerEdges> some, double correlation, boolean withShift,
+            double power, double[] score, double[] offsetBy) {
         double variance = noiseGrey * noiseGrey;
         double[] information = new double[SHAPES * SHAPES];
         double[] ofSides = new double[SHAPES];

@@ -137,8 +137,8 @@ final class MarkerEdges {
     private int firstY;
     private int lastY;
 
-    // undistorted places of the pixels about the marker, NaN where nobody has asked yet: bending them back takes as long
-    // as all that is then done with them
+    // undistorted places of the pixels about the marker, NaN where nobody has asked yet: bending them back takes as
+    // long as all that is then done with them
     private int cachedX;
     private int cachedY;
     private int cachedWidth;

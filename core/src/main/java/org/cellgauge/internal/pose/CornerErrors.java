@@ -61,7 +61,8 @@ public final class CornerErrors {
     private final Map<Integer, Double> inflations;
 
     private CornerErrors(Map<Integer, MarkerErrors> markers, double statedStdPx, @Nullable AddedNoise added,
-            @Nullable EdgeModel edges, List<Double> sizesMm, double sizeStdMm, int unknowns, Map<Integer, Double> inflations) {
+            @Nullable EdgeModel edges, List<Double> sizesMm, double sizeStdMm, int unknowns,
+            Map<Integer, Double> inflations) {
         this.markers = markers;
         this.statedStdPx = statedStdPx;
         this.added = added;
@@ -128,7 +129,8 @@ public final class CornerErrors {
                 Collections.unmodifiableList(sizes), cell.prints().sizeStdMm(), q, Collections.emptyMap());
     }
 
-    private static void addSeen(@Nullable MarkerObservation observation, double sizeMm, List<MarkerErrors.Source> seen) {
+    private static void addSeen(@Nullable MarkerObservation observation, double sizeMm,
+            List<MarkerErrors.Source> seen) {
         if (observation != null) {
             seen.add(new MarkerErrors.Source(observation, sizeMm));
         }

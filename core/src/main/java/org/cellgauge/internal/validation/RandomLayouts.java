@@ -152,8 +152,8 @@ public final class RandomLayouts implements CellSource {
     }
 
     /** A marker somewhere in view, or null if the place drawn is none. */
-    private static @Nullable RigidTransform marker(RandomGenerator random, PinholeCamera camera, RigidTransform worldFromCamera,
-            double distanceMm, double sizeMm, List<double[]> taken) {
+    private static @Nullable RigidTransform marker(RandomGenerator random, PinholeCamera camera,
+            RigidTransform worldFromCamera, double distanceMm, double sizeMm, List<double[]> taken) {
         double[] ray = new double[2];
         boolean seen = camera.toNormalised(WIDTH_PX * random.nextDouble(), HEIGHT_PX * random.nextDouble(), ray);
         double raised = random.nextBoolean() ? 0.25 * distanceMm * random.nextDouble() : 0;
