@@ -10,14 +10,14 @@ import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.desktop.BatchRefusal;
+import org.cellgauge.desktop.CellFile;
 import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
-import org.cellgauge.desktop.BatchRefusal;
-import org.cellgauge.desktop.CellFile;
-import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine;
 
 /** The word {@code -}, which stands for standard input in place of a cell file, a photo or a detections file. */
 final class StandardInput {
