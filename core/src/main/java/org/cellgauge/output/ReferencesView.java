@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.placement.Explanation;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.MisplacedReference;
@@ -87,9 +88,12 @@ public final class ReferencesView extends Value {
         }
         List<MovedObject> objects = new ArrayList<>();
         for (WithoutMisplaced.ObjectWithout object : without.objects()) {
+            PointEstimate grip = object.grip();
+            double[] move = object.gripMoveMm();
+            double[] error = object.gripErrorMm();
             objects.add(new MovedObject(object.id(), PoseView.of(object.pose()), object.moveMm(), object.errorMm(),
-                    object.grip() == null ? null : new MovedGrip(object.grip().meanMm(),
-                            object.grip().covarianceMm2(), object.gripMoveMm(), object.gripErrorMm())));
+                    grip == null || move == null || error == null ? null
+                            : new MovedGrip(grip.meanMm(), grip.covarianceMm2(), move, error)));
         }
         return new WithoutView(without.leftOut(), PoseView.of(without.camera()), without.cameraMoveMm(), objects);
     }

@@ -210,10 +210,11 @@ public final class ResultView extends Value {
             ObjectEstimate before = Objects.requireNonNull(quick.object(marker.id()), "seen by both");
             rows.add(object(object).laplace(LaplaceView.of(before.pose().mean(), before.pose().std(),
                     object.pose().mean(), object.pose().std())).build());
-            if (object.grip() != null) {
+            PointEstimate grip = object.grip();
+            if (grip != null) {
                 PointEstimate gripBefore = Objects.requireNonNull(before.grip(), "an object has it or has not");
-                rows.add(grip(object).laplace(LaplaceView.of(gripBefore.meanMm(), gripBefore.stdMm(),
-                        object.grip().meanMm(), object.grip().stdMm())).build());
+                rows.add(grip(object, grip).laplace(LaplaceView.of(gripBefore.meanMm(), gripBefore.stdMm(),
+                        grip.meanMm(), grip.stdMm())).build());
             }
         }
         List<WarningView> warnings = new ArrayList<>();
@@ -248,8 +249,9 @@ public final class ResultView extends Value {
                 continue;
             }
             rows.add(object(object).build());
-            if (object.grip() != null) {
-                rows.add(grip(object).build());
+            PointEstimate grip = object.grip();
+            if (grip != null) {
+                rows.add(grip(object, grip).build());
             }
         }
         return intrinsics(estimate.intrinsics(), new Builder(CellView.of(cell)))
@@ -271,9 +273,8 @@ public final class ResultView extends Value {
                 .ellipse95Px(object.ellipse95Px());
     }
 
-    private static ResultRow.Builder grip(ObjectEstimate object) {
-        return new ResultRow.Builder(ResultRow.Kind.GRIP, OptionalInt.of(object.id()))
-                .point(Objects.requireNonNull(object.grip()))
+    private static ResultRow.Builder grip(ObjectEstimate object, PointEstimate grip) {
+        return new ResultRow.Builder(ResultRow.Kind.GRIP, OptionalInt.of(object.id())).point(grip)
                 .budget(BudgetShare.of(Objects.requireNonNull(object.gripBudget())))
                 .ellipse95Px(object.gripEllipse95Px());
     }

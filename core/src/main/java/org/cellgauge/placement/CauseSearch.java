@@ -167,7 +167,7 @@ final class CauseSearch {
         for (Trial trial : trials.subList(0, Math.min(FOLLOWED, trials.size()))) {
             CameraFit fit = fit(trial.references, stated.lens, stated.view.observedPx(),
                     trial.start.worldFromCamera(), allowed(degrees) + MARGIN);
-            if (explains(fit)) {
+            if (fit != null && explains(fit)) {
                 found.add(Explanation.outright(trial.cause.cause(), trial.cause.references(), trial.cause.axis(),
                         trial.cause.size()[0], trial.cause.evidence() - 2 * fit.mode().halfChiSquare()));
             }
@@ -302,7 +302,7 @@ final class CauseSearch {
                 first += other.columnsPx.length;
             }
             double[] change = same == null ? null : scores.best(first, size.length);
-            if (change == null) {
+            if (same == null || change == null) {
                 return;
             }
             double longest = 0;
@@ -320,7 +320,7 @@ final class CauseSearch {
             }
         }
         fit = changed(pattern, size, from);
-        if (explains(fit)) {
+        if (fit != null && explains(fit)) {
             double finer = Math.max(1, pattern.typical / std);
             double evidence = -2 * fit.mode().halfChiSquare() - 2 * size.length * Math.log(finer)
                     + 2 * Math.log(pattern.weight);
@@ -400,11 +400,13 @@ final class CauseSearch {
             }
         }
         PinholeCamera lens = stated.lens.withIntrinsics(intrinsics);
-        InitialPose.Estimate start = from != null ? null
-                : InitialPose.best(view(references, observed), lens, candidates(references));
-        return from == null && start == null ? null
-                : fit(references, lens, observed, from != null ? from : start.worldFromCamera(),
-                        Double.POSITIVE_INFINITY);
+        RigidTransform worldFromCamera = from;
+        if (worldFromCamera == null) {
+            InitialPose.Estimate start = InitialPose.best(view(references, observed), lens, candidates(references));
+            worldFromCamera = start == null ? null : start.worldFromCamera();
+        }
+        return worldFromCamera == null ? null
+                : fit(references, lens, observed, worldFromCamera, Double.POSITIVE_INFINITY);
     }
 
     // ---- one reference that is somewhere else

@@ -3,12 +3,14 @@ package org.cellgauge.placement;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.statistics.SharedLevel;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The test of one direction of one reference's placement: is the reference off along it by more than its stated
@@ -49,9 +51,9 @@ final class DirectionScore {
     /** Index of the reference; -1 of a cause. */
     final int index;
     /** Null of a cause. */
-    final Reference reference;
+    final @Nullable Reference reference;
     /** Null of a reference. */
-    final CausePattern cause;
+    final @Nullable CausePattern cause;
     /** The score that its direction begins with. */
     final int first;
     private final double[] direction;
@@ -60,8 +62,8 @@ final class DirectionScore {
     private final double weight;
     private final double limit;
 
-    private DirectionScore(int index, Reference reference, CausePattern cause, int first, double[] direction,
-            double score, double sensitivity, double weight, double limit) {
+    private DirectionScore(int index, @Nullable Reference reference, @Nullable CausePattern cause, int first,
+            double[] direction, double score, double sensitivity, double weight, double limit) {
         this.index = index;
         this.reference = reference;
         this.cause = cause;
@@ -71,6 +73,15 @@ final class DirectionScore {
         this.sensitivity = sensitivity;
         this.weight = weight;
         this.limit = limit;
+    }
+
+    /** The reference that it is about; only where it is about one. */
+    Reference reference() {
+        return Objects.requireNonNull(reference, "a cause is no reference");
+    }
+
+    private CausePattern cause() {
+        return Objects.requireNonNull(cause, "a reference is no cause");
     }
 
     private DirectionScore withLimit(double found) {
@@ -168,8 +179,8 @@ final class DirectionScore {
     /** What it comes to that the cause is of the size that fits best. */
     Explanation explanation() {
         return reference == null
-                ? cause.explanation(direction, score / (sensitivity * sensitivity), 1 / sensitivity, evidence())
-                : Explanation.outright(Cause.REFERENCE_OFF, Collections.singletonList(reference.id()), -1, 0,
+                ? cause().explanation(direction, score / (sensitivity * sensitivity), 1 / sensitivity, evidence())
+                : Explanation.outright(Cause.REFERENCE_OFF, Collections.singletonList(reference().id()), -1, 0,
                         evidence());
     }
 
@@ -188,7 +199,7 @@ final class DirectionScore {
 
     /** Whether another test is about the same reference or the same cause. */
     boolean isOfTheSame(DirectionScore other) {
-        return reference == null ? other.reference == null && cause.isLike(other.cause)
+        return reference == null ? other.cause != null && cause().isLike(other.cause)
                 : other.reference != null && reference.id() == other.reference.id();
     }
 
@@ -212,7 +223,7 @@ final class DirectionScore {
     }
 
     private double[] scaled(double deviations) {
-        Placement placement = reference.placement();
+        Placement placement = reference().placement();
         double[] out = new double[PlacementScores.COORDINATES];
         for (int c = 0; c < out.length; c++) {
             if (direction[c] != 0) {

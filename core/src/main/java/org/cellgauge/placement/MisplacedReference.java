@@ -20,7 +20,7 @@ public final class MisplacedReference {
     private final List<Explanation> others;
 
     MisplacedReference(DirectionScore test, List<Explanation> others) {
-        reference = test.reference;
+        reference = test.reference();
         offset = test.offset();
         statistic = test.statistic();
         limit = test.limit();

@@ -5,7 +5,6 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.FDistribution;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
@@ -13,10 +12,12 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
+import org.cellgauge.internal.statistics.ChiSquare;
 import org.cellgauge.internal.statistics.CoverageRegion;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Whether corners are as precise as the cell file states, by how square markers are; immutable.
@@ -72,6 +73,7 @@ public final class NoiseFit {
      * @param cell the cell
      * @param errors errors of the corners
      * @param lens intrinsics, as estimated where they are unknown
+     * @return the test
      */
     public static NoiseFit of(Cell cell, CornerErrors errors, PinholeCamera lens) {
         if (errors.added() != null) {
@@ -97,6 +99,7 @@ public final class NoiseFit {
      * @param cell the cell
      * @param errors errors of the corners
      * @param prior of the unknown intrinsics
+     * @return the test
      */
     public static NoiseFit ofUnknownFocal(Cell cell, CornerErrors errors, IntrinsicsPrior prior) {
         if (errors.added() != null) {
@@ -130,14 +133,14 @@ public final class NoiseFit {
         return best == null ? untested() : best;
     }
 
-    private static NoiseFit at(Cell cell, CornerErrors errors, IntrinsicsPrior prior, double[] rows) {
+    private static @Nullable NoiseFit at(Cell cell, CornerErrors errors, IntrinsicsPrior prior, double[] rows) {
         double[] intrinsics = cell.camera().intrinsics();
         prior.setWhitened(rows, intrinsics);
         return intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0 ? of(cell, errors,
                 cell.camera().withIntrinsics(intrinsics)) : null;
     }
 
-    private boolean isSquarerThan(NoiseFit other) {
+    private boolean isSquarerThan(@Nullable NoiseFit other) {
         return other == null || markers.size() > other.markers.size()
                 || (markers.size() == other.markers.size() && chiSquare < other.chiSquare);
     }
@@ -147,12 +150,17 @@ public final class NoiseFit {
      *
      * @param statedStdPx the stated noise, px
      * @param markers chi-square of each marker, by id
+     * @return the test
      */
     public static NoiseFit of(double statedStdPx, Map<Integer, Double> markers) {
         return new NoiseFit(statedStdPx, new LinkedHashMap<>(markers), Collections.emptyMap());
     }
 
-    /** A test that nothing is held against. */
+    /**
+     * A test that nothing is held against.
+     *
+     * @return one that holds
+     */
     public static NoiseFit untested() {
         return new NoiseFit(Double.NaN, Collections.emptyMap(), Collections.emptyMap());
     }
@@ -173,14 +181,14 @@ public final class NoiseFit {
             return new ArrayList<>();
         }
         List<Integer> worstFirst = new ArrayList<>(markers.keySet());
-        worstFirst.sort((a, b) -> Double.compare(markers.get(b), markers.get(a)));
+        worstFirst.sort((a, b) -> Double.compare(squares(b), squares(a)));
         double ofRest = chiSquare;
         for (int k = 1; 2 * k <= worstFirst.size(); k++) {
-            ofRest -= markers.get(worstFirst.get(k - 1));
+            ofRest -= squares(worstFirst.get(k - 1));
             int rest = 2 * (worstFirst.size() - k);
-            boolean othersFit = p(ofRest, rest) > USUAL;
+            boolean othersFit = ChiSquare.pValue(ofRest, rest) > USUAL;
             for (int other : worstFirst.subList(k, worstFirst.size())) {
-                othersFit &= holdsAlone(markers.get(other));
+                othersFit &= holdsAlone(squares(other));
             }
             if (othersFit) {
                 double limit = new FDistribution(null, 2, rest)
@@ -197,8 +205,8 @@ public final class NoiseFit {
         return Math.exp(-squares / 2) >= LEVEL_ALONE / markers.size();
     }
 
-    private static double p(double chiSquare, int degreesOfFreedom) {
-        return 1 - new ChiSquaredDistribution(null, degreesOfFreedom).cumulativeProbability(chiSquare);
+    private double squares(int id) {
+        return markers.getOrDefault(id, Double.NaN);
     }
 
     /**
@@ -234,7 +242,7 @@ public final class NoiseFit {
      * @return between 0 and 1; NaN if not tested
      */
     public double pValue() {
-        return tested() ? p(chiSquare, degreesOfFreedom()) : Double.NaN;
+        return ChiSquare.pValue(chiSquare, degreesOfFreedom());
     }
 
     /**
@@ -244,7 +252,7 @@ public final class NoiseFit {
      * @return true as well where there is nothing to test
      */
     public boolean holds() {
-        return tested() ? p(chiSquare, degreesOfFreedom()) >= LEVEL_TOGETHER
+        return tested() ? pValue() >= LEVEL_TOGETHER
                 && markers.values().stream().allMatch(this::holdsAlone) : noSquares.isEmpty();
     }
 
@@ -282,7 +290,7 @@ public final class NoiseFit {
      * @return NaN where it is not in the photo, or not tested
      */
     public double times(int id) {
-        return Math.sqrt(markers.getOrDefault(id, Double.NaN) / 2);
+        return Math.sqrt(squares(id) / 2);
     }
 
     /**
@@ -323,7 +331,7 @@ public final class NoiseFit {
         for (int id : outliers) {
             warnings.add(tested() ? Warning.of(CheckWarning.MARKER_NOISIER_THAN_STATED, id,
                     Decimal.of(times(id), 1), Decimal.of(statedStdPx, 3))
-                    : Warning.of(CheckWarning.MARKER_NO_SQUARE, id, Decimal.of(noSquares.get(id), 1)));
+                    : Warning.of(CheckWarning.MARKER_NO_SQUARE, id, Decimal.of(noSquares.getOrDefault(id, Double.NaN), 1)));
         }
         if (outliers.isEmpty() && !holds()) {
             warnings.add(Warning.of(CheckWarning.NOISIER_THAN_STATED, Decimal.of(times(), 1),
@@ -333,7 +341,7 @@ public final class NoiseFit {
     }
 
     /** What it adds to a reason; null where the noise holds. */
-    Misfit misfit() {
+    @Nullable Misfit misfit() {
         if (holds()) {
             return null;
         }
@@ -342,6 +350,6 @@ public final class NoiseFit {
         }
         int worst = outliers.get(0);
         return tested() ? Misfit.ofMarker(worst, times(worst), statedStdPx)
-                : Misfit.ofNoSquare(worst, noSquares.get(worst));
+                : Misfit.ofNoSquare(worst, noSquares.getOrDefault(worst, Double.NaN));
     }
 }

@@ -9,6 +9,7 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
 
@@ -46,17 +47,20 @@ public final class Overlap {
         List<double[]> outlines = new ArrayList<>();
         List<Reference> references = new ArrayList<>();
         for (Reference r : cell.references()) {
-            if (detections.find(r.id()) != null) {
+            MarkerObservation seen = detections.find(r.id());
+            if (seen != null) {
                 references.add(r);
                 ids.add(r.id());
+                outlines.add(seen.cornersPx());
             }
         }
         for (ObjectMarker o : cell.objects()) {
-            if (detections.find(o.id()) != null) {
+            MarkerObservation seen = detections.find(o.id());
+            if (seen != null) {
                 ids.add(o.id());
+                outlines.add(seen.cornersPx());
             }
         }
-        ids.forEach(id -> outlines.add(detections.find(id).cornersPx()));
         List<Overlap> found = new ArrayList<>();
         for (int b = 0; b < ids.size(); b++) {
             for (int a = 0; a < b; a++) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.laplace.CameraFit;
@@ -44,7 +45,7 @@ public final class ReferenceCheck {
 
     private final List<ReferenceFit> fits;
     private final List<MisplacedReference> misplaced;
-    private final WithoutMisplaced without;
+    private final @Nullable WithoutMisplaced without;
     private final double chiSquare;
     private final int degreesOfFreedom;
 
@@ -55,7 +56,7 @@ public final class ReferenceCheck {
     private final List<Overlap> overlaps;
 
     private ReferenceCheck(List<ReferenceFit> fits, List<CauseFit> causeFits, List<MisplacedReference> misplaced,
-            List<Explanation> causes, WithoutMisplaced without, double chiSquare, int degreesOfFreedom, NoiseFit noise,
+            List<Explanation> causes, @Nullable WithoutMisplaced without, double chiSquare, int degreesOfFreedom, NoiseFit noise,
             List<Overlap> overlaps, @Nullable Contradiction contradiction) {
         this.noise = noise;
         this.causeFits = Collections.unmodifiableList(causeFits);
@@ -105,12 +106,13 @@ public final class ReferenceCheck {
             }
         }
         CameraFit rest = named.rest;
-        boolean together = rest != null && rest.view.size() >= 2 && !tests.isEmpty();
-        int degrees = together ? 6 * rest.view.size() - 6 - named.sweptColumns : 0;
+        int degrees = rest != null && rest.view.size() >= 2 && !tests.isEmpty()
+                ? 6 * rest.view.size() - 6 - named.sweptColumns : 0;
         return new ReferenceCheck(fits, causeFits, named.misplaced, named.causes,
                 named.misplaced.isEmpty() || rest == null ? null
                         : WithoutMisplaced.of(named.leftOut, camera, rest, objects),
-                degrees > 0 ? Math.max(0, ofPlacements(rest.modes.get(0)) - named.sweptChiSquare) : Double.NaN,
+                rest != null && degrees > 0
+                        ? Math.max(0, ofPlacements(rest.modes.get(0)) - named.sweptChiSquare) : Double.NaN,
                 Math.max(0, degrees), noise, overlaps, contradiction);
     }
 
@@ -146,19 +148,21 @@ public final class ReferenceCheck {
             DirectionScore worst = worst(left, Collections.emptyList(), true);
             while (worst != null) {
                 List<Explanation> others = orInstead(left, worst);
-                if (worst.reference == null) {
+                CameraFit of = Objects.requireNonNull(rest, "what is tested is left");
+                if (worst.cause != null) {
                     causes.add(worst.explanation().orAlsoInstead(others));
                     swept.add(worst.cause);
                 } else {
                     misplaced.add(new MisplacedReference(worst, others));
-                    leftOut.add(worst.reference.id());
-                    rest = ReferenceCheck.without(rest, worst.index);
-                    if (rest != null) {
-                        patterns = CausePattern.of(rest, rest.mode());
+                    leftOut.add(worst.reference().id());
+                    of = ReferenceCheck.without(of, worst.index);
+                    rest = of;
+                    if (of != null) {
+                        patterns = CausePattern.of(of, of.mode());
                     }
                 }
-                if (rest != null) {
-                    sweep();
+                if (of != null) {
+                    sweep(of);
                 }
                 left = tests();
                 worst = worst(left, Collections.emptyList(), true);
@@ -166,8 +170,8 @@ public final class ReferenceCheck {
         }
 
         /** The scores of what is left with the sizes of all causes named taken as unknown. */
-        private void sweep() {
-            scores = new PlacementScores(rest.view, rest.mode(), patterns);
+        private void sweep(CameraFit of) {
+            scores = new PlacementScores(of.view, of.mode(), patterns);
             sweptChiSquare = 0;
             sweptColumns = 0;
             int column = scores.firstOfCauses();
@@ -255,7 +259,7 @@ public final class ReferenceCheck {
      * @param id marker id
      * @return its figures, or null where the camera pose does not rest on it
      */
-    public ReferenceFit fit(int id) {
+    public @Nullable ReferenceFit fit(int id) {
         for (ReferenceFit fit : fits) {
             if (fit.id() == id) {
                 return fit;
@@ -389,7 +393,7 @@ public final class ReferenceCheck {
      *
      * @return null where no reference is misplaced, or the others lead to no pose
      */
-    public WithoutMisplaced without() {
+    public @Nullable WithoutMisplaced without() {
         return without;
     }
 
@@ -477,9 +481,10 @@ public final class ReferenceCheck {
                 move = object.moveMm();
                 moved = Warning.of(CheckPhrase.OBJECT, object.id());
             }
-            if (object.grip() != null && length(object.gripMoveMm()) > most) {
-                most = length(object.gripMoveMm());
-                move = object.gripMoveMm();
+            double[] gripMove = object.gripMoveMm();
+            if (gripMove != null && length(gripMove) > most) {
+                most = length(gripMove);
+                move = gripMove;
                 moved = Warning.of(CheckPhrase.GRIP, object.id());
             }
         }

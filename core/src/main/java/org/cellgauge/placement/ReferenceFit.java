@@ -31,7 +31,7 @@ public final class ReferenceFit {
         this.misplaced = misplaced;
         for (DirectionScore test : tests) {
             int c = test.coordinate();
-            if (c >= 0 && test.reference.id() == reference.id()) {
+            if (c >= 0 && test.reference().id() == reference.id()) {
                 statistic[c] = test.statistic();
                 limit[c] = test.limit();
                 offset[c] = test.offset()[c];

@@ -8,6 +8,7 @@ import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.internal.laplace.CameraFit;
 import org.cellgauge.internal.laplace.LinearModel;
 import org.cellgauge.internal.laplace.ObjectFit;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Camera and objects estimated again without the references that are named as misplaced, by Laplace's approximation;
@@ -53,10 +54,12 @@ public final class WithoutMisplaced {
             LinearModel.ObjectLink was = before.new ObjectLink(object, 0);
             LinearModel.ObjectLink is = linear.new ObjectLink(at(object, without), 0);
             worst = Math.max(worst, largest(was.poseEstimate().std()));
-            worst = was.grip() == null ? worst : Math.max(worst, largest(was.grip().stdMm()));
-            moved.add(new ObjectWithout(object.marker.id(), is.poseEstimate(), is.grip(),
+            PointEstimate gripBefore = was.grip();
+            PointEstimate grip = is.grip();
+            worst = gripBefore == null ? worst : Math.max(worst, largest(gripBefore.stdMm()));
+            moved.add(new ObjectWithout(object.marker.id(), is.poseEstimate(), grip,
                     difference(is.pose().translationMm(), was.pose().translationMm()),
-                    is.grip() == null ? null : difference(is.grip().meanMm(), was.grip().meanMm())));
+                    grip == null || gripBefore == null ? null : difference(grip.meanMm(), gripBefore.meanMm())));
         }
         return new WithoutMisplaced(leftOut, camera, difference(camera.meanTransform().translationMm(),
                 before.cameraPose().meanTransform().translationMm()), moved, worst);
@@ -78,11 +81,12 @@ public final class WithoutMisplaced {
     public static final class ObjectWithout {
         private final int id;
         private final PoseEstimate pose;
-        private final PointEstimate grip;
+        private final @Nullable PointEstimate grip;
         private final double[] moveMm;
-        private final double[] gripMoveMm;
+        private final double @Nullable [] gripMoveMm;
 
-        private ObjectWithout(int id, PoseEstimate pose, PointEstimate grip, double[] moveMm, double[] gripMoveMm) {
+        private ObjectWithout(int id, PoseEstimate pose, @Nullable PointEstimate grip, double[] moveMm,
+                double @Nullable [] gripMoveMm) {
             this.id = id;
             this.pose = pose;
             this.grip = grip;
@@ -113,7 +117,7 @@ public final class WithoutMisplaced {
          *
          * @return in the world, or null if it has none
          */
-        public PointEstimate grip() {
+        public @Nullable PointEstimate grip() {
             return grip;
         }
 
@@ -131,7 +135,7 @@ public final class WithoutMisplaced {
          *
          * @return a copy, along world x, y, z, mm; null if it has none
          */
-        public double[] gripMoveMm() {
+        public double @Nullable [] gripMoveMm() {
             return gripMoveMm == null ? null : gripMoveMm.clone();
         }
 
@@ -149,8 +153,8 @@ public final class WithoutMisplaced {
          *
          * @return along world x, y, z, mm; null if it has none
          */
-        public double[] gripErrorMm() {
-            return grip == null ? null : error(gripMoveMm, grip.stdMm());
+        public double @Nullable [] gripErrorMm() {
+            return grip == null || gripMoveMm == null ? null : error(gripMoveMm, grip.stdMm());
         }
 
         /**
@@ -160,7 +164,8 @@ public final class WithoutMisplaced {
          */
         public double worstErrorMm() {
             double worst = largest(errorMm());
-            return grip == null ? worst : Math.max(worst, largest(gripErrorMm()));
+            double[] gripErrorMm = gripErrorMm();
+            return gripErrorMm == null ? worst : Math.max(worst, largest(gripErrorMm));
         }
     }
 
@@ -227,7 +232,8 @@ public final class WithoutMisplaced {
         double worst = 0;
         for (ObjectWithout object : objects) {
             worst = Math.max(worst, largest(object.pose.std()));
-            worst = object.grip == null ? worst : Math.max(worst, largest(object.grip.stdMm()));
+            PointEstimate grip = object.grip;
+            worst = grip == null ? worst : Math.max(worst, largest(grip.stdMm()));
         }
         return worst;
     }
@@ -238,7 +244,7 @@ public final class WithoutMisplaced {
      * @param id marker id
      * @return what becomes of it, or null where it was not seen
      */
-    public ObjectWithout object(int id) {
+    public @Nullable ObjectWithout object(int id) {
         for (ObjectWithout object : objects) {
             if (object.id == id) {
                 return object;

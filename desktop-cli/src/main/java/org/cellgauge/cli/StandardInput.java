@@ -16,8 +16,8 @@ import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
 
 /** The word {@code -}, which stands for standard input in place of a cell file, a photo or a detections file. */
 final class StandardInput {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
@@ -12,12 +13,15 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.output.ModeView;
+import org.cellgauge.output.PoseView;
+import org.cellgauge.output.ReferenceFitView;
 import org.cellgauge.output.ReferencesView;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.statistics.Ellipse;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Draws one overlay: lines first, then the texts where the lines leave room. Lengths named {@code …U} are in units of
@@ -59,10 +63,10 @@ final class CellDrawing {
 
     private final Cell cell;
     private final Detections detections;
-    private final ResultView results;
+    private final @Nullable ResultView results;
     /** Rows of the objects that have figures. */
     private final List<ResultRow> seen;
-    private final ReferencesView references;
+    private final @Nullable ReferencesView references;
     private final Stage stage;
     private final ImageOrientation orientation;
     private final boolean panels;
@@ -77,7 +81,7 @@ final class CellDrawing {
     private final double letter;
     private final List<Shape> shapes = new ArrayList<>();
     private final LabelPlacer placer;
-    private WorldView view;
+    private @Nullable WorldView view;
     private double gridMm = Double.NaN;
     private boolean axesVisible;
     private double magnification = 1;
@@ -93,7 +97,7 @@ final class CellDrawing {
      * @param stage how far the figures have come
      * @param style how it is shown
      */
-    CellDrawing(Cell cell, Detections photo, ResultView results, Stage stage, OverlayStyle style) {
+    CellDrawing(Cell cell, Detections photo, @Nullable ResultView results, Stage stage, OverlayStyle style) {
         this.cell = cell;
         this.words = style.labels();
         this.legend = style.legend();
@@ -135,13 +139,14 @@ final class CellDrawing {
                 markers);
     }
 
-    private Ellipse upright(Ellipse ellipse) {
+    private @Nullable Ellipse upright(@Nullable Ellipse ellipse) {
         return orientation.map(ellipse, photoWidth, photoHeight);
     }
 
     Overlay draw(Status status, String headline, String reason) {
-        if (results != null && finite(results.camera().mean())) {
-            view = new WorldView(camera(), results.camera().pose().transform(), orientation);
+        PoseView pose = results == null ? null : results.camera().pose();
+        if (pose != null && finite(pose.mean())) {
+            view = new WorldView(camera(), pose.transform(), orientation);
             grid();
             axes();
         }
@@ -161,13 +166,27 @@ final class CellDrawing {
         return new Overlay(detections.widthPx(), detections.heightPx(), status, magnification, gridMm, shapes);
     }
 
+    /** The world as the camera sees it; asked for only where it is known where the camera stands. */
+    private WorldView view() {
+        return Objects.requireNonNull(view, "nothing of the world is drawn without a camera pose");
+    }
+
+    private ResultView results() {
+        return Objects.requireNonNull(results, "nothing is drawn of figures where there are none");
+    }
+
+    /** What an object that was seen has. */
+    private static <T> T figure(@Nullable T ofSeen) {
+        return Objects.requireNonNull(ofSeen, "an object that was seen has figures");
+    }
+
     private PinholeCamera camera() {
         PinholeCamera camera = cell.camera();
-        if (results.intrinsics().isEmpty()) {
+        if (results().intrinsics().isEmpty()) {
             return camera;
         }
         double[] intrinsics = camera.intrinsics();
-        for (ResultView.Intrinsic unknown : results.intrinsics()) {
+        for (ResultView.Intrinsic unknown : results().intrinsics()) {
             int index = camera.lens().parameterNames().indexOf(unknown.name());
             double value = unknown.mean();
             // a wrong estimate is to be drawn as well, as long as it is one of a camera
@@ -191,7 +210,7 @@ final class CellDrawing {
         double reach = Math.max(Math.max(box[2] - box[0], box[3] - box[1]), 4 * size);
         double[] limits = {box[0] - 2 * reach, box[1] - 2 * reach, box[2] + 2 * reach, box[3] + 2 * reach};
         for (ResultRow o : seen) {
-            double[] p = o.mean();
+            double[] p = figure(o.mean());
             // a pose far off is a wrong one: the grid is not to follow it
             if (p[0] > limits[0] && p[1] > limits[1] && p[0] < limits[2] && p[1] < limits[3]) {
                 include(box, p);
@@ -220,14 +239,15 @@ final class CellDrawing {
     }
 
     private void worldLine(Role role, double strokeU, double[] fromMm, double[] toMm) {
-        for (double[] part : view.line(fromMm, toMm)) {
+        for (double[] part : view().line(fromMm, toMm)) {
             shapes.add(new Polyline(role, Status.NEUTRAL, strokeU * unit, false, part));
         }
     }
 
     private void axes() {
         Role[] roles = {Role.WORLD_AXIS_X, Role.WORLD_AXIS_Y, Role.WORLD_AXIS_Z};
-        if (!view.inImage(view.project(new double[3]))) {
+        double[] origin = view().project(new double[3]);
+        if (origin == null || !view().inImage(origin)) {
             return;
         }
         axesVisible = true;
@@ -236,12 +256,11 @@ final class CellDrawing {
             double[] tip = new double[3];
             tip[axis] = gridMm;
             worldLine(roles[axis], AXIS_U, new double[3], tip);
-            for (double[] part : view.line(new double[3], tip)) {
+            for (double[] part : view().line(new double[3], tip)) {
                 placer.avoid(Box.around(Collections.singletonList(part)).grown(2 * unit));
             }
-            double[] origin = view.project(new double[3]);
-            double[] end = view.project(tip);
-            if (!view.inImage(end)) {
+            double[] end = view().project(tip);
+            if (end == null || !view().inImage(end)) {
                 continue;
             }
             double length = Math.hypot(end[0] - origin[0], end[1] - origin[1]);
@@ -274,9 +293,9 @@ final class CellDrawing {
             outline(Role.REFERENCE_EXPECTED, seen ? Status.NEUTRAL : Status.FAIL, THIN_U, !seen, r.worldFromMarker(),
                     r.sizeMm());
         }
-        List<ModeView> modes = results.camera().modes();
-        for (int k = 1; results.camera().ambiguous() && k < modes.size(); k++) {
-            WorldView mean = view;
+        List<ModeView> modes = results().camera().modes();
+        for (int k = 1; results().camera().ambiguous() && k < modes.size(); k++) {
+            WorldView mean = view();
             view = new WorldView(camera(), modes.get(k).pose().transform(), orientation);
             for (Reference r : cell.references()) {
                 outline(Role.REFERENCE_EXPECTED, Status.AMBIGUOUS, THIN_U, true, r.worldFromMarker(), r.sizeMm());
@@ -293,7 +312,7 @@ final class CellDrawing {
             int from = 3 * (k % MarkerGeometry.CORNERS);
             corners[k] = Arrays.copyOfRange(c, from, from + 3);
         }
-        for (double[] part : view.path(OUTLINE_PIECES, corners)) {
+        for (double[] part : view().path(OUTLINE_PIECES, corners)) {
             shapes.add(new Polyline(role, status, strokeU * unit, dashed, part));
         }
     }
@@ -335,14 +354,16 @@ final class CellDrawing {
     }
 
     private boolean leftOut(int id) {
-        return references != null && !references.fit(id).used();
+        ReferenceFitView fit = references == null ? null : references.fit(id);
+        return fit != null && !fit.used();
     }
 
     private boolean misplaced(int id) {
-        return references != null && references.fit(id).misplaced();
+        ReferenceFitView fit = references == null ? null : references.fit(id);
+        return fit != null && fit.misplaced();
     }
 
-    private ObjectMarker objectMarker(int id) {
+    private @Nullable ObjectMarker objectMarker(int id) {
         for (ObjectMarker o : cell.objects()) {
             if (o.id() == id) {
                 return o;
@@ -360,19 +381,19 @@ final class CellDrawing {
         if (stage == Stage.NOT_CONVERGED || stage == Stage.CONTRADICTED) {
             return Status.NOT_CONVERGED;
         }
-        if (object.ambiguous() || results.camera().ambiguous()) {
+        if (object.ambiguous() || results().camera().ambiguous()) {
             return Status.AMBIGUOUS;
         }
         if (stage == Stage.PRELIMINARY || !cell.targetStdMm().isPresent()) {
             return Status.NEUTRAL;
         }
-        ResultRow grip = results.grip(id);
+        ResultRow grip = results().grip(id);
         boolean met = object.verdict() == Verdict.PASS && (grip == null || grip.verdict() == Verdict.PASS);
         return met ? Status.PASS : Status.FAIL;
     }
 
     /** The row of an object that has figures; null of any other. */
-    private ResultRow row(int id) {
+    private @Nullable ResultRow row(int id) {
         ResultRow row = results == null ? null : results.object(id);
         return row == null || !row.seen() ? null : row;
     }
@@ -382,11 +403,11 @@ final class CellDrawing {
         double side = Double.POSITIVE_INFINITY;
         for (ResultRow o : seen) {
             int id = o.id().getAsInt();
-            ResultRow grip = results.grip(id);
+            ResultRow grip = results().grip(id);
             for (Ellipse e : new Ellipse[] {o.ellipse95Px(), grip == null ? null : grip.ellipse95Px()}) {
                 largest = e == null ? largest : Math.max(largest, e.semiMajor());
             }
-            Box box = boxOf(detections.find(id));
+            Box box = boxOf(figure(detections.find(id)));
             side = Math.min(side, Math.max(box.width(), box.height()));
         }
         if (!(largest > 0) || largest > VISIBLE_U * unit) {
@@ -397,9 +418,10 @@ final class CellDrawing {
 
     private void object(ResultRow object) {
         int id = object.id().getAsInt();
+        RigidTransform pose = figure(object.pose()).transform();
         Status status = status(id);
         boolean unsure = stage != Stage.FINAL || status == Status.AMBIGUOUS;
-        double size = objectMarker(id).sizeMm();
+        double size = figure(objectMarker(id)).sizeMm();
         if (stage == Stage.CONTRADICTED) {
             return;
         }
@@ -409,7 +431,6 @@ final class CellDrawing {
             }
         } else if (stage != Stage.NOT_CONVERGED) {
             Role[] roles = {Role.OBJECT_AXIS_X, Role.OBJECT_AXIS_Y, Role.OBJECT_AXIS_Z};
-            RigidTransform pose = object.pose().transform();
             for (int axis = 0; axis < 3; axis++) {
                 double[] tip = new double[3];
                 tip[axis] = 0.75 * size;
@@ -417,15 +438,16 @@ final class CellDrawing {
             }
         }
         ellipse(Role.OBJECT_ELLIPSE, status, unsure, upright(object.ellipse95Px()));
-        ResultRow gripRow = results.grip(id);
+        ResultRow gripRow = results().grip(id);
         if (gripRow != null) {
-            double[] grip = view.project(gripRow.mean());
-            for (double[] part : view.line(object.pose().transform().translationMm(), gripRow.mean())) {
+            double[] gripMm = figure(gripRow.mean());
+            double[] grip = view().project(gripMm);
+            for (double[] part : view().line(pose.translationMm(), gripMm)) {
                 shapes.add(new Polyline(Role.GRIP_LINE, status, 1.2 * unit, unsure, part));
                 placer.avoid(Box.around(Collections.singletonList(part)).grown(2 * unit));
             }
             ellipse(Role.GRIP_ELLIPSE, status, unsure, upright(gripRow.ellipse95Px()));
-            if (view.inImage(grip)) {
+            if (grip != null && view().inImage(grip)) {
                 MarkShape cross = new MarkShape(Role.GRIP_POINT, status, 1.6 * unit, Mark.PLUS, grip[0], grip[1],
                         6 * unit);
                 shapes.add(cross);
@@ -439,13 +461,13 @@ final class CellDrawing {
         RigidTransform pose = mode.pose().transform();
         outline(Role.OBJECT_MODE, Status.AMBIGUOUS, THIN_U + 0.3, second, pose, sizeMm);
         double[] tip = pose.apply(0, 0, 3 * sizeMm);
-        for (double[] part : view.line(pose.translationMm(), tip)) {
+        for (double[] part : view().line(pose.translationMm(), tip)) {
             shapes.add(new Polyline(Role.OBJECT_MODE, Status.AMBIGUOUS, (THIN_U + 0.6) * unit, second, part));
             placer.avoid(Box.around(Collections.singletonList(part)).grown(2 * unit));
         }
     }
 
-    private void ellipse(Role role, Status status, boolean dashed, Ellipse e) {
+    private void ellipse(Role role, Status status, boolean dashed, @Nullable Ellipse e) {
         if (e == null || e.semiMajor() * magnification > 2 * (width + height)) {
             return;
         }
@@ -480,10 +502,12 @@ final class CellDrawing {
         Panel banner = banner(status, headline, reason);
         Panel legend = legend();
         double margin = 4 * unit;
-        Box top = banner.box.moved(margin, margin);
-        Box bottom = banner.box.moved(margin, height - margin - banner.box.height());
-        Box legendTop = legend.box.moved(margin, margin);
-        Box legendBottom = legend.box.moved(margin, height - margin - legend.box.height());
+        Box ofBanner = banner.box();
+        Box ofLegend = legend.box();
+        Box top = ofBanner.moved(margin, margin);
+        Box bottom = ofBanner.moved(margin, height - margin - ofBanner.height());
+        Box legendTop = ofLegend.moved(margin, margin);
+        Box legendBottom = ofLegend.moved(margin, height - margin - ofLegend.height());
         boolean swap = hidden(top) + hidden(legendBottom) > hidden(bottom) + hidden(legendTop);
         banner.add(swap ? bottom : top);
         legend.add(swap ? legendTop : legendBottom);
@@ -502,11 +526,15 @@ final class CellDrawing {
         private final Role role;
         private final Status status;
         private final List<Content> contents = new ArrayList<>();
-        private Box box;
+        private @Nullable Box box;
 
         Panel(Role role, Status status) {
             this.role = role;
             this.status = status;
+        }
+
+        Box box() {
+            return Objects.requireNonNull(box, "a panel is laid out before it has a place");
         }
 
         void add(Box place) {
@@ -528,9 +556,9 @@ final class CellDrawing {
         return (u, v) -> new TextShape(role, status, weight, u + left, v + baseline, cap, text);
     }
 
-    private Content mark(Role role, Status status, double centreU, double centreV, double radius) {
-        return (u, v) -> new MarkShape(role, status, Math.max(1.2 * unit, radius / 4), Mark.of(status), u + centreU,
-                v + centreV, radius);
+    private Content mark(Role role, Status status, Mark mark, double centreU, double centreV, double radius) {
+        return (u, v) -> new MarkShape(role, status, Math.max(1.2 * unit, radius / 4), mark, u + centreU, v + centreV,
+                radius);
     }
 
     private Panel banner(Status status, String headline, String reason) {
@@ -540,9 +568,10 @@ final class CellDrawing {
         double cap = HEADLINE_CAP_U * unit;
         double indent = 0;
         double y = pad + StrokeFont.ASCENT * cap;
-        if (Mark.of(status) != null) {
+        Mark mark = Mark.of(status);
+        if (mark != null) {
             double radius = 0.6 * cap;
-            panel.contents.add(mark(Role.BANNER, status, pad + radius, y - cap / 2, radius));
+            panel.contents.add(mark(Role.BANNER, status, mark, pad + radius, y - cap / 2, radius));
             indent = 2 * radius + 0.6 * cap;
         }
         double widest = 0;
@@ -581,7 +610,7 @@ final class CellDrawing {
                 baseline += StrokeFont.LINE_SPACING * cap;
             }
             if (entry.role != null) {
-                panel.contents.add(sample(entry, u, baseline - cap / 2, sample));
+                panel.contents.add(sample(entry.role, entry, u, baseline - cap / 2, sample));
                 u += sample + 0.6 * cap;
             }
             panel.contents.add(text(Role.LEGEND, Status.NEUTRAL, REGULAR, u, baseline, cap, entry.text));
@@ -595,12 +624,12 @@ final class CellDrawing {
 
     /** One explanation: what a shape means. */
     private static final class Entry {
-        private final Role role;
+        private final @Nullable Role role;
         private final Status status;
         private final boolean dashed;
         private final String text;
 
-        Entry(Role role, Status status, boolean dashed, String text) {
+        Entry(@Nullable Role role, Status status, boolean dashed, String text) {
             this.role = role;
             this.status = status;
             this.dashed = dashed;
@@ -650,7 +679,7 @@ final class CellDrawing {
         return first(role) != null;
     }
 
-    private Shape first(Role role) {
+    private @Nullable Shape first(Role role) {
         for (Shape s : shapes) {
             if (s.role() == role) {
                 return s;
@@ -659,27 +688,27 @@ final class CellDrawing {
         return null;
     }
 
-    private Content sample(Entry e, double left, double middle, double size) {
+    private Content sample(Role role, Entry e, double left, double middle, double size) {
         double half = size / 2;
-        switch (e.role) {
+        switch (role) {
             case OBJECT_ELLIPSE:
-                return (u, v) -> new EllipseShape(e.role, e.status, 1.4 * unit, e.dashed,
+                return (u, v) -> new EllipseShape(role, e.status, 1.4 * unit, e.dashed,
                         new Ellipse(u + left + half, v + middle, half, half / 2, 0));
             case GRIP_POINT:
-                return (u, v) -> new MarkShape(e.role, e.status, 1.6 * unit, Mark.PLUS, u + left + half, v + middle,
+                return (u, v) -> new MarkShape(role, e.status, 1.6 * unit, Mark.PLUS, u + left + half, v + middle,
                         half * 0.7);
             case WORLD_GRID:
             case OBJECT_MODE:
-                double lineU = e.role == Role.WORLD_GRID ? GRID_U : THIN_U + 0.6;
-                return (u, v) -> new Polyline(e.role, e.status, lineU * unit, e.dashed, u + left, v + middle,
+                double lineU = role == Role.WORLD_GRID ? GRID_U : THIN_U + 0.6;
+                return (u, v) -> new Polyline(role, e.status, lineU * unit, e.dashed, u + left, v + middle,
                         u + left + size, v + middle);
             default:
                 double h = half * 0.7;
-                double edgeU = e.role == Role.REFERENCE_EXPECTED ? THIN_U : OUTLINE_U;
+                double edgeU = role == Role.REFERENCE_EXPECTED ? THIN_U : OUTLINE_U;
                 return (u, v) -> {
                     double cu = u + left + half;
                     double cv = v + middle;
-                    return new Polyline(e.role, e.status, edgeU * unit, e.dashed, cu - h, cv - h, cu + h, cv - h,
+                    return new Polyline(role, e.status, edgeU * unit, e.dashed, cu - h, cv - h, cu + h, cv - h,
                             cu + h, cv + h, cu - h, cv + h, cu - h, cv - h);
                 };
         }
@@ -703,7 +732,7 @@ final class CellDrawing {
                         out ? words.leftOut(r.id()) : off ? words.misplaced(r.id()) : Integer.toString(r.id()));
             } else if (view != null) {
                 double[] centre = view.project(r.worldFromMarker().translationMm());
-                if (view.inImage(centre)) {
+                if (centre != null && view.inImage(centre)) {
                     name(new Box(centre[0], centre[1], centre[0], centre[1]), Status.FAIL, words.notSeen(r.id()));
                 }
             }
@@ -726,10 +755,10 @@ final class CellDrawing {
             lines.add(words.ambiguous(id,
                     object.ambiguous() ? shares(object.modes()) : Collections.emptyList()));
         } else {
-            lines.add(words.deviations(id, object.std()));
-            ResultRow grip = results.grip(id);
+            lines.add(words.deviations(id, figure(object.std())));
+            ResultRow grip = results().grip(id);
             if (grip != null) {
-                lines.add(words.gripDeviations(grip.std()));
+                lines.add(words.gripDeviations(figure(grip.std())));
             }
             if (stage == Stage.PRELIMINARY) {
                 lines.add(words.notConvergedYet());
@@ -751,8 +780,8 @@ final class CellDrawing {
         for (String line : lines) {
             inCaps = Math.max(inCaps, StrokeFont.widthInCapHeights(line));
         }
-        boolean marked = Mark.of(status) != null;
-        double markCaps = marked ? 1.7 : 0;
+        Mark mark = Mark.of(status);
+        double markCaps = mark == null ? 0 : 1.7;
         double cap = fitting(inCaps + markCaps, 2 * pad);
         double w = (inCaps + markCaps) * cap + 2 * pad;
         double h = (StrokeFont.ASCENT + StrokeFont.DESCENT / 2 + (lines.size() - 1) * StrokeFont.LINE_SPACING) * cap
@@ -764,9 +793,9 @@ final class CellDrawing {
         leader(box, target, status);
         shapes.add(new PanelShape(Role.LABEL, status, unit, box));
         double baseline = box.top() + pad + StrokeFont.ASCENT * cap;
-        if (marked) {
-            shapes.add(mark(Role.LABEL, status, pad + 0.6 * cap, pad + (StrokeFont.ASCENT - 0.5) * cap, 0.6 * cap)
-                    .at(box.left(), box.top()));
+        if (mark != null) {
+            shapes.add(mark(Role.LABEL, status, mark, pad + 0.6 * cap,
+                    pad + (StrokeFont.ASCENT - 0.5) * cap, 0.6 * cap).at(box.left(), box.top()));
         }
         for (int i = 0; i < lines.size(); i++) {
             shapes.add(new TextShape(Role.LABEL, Status.NEUTRAL, REGULAR, box.left() + pad + markCaps * cap,

@@ -1,6 +1,7 @@
 package org.cellgauge.internal.overlay;
 
 import java.util.Locale;
+import java.util.Objects;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
@@ -52,7 +53,7 @@ public final class CellOverlay {
      */
     public static Overlay of(Cell cell, Detections detections, ResultView result, OverlayStyle style) {
         String headline;
-        switch (result.verdict()) {
+        switch (verdict(result)) {
             case PASS:
                 headline = "PASS";
                 break;
@@ -72,7 +73,8 @@ public final class CellOverlay {
                 headline = "NO TARGET SET";
                 break;
         }
-        return judged(cell, detections, result, style, headline, result.reason());
+        return judged(cell, detections, result, style, headline,
+                Objects.requireNonNull(result.reason(), "a verdict has a reason"));
     }
 
     /**
@@ -94,7 +96,11 @@ public final class CellOverlay {
                 : result.verdict() == Verdict.CONTRADICTED ? CellDrawing.Stage.CONTRADICTED
                 : CellDrawing.Stage.FINAL;
         return new CellDrawing(cell, detections, result, stage, style)
-                .draw(status(result.verdict()), headline, reason);
+                .draw(status(verdict(result)), headline, reason);
+    }
+
+    private static Verdict verdict(ResultView result) {
+        return Objects.requireNonNull(result.verdict(), "a preliminary result is drawn as such");
     }
 
     private static Status status(Verdict verdict) {

@@ -1,6 +1,7 @@
 package org.cellgauge.internal.overlay;
 
 import org.cellgauge.statistics.Ellipse;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How an image must be turned, and perhaps mirrored, to stand upright on a display: first clockwise by quarter turns,
@@ -165,7 +166,7 @@ public final class ImageOrientation {
      * @param heightPx its height
      * @return the same ellipse in the upright image; null for null
      */
-    public Ellipse map(Ellipse ellipse, int widthPx, int heightPx) {
+    public @Nullable Ellipse map(@Nullable Ellipse ellipse, int widthPx, int heightPx) {
         if (ellipse == null || isIdentity()) {
             return ellipse;
         }

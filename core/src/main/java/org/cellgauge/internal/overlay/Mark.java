@@ -1,5 +1,7 @@
 package org.cellgauge.internal.overlay;
 
+import org.jspecify.annotations.Nullable;
+
 /** A sign that says a status by its form alone, drawn in a square of side 2 around (0, 0), v down. */
 public enum Mark {
     /** A check mark: within the target. */
@@ -30,7 +32,7 @@ public enum Mark {
      * @param status the status
      * @return its mark, or null for {@link Status#NEUTRAL}
      */
-    public static Mark of(Status status) {
+    public static @Nullable Mark of(Status status) {
         switch (status) {
             case PASS:
                 return CHECK;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The world as a camera sees it: points and lines of the world in px of the upright image, without what is behind the
@@ -32,7 +33,7 @@ final class WorldView {
     }
 
     /** The pixel position of a point of the world, perhaps outside the image; null where the camera cannot see it. */
-    double[] project(double[] worldMm) {
+    double @Nullable [] project(double[] worldMm) {
         double[] p = cameraFromWorld.apply(worldMm);
         double across = Math.hypot(p[0], p[1]);
         double near = camera.lens().isWide() ? Math.hypot(across, p[2]) : p[2];
@@ -44,7 +45,7 @@ final class WorldView {
     }
 
     /** Whether a pixel position lies in the image. */
-    boolean inImage(double[] px) {
+    boolean inImage(double @Nullable [] px) {
         return px != null && px[0] >= 0 && px[0] <= width && px[1] >= 0 && px[1] <= height;
     }
 

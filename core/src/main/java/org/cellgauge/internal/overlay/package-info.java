@@ -6,4 +6,7 @@
  * {@link Status}. Every shape, texts included, can be had as strokes, so a painter only has to
  * map roles to colours and draw lines; no fonts are needed.
  */
+@NullMarked
 package org.cellgauge.internal.overlay;
+
+import org.jspecify.annotations.NullMarked;

@@ -22,6 +22,7 @@ import org.cellgauge.placement.CauseFit;
 import org.cellgauge.placement.Explanation;
 import org.cellgauge.placement.MisplacedReference;
 import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.placement.ReferenceFit;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
@@ -294,8 +295,8 @@ public final class CauseStudy {
         List<Reference> stated = new ArrayList<>(cell.references());
         if (cause == Cause.REFERENCE_OFF) {
             int axis = random.nextInt(3);
-            double std = asStated.fit(reference.id()) == null ? Double.NaN
-                    : asStated.fit(reference.id()).offsetStd()[axis];
+            ReferenceFit fit = asStated.fit(reference.id());
+            double std = fit == null ? Double.NaN : fit.offsetStd()[axis];
             double[] t = reference.worldFromMarker().translationMm();
             t[axis] -= sign * stds * std;
             if (!(stds * std < 200)) {
