@@ -331,7 +331,8 @@ public final class NoiseFit {
         for (int id : outliers) {
             warnings.add(tested() ? Warning.of(CheckWarning.MARKER_NOISIER_THAN_STATED, id,
                     Decimal.of(times(id), 1), Decimal.of(statedStdPx, 3))
-                    : Warning.of(CheckWarning.MARKER_NO_SQUARE, id, Decimal.of(noSquares.getOrDefault(id, Double.NaN), 1)));
+                    : Warning.of(CheckWarning.MARKER_NO_SQUARE, id,
+                            Decimal.of(noSquares.getOrDefault(id, Double.NaN), 1)));
         }
         if (outliers.isEmpty() && !holds()) {
             warnings.add(Warning.of(CheckWarning.NOISIER_THAN_STATED, Decimal.of(times(), 1),

@@ -56,8 +56,8 @@ public final class ReferenceCheck {
     private final List<Overlap> overlaps;
 
     private ReferenceCheck(List<ReferenceFit> fits, List<CauseFit> causeFits, List<MisplacedReference> misplaced,
-            List<Explanation> causes, @Nullable WithoutMisplaced without, double chiSquare, int degreesOfFreedom, NoiseFit noise,
-            List<Overlap> overlaps, @Nullable Contradiction contradiction) {
+            List<Explanation> causes, @Nullable WithoutMisplaced without, double chiSquare, int degreesOfFreedom,
+            NoiseFit noise, List<Overlap> overlaps, @Nullable Contradiction contradiction) {
         this.noise = noise;
         this.causeFits = Collections.unmodifiableList(causeFits);
         this.causes = Collections.unmodifiableList(causes);
@@ -360,12 +360,12 @@ public final class ReferenceCheck {
     }
 
     /**
-     * What that adds to a reason: markers in one place, the likeliest cause, or how badly all fit; null where nothing
+     * What that adds to a reason: the likeliest cause, markers in one place, or how badly all fit; null where nothing
      * is contradicted.
      */
     public @Nullable Misfit misfit() {
-        return !overlaps.isEmpty() ? overlaps.get(0).misfit()
-                : !causes().isEmpty() ? Misfit.ofCause(causes().get(0))
+        return !causes().isEmpty() ? Misfit.ofCause(causes().get(0))
+                : !overlaps.isEmpty() ? overlaps.get(0).misfit()
                 : contradiction != null ? Misfit.ofContradiction()
                 : !fitTogether() ? Misfit.ofReferences(timesWorse()) : noise.misfit();
     }
@@ -447,8 +447,8 @@ public final class ReferenceCheck {
     /** Warnings to the user. */
     public List<Warning> warnings() {
         List<Warning> warnings = new ArrayList<>();
-        overlaps.forEach(overlap -> warnings.add(overlap.warning()));
         causes().forEach(cause -> warnings.add(cause.warning()));
+        overlaps.forEach(overlap -> warnings.add(overlap.warning()));
         if (contradiction != null && contradiction.explanation() == null) {
             warnings.add(Warning.of(CheckWarning.REFERENCES_CONTRADICT));
         }

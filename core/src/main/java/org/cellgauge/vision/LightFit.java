@@ -516,9 +516,9 @@ final class LightFit {
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
         for (double power : SCANNED) {
             scale.set(curve.withPower(power));
-            for (MarkerEdges marker : few) {
-                marker.refitSamePixels(scale);
-                marker.conclude(scale, false);
+            for (int m = 0; m < few.size(); m++) {
+                few.get(m).refit(image, scale, patterns.get(m));
+                few.get(m).conclude(scale, false);
             }
             setNoise(few);
             if (noiseGrey < least) {

@@ -133,15 +133,15 @@ final class LinearPlacementModel {
     }
 
     /**
-     * The largest share, over references and the axes x and y, that any rule with 1 % false alarms names: by the lemma
-     * of Neyman and Pearson that of the rule that names the reference with the largest likelihood ratio, where this is
-     * beyond a limit. It knows that one reference is off by just 5 deviations along x or y, but not which, along which
-     * and to which side.
+     * The largest share, over references and the axes x and y, that any rule with so many false alarms names: by the
+     * lemma of Neyman and Pearson that of the rule that names the reference with the largest likelihood ratio, where
+     * this is beyond a limit. It knows that one reference is off by just 5 deviations along x or y, but not which,
+     * along which and to which side.
      */
-    double bound() {
+    double bound(double level) {
         RandomGenerator random = RandomStreams.of(2);
         double[] u = new double[6 * references];
-        double limit = ratios[(int) (0.99 * CELLS)];
+        double limit = ratios[(int) ((1 - level) * CELLS)];
         int named = 0;
         for (int m = 0; m < references; m++) {
             for (int axis = 0; axis < 2; axis++) {

@@ -125,7 +125,7 @@ class ReferenceCheckTest {
             int cellsPerAxis, TestReporter reporter) {
         LinearPlacementModel model = new LinearPlacementModel(scene(references, stdMm, pixelStdPx), pixelStdPx);
         double predicted = model.namedAlongAxes(LEVEL);
-        double bound = model.bound();
+        double bound = model.bound(LEVEL);
         int[] found = named(references, stdMm, pixelStdPx, cellsPerAxis, 21);
         double share = (double) found[0] / found[1];
         String measured = found[1] == 0 ? ""
@@ -140,7 +140,7 @@ class ReferenceCheckTest {
         double error = 3 * Math.sqrt(predicted * (1 - predicted) / found[1]);
         assertTrue(found[1] == 0 || Math.abs(share - predicted) < error + 0.02, share + ", predicted " + predicted);
         assertTrue(predicted <= bound + 0.01, "no rule names more than " + bound);
-        // that bound is of a rule that knows size and axes (x or y), with 1 % false alarms
+        // that bound is of a rule that knows size and axes (x or y), with as many false alarms
         assertTrue(predicted >= bound - 0.08, "predicted " + predicted + ", any rule at most " + bound);
     }
 

@@ -17,6 +17,6 @@ class SummaryCsvTest {
         assertTrue(text.contains("\r\n'=cmd|'/c calc'!A1,'=cmd|'/c calc'!A1,refused,"), text);
         assertTrue(text.contains("\r\n'@SUM(A1),'@SUM(A1),refused,"), text);
         assertTrue(text.contains("\r\n'+1,'+1,refused,") && text.contains("\r\n'-1,'-1,refused,"), text);
-        assertTrue(text.endsWith(",a [2J b\r\n"), text);
+        assertTrue(text.endsWith(",a [2J b,\r\n"), text);
     }
 }

@@ -199,7 +199,7 @@ public final class CoverageStudy {
         outcome.warnings.clear();
         addWarnings(outcome, result.warnings());
         outcome.verdict = result.verdict();
-        outcome.accuses = !result.referenceCheck().misplaced().isEmpty()
+        outcome.accuses = !result.referenceCheck().misplaced().isEmpty() || !result.referenceCheck().causes().isEmpty()
                 || result.warnings().stream().anyMatch(w -> w.kind() == CheckWarning.REFERENCE_LEFT_OUT);
         outcome.noiseMisfit = !result.noiseFit().holds();
         outcome.referencesMisfit = !result.referenceCheck().fitTogether();

@@ -118,7 +118,8 @@ public final class Validation {
             outcome.refused = true;
             return outcome;
         }
-        outcome.falseAlarm = !result.referenceCheck().misplaced().isEmpty();
+        outcome.falseAlarm = !result.referenceCheck().misplaced().isEmpty()
+                || !result.referenceCheck().causes().isEmpty();
         outcome.noiseMisfit = !result.noiseFit().holds();
         outcome.referencesMisfit = !result.referenceCheck().fitTogether();
         outcome.notConverged = result.verdict() == Verdict.NOT_CONVERGED;

@@ -306,10 +306,10 @@ class CoverageStudyTest {
         assertTrue(right.referenceMisfits() <= 1, right.referenceMisfits() + " named the references");
     }
 
-    /** Two references placed 2.5 times worse than stated: now one is accused, now none and they do not fit. */
+    /** Twelve references placed 1.4 times worse than stated: mostly none stands out, and together they do not fit. */
     @Test
     void referencesThatDoNotFitTogetherRaiseTheirOwnAlarm() {
-        TruthPrior prior = prior(ThesisScene.inPlane(2).placement(1, 0.005).pixelStd(PIXEL_STD_PX).noObjects());
+        TruthPrior prior = prior(ThesisScene.inPlane(12).placement(1, 0.005).pixelStd(PIXEL_STD_PX).noObjects());
         CellSource loose = new CellSource() {
             @Override
             public SimulatedCell cell(long seed, int index) {
@@ -317,7 +317,7 @@ class CoverageStudyTest {
                 Map<Integer, RigidTransform> actual = new LinkedHashMap<>();
                 for (Reference r : prior.cell().references()) {
                     actual.put(r.id(), new Reference(r.id(), r.sizeMm(), r.worldFromMarker(),
-                            new Placement(2.5, 2.5, 2.5, 0.0125)).drawn(random));
+                            new Placement(1.4, 1.4, 1.4, 0.007)).drawn(random));
                 }
                 return new SimulatedCell(prior.cell(), prior.nominal(), actual);
             }
@@ -327,13 +327,12 @@ class CoverageStudyTest {
                 return "object";
             }
         };
-        CoverageFigures figures = alarms(loose, DrawnCorners.asStated(), 40);
+        CoverageFigures figures = alarms(loose, DrawnCorners.asStated(), 12);
         assertTrue(figures.referenceMisfits() > 0, figures.warnings().toString());
         assertEquals(figures.warnings().get("references_do_not_fit"), figures.referenceMisfits());
-        assertTrue(figures.falseAlarms() > 0, figures.warnings().toString());
         assertEquals(0, figures.noiseMisfits());
-        // of two references of which one is accused, no two are left that may fit together or not
-        assertEquals(figures.falseAlarms() + figures.referenceMisfits(), figures.alarmed());
+        assertTrue(figures.alarmed() >= Math.max(figures.falseAlarms(), figures.referenceMisfits()));
+        assertTrue(figures.alarmed() <= figures.falseAlarms() + figures.referenceMisfits());
     }
 
     @Test
