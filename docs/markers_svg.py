@@ -26,8 +26,8 @@ pictures = (("square-binary", square_binary(7)),
             ("DICT_4X4_50", coded(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50))),
             ("tag36h11", coded(TAG)[::-1, ::-1]),
             ("tag36h11, orientation: opencv", coded(TAG)))
-print('<svg xmlns="http://www.w3.org/2000/svg" width="760" height="180" font-family="sans-serif" font-size="12">')
-print('<rect width="760" height="180" fill="white"/>')
+print('<svg xmlns="http://www.w3.org/2000/svg" width="800" height="180" font-family="sans-serif" font-size="12">')
+print('<rect width="800" height="180" fill="white"/>')
 for k, (name, white) in enumerate(pictures):
     x, y, side = 30 + 185 * k, 40, CELL * len(white)
     print(f'<rect x="{x}" y="{y}" width="{side}" height="{side}" fill="black"/>')
