@@ -168,10 +168,10 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
                 }
             }
             if (unknowns > 0) {
-                along(columns, state.unknowns, 1, o);
+                alongColumns(state.unknowns, o);
             }
             if (loose != null) {
-                along(byShift, shift, -1, o);
+                alongLooseAxes(o);
             }
             squares += whitenedSquares(packed, w);
         }
@@ -179,14 +179,23 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         return Double.isNaN(value) ? Double.NEGATIVE_INFINITY : value;
     }
 
-    /** Moves the residuals of the reference whose corners start at an index along columns that references share. */
-    private void along(double[] by, double[] nu, int sign, int o) {
-        for (int i = 0, c = o * nu.length; i < 8; i++) {
+    /** Moves the residuals of the reference whose corners start at an index by what markers share. */
+    private void alongColumns(double[] nu, int o) {
+        for (int i = 0, c = o * unknowns; i < 8; i++) {
             double sum = 0;
-            for (int j = 0; j < nu.length; j++) {
-                sum += by[c++] * nu[j];
+            for (int j = 0; j < unknowns; j++) {
+                sum += columns[c++] * nu[j];
             }
-            residuals[i] += sign * sum;
+            residuals[i] += sum;
+        }
+    }
+
+    /** The same by where the references have moved with the camera; a loop of its own, since it is rarely needed. */
+    private void alongLooseAxes(int o) {
+        for (int i = 0, c = o * shift.length; i < 8; i++) {
+            for (double by : shift) {
+                residuals[i] -= byShift[c++] * by;
+            }
         }
     }
 
