@@ -17,6 +17,7 @@ import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Setting;
 import org.cellgauge.settings.SettingTable;
 import org.cellgauge.statistics.Ellipse;
+import org.cellgauge.vision.PhotoLight;
 import org.cellgauge.warning.Place;
 import org.jspecify.annotations.Nullable;
 
@@ -158,7 +159,7 @@ public final class ResultJson {
         json.endObject();
         json.name("settings");
         settings(Objects.requireNonNull(view.run()), view.cell(), noise, references);
-        LightView light = view.light();
+        PhotoLight light = view.light();
         if (light != null) {
             json.name("light");
             light(light);
@@ -372,7 +373,7 @@ public final class ResultJson {
     }
 
     /** What was found out about the photo's light. */
-    private void light(LightView light) throws IOException {
+    private void light(PhotoLight light) throws IOException {
         json.beginObject();
         json.name("tone_curve").value(light.toneCurve().words());
         json.name("tone_curve_estimated").value(light.toneCurveEstimated());

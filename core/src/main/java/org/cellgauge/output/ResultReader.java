@@ -34,6 +34,7 @@ import org.cellgauge.placement.Misfit;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.Ellipse;
+import org.cellgauge.vision.PhotoLight;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 import org.jspecify.annotations.Nullable;
@@ -164,7 +165,7 @@ public final class ResultReader {
                 .action(root.find("action") == null ? null : root.at("action").text());
         Node light = root.find("light");
         if (light != null) {
-            view.light(new LightView(light.at("tone_curve").toneCurve(), light.at("tone_curve_estimated").bool(),
+            view.light(new PhotoLight(light.at("tone_curve").toneCurve(), light.at("tone_curve_estimated").bool(),
                     light.at("blur_px").number(), light.at("noise_grey").number(),
                     light.at("noise_degrees_of_freedom").number(), light.at("edge_shift_std_px").number()));
         }

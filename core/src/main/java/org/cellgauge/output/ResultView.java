@@ -1,6 +1,7 @@
 package org.cellgauge.output;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -22,6 +23,7 @@ import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.sampling.Quantity;
+import org.cellgauge.vision.PhotoLight;
 import org.cellgauge.warning.Message;
 import org.cellgauge.warning.Warning;
 import org.jspecify.annotations.Nullable;
@@ -87,7 +89,7 @@ public final class ResultView extends Value {
     private List<Intrinsic> intrinsics = Collections.emptyList();
     private double[][] intrinsicsCovariance = {};
     private CellView cell;
-    private @Nullable LightView light;
+    private @Nullable PhotoLight light;
     private @Nullable RunView run;
     private @Nullable NoiseView noise;
     private @Nullable ReferencesView references;
@@ -141,7 +143,7 @@ public final class ResultView extends Value {
             return this;
         }
 
-        Builder light(@Nullable LightView light) {
+        Builder light(@Nullable PhotoLight light) {
             view.light = light;
             return this;
         }
@@ -224,7 +226,7 @@ public final class ResultView extends Value {
         return intrinsics(estimate.intrinsics(), new Builder(CellView.of(cell)))
                 .judged(result.verdict(), result.decided(), result.reason(), cell.targetStdMm())
                 .rows(judged(rows, result.verdict(), result.targetTest()))
-                .light(result.detections().light() == null ? null : LightView.of(result.detections().light()))
+                .light(result.detections().light())
                 .run(RunView.of(result))
                 .foundations(NoiseView.of(result.noise(), result.noiseFit()),
                         ReferencesView.of(cell, result.referenceCheck(), result.targetTest().misfit()))
@@ -568,7 +570,7 @@ public final class ResultView extends Value {
      *
      * @return null where corners came without a photo, and of what is preliminary
      */
-    public @Nullable LightView light() {
+    public @Nullable PhotoLight light() {
         return light;
     }
 
@@ -626,9 +628,14 @@ public final class ResultView extends Value {
         return action;
     }
 
+    private static @Nullable Object figures(@Nullable PhotoLight light) {
+        return light == null ? null : Arrays.asList(light.toneCurve().words(), light.toneCurveEstimated(), light.blurPx(),
+                light.noiseGrey(), light.noiseDegreesOfFreedom(), light.edgeShiftStdPx());
+    }
+
     @Override
     @Nullable Object[] figures() {
         return new @Nullable Object[] {verdict, decided, reason, targetStdMm, rows, intrinsics, intrinsicsCovariance,
-            cell, light, run, noise, references, chains, warnings, action};
+            cell, figures(light), run, noise, references, chains, warnings, action};
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.TreeMap;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.geometry.Lenses;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.internal.laplace.CameraFit;
 import org.cellgauge.internal.pose.CameraState;
@@ -31,8 +32,6 @@ final class CausePattern {
     private static final double STRETCH_SHARE = 0.02;
     /** Spread of the places of references below which they are all in one plane across that axis, mm. */
     private static final double NO_SPREAD_MM = 1;
-    /** The first coefficient of radial distortion, of every lens there is. */
-    private static final int FIRST_COEFFICIENT = PinholeCamera.SKEW + 1;
 
     final Cause cause;
     /** The references concerned; empty for all. */
@@ -180,7 +179,7 @@ final class CausePattern {
                         + byParameters[from + PinholeCamera.FY] * state.intrinsics[PinholeCamera.FY]);
                 columns[1][row + i] = PRINCIPAL_POINT_PX * byParameters[from + PinholeCamera.CX];
                 columns[2][row + i] = PRINCIPAL_POINT_PX * byParameters[from + PinholeCamera.CY];
-                columns[3][row + i] = bend * byParameters[from + FIRST_COEFFICIENT];
+                columns[3][row + i] = bend * byParameters[from + Lenses.FIRST_RADIAL];
             }
         }
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.Lenses;
 import org.cellgauge.internal.laplace.CameraFit;
 import org.cellgauge.internal.pose.CameraState;
 import org.cellgauge.internal.pose.InitialPose;
@@ -374,7 +375,7 @@ final class CauseSearch {
                 intrinsics[PinholeCamera.CY] += size[1];
                 break;
             case DISTORTION:
-                intrinsics[PinholeCamera.SKEW + 1] += size[0];
+                intrinsics[Lenses.FIRST_RADIAL] += size[0];
                 break;
             case EDGE_SHIFT:
                 for (int m = 0; m < stated.view.size(); m++) {

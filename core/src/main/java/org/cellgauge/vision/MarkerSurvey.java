@@ -139,7 +139,7 @@ final class MarkerSurvey {
         return named.size() <= MOST_NAMED ? Listing.and(named) : Listing.comma(named.subList(0, MOST_NAMED));
     }
 
-    private final GrayU8 negativeOf(GrayU8 view) {
+    private GrayU8 negativeOf(GrayU8 view) {
         negative.reshape(view.width, view.height);
         for (int y = 0; y < view.height; y++) {
             int from = view.startIndex + y * view.stride;

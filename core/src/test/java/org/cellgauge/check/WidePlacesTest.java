@@ -7,10 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.placement.Misfit;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.warning.CheckRefusal;
 import org.cellgauge.warning.CheckWarning;
@@ -52,5 +54,18 @@ class WidePlacesTest {
         InputRefusedException refused = assertThrows(InputRefusedException.class, () -> check(1000));
         assertEquals(CheckRefusal.PLACE_UNKNOWN, refused.refusal().kind());
         assertTrue(refused.getMessage().contains("may stand 1000 mm off its place"), refused.getMessage());
+    }
+
+    /** Two references that may be turned by 34 degrees: chains and Laplace's approximation are two different things. */
+    @Test
+    void noTargetIsMetWhereChainsAreFarFromLaplace() {
+        ThesisScene scene = ThesisScene.inPlane(2).placement(10, 0.6).pixelStd(0.05);
+        CheckResult result = CellCheck.run(scene.cell().withTarget(OptionalDouble.of(10_000)), scene.exactDetections(),
+                CheckSettings.builder().targetMcseStdRel(0.05).build());
+        double ratio = result.quickLook().camera().std()[1] / result.estimate().camera().std()[1];
+        assertTrue(ratio > 2.2, "by the figures themselves they are apart: " + ratio);
+        assertTrue(warns(result, CheckWarning.CHAINS_APART), result.warnings().toString());
+        assertEquals(Verdict.FAIL, result.verdict());
+        assertEquals(Misfit.Kind.CHAINS_APART, result.targetTest().misfit().kind());
     }
 }

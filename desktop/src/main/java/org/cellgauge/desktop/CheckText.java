@@ -12,7 +12,6 @@ import org.cellgauge.light.ToneCurve;
 import org.cellgauge.output.BudgetShare;
 import org.cellgauge.output.ChainsView;
 import org.cellgauge.output.LaplaceView;
-import org.cellgauge.output.LightView;
 import org.cellgauge.output.ModeView;
 import org.cellgauge.output.MovedObject;
 import org.cellgauge.output.NoiseView;
@@ -24,6 +23,7 @@ import org.cellgauge.output.RunView;
 import org.cellgauge.output.WarningView;
 import org.cellgauge.output.WithoutView;
 import org.cellgauge.sampling.AcceptanceCount;
+import org.cellgauge.vision.PhotoLight;
 
 /** A result in words and aligned columns, for people; ASCII, so that every terminal shows it. */
 public final class CheckText {
@@ -355,7 +355,7 @@ public final class CheckText {
 
     /** What was found out about the photo's light, in words; empty where corners came without any. */
     public static String light(ResultView view) {
-        LightView light = view.light();
+        PhotoLight light = view.light();
         if (light == null) {
             return "";
         }

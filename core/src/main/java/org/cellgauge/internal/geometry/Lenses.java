@@ -3,10 +3,14 @@ package org.cellgauge.internal.geometry;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.Lens;
+import org.cellgauge.geometry.PinholeCamera;
 import org.jspecify.annotations.Nullable;
 
 /** The lens models there are, by their names. */
 public final class Lenses {
+    /** Index of the first coefficient of radial distortion among the parameters, of every lens there is. */
+    public static final int FIRST_RADIAL = PinholeCamera.SKEW + 1;
+
     private Lenses() {
     }
 

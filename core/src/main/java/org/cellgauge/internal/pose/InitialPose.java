@@ -32,33 +32,13 @@ public interface InitialPose {
         }
     }
 
-    /** A first estimate and how good it is; immutable. */
-    final class Estimate {
-        private final RigidTransform worldFromCamera;
-        private final double costPx2;
-
-        Estimate(RigidTransform worldFromCamera, double costPx2) {
-            this.worldFromCamera = worldFromCamera;
-            this.costPx2 = costPx2;
-        }
-
-        /**
-         * The camera pose.
-         *
-         * @return worldFromCamera
-         */
-        public RigidTransform worldFromCamera() {
-            return worldFromCamera;
-        }
-
-        /**
-         * How far it leaves corners off: sum of squared distances, each at most that of a foreign marker.
-         *
-         * @return px²
-         */
-        public double costPx2() {
-            return costPx2;
-        }
+    /**
+     * A first estimate and how good it is.
+     *
+     * @param worldFromCamera the camera pose
+     * @param costPx2 how far it leaves corners off: sum of squared distances, each at most that of a foreign marker, px²
+     */
+    record Estimate(RigidTransform worldFromCamera, double costPx2) {
     }
 
     /**

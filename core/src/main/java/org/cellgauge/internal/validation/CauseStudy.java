@@ -16,6 +16,7 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.Lenses;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.placement.Cause;
 import org.cellgauge.placement.CauseFit;
@@ -341,7 +342,7 @@ public final class CauseStudy {
                 intrinsics[PinholeCamera.CY] -= size * fit.size()[1] / length;
                 break;
             case DISTORTION:
-                intrinsics[PinholeCamera.SKEW + 1] -= size;
+                intrinsics[Lenses.FIRST_RADIAL] -= size;
                 break;
             case STRETCH:
                 stated.replaceAll(r -> scaled(r, fit.axis(), 1 / (1 + size)));

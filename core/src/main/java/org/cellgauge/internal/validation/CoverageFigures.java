@@ -402,7 +402,7 @@ public final class CoverageFigures {
     }
 
     /**
-     * Photos that accuse a reference of being misplaced or leave one out, although all stand as stated.
+     * Photos that accuse a reference of being misplaced, leave one out or name a cause, although all is as stated.
      *
      * @return count
      */

@@ -69,7 +69,7 @@ public final class ValidationResult {
     }
 
     /**
-     * Cells whose check named a reference as misplaced although all stood as the cell file states.
+     * Cells whose check named a reference as misplaced, or a cause, although all was as the cell file states.
      *
      * @return count, refused cells left out
      */
