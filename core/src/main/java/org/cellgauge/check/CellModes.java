@@ -202,7 +202,10 @@ final class CellModes {
                 warnings.add(Warning.of(CheckWarning.OBJECTS_NOT_SEEN, Listing.and(missing)));
             }
             warnOfSmallMarkers();
-            judgePlacements(camera);
+            if (contradiction == null) {
+                // of a camera that makes no sense, distances say nothing
+                judgePlacements(camera);
+            }
             return new CellModes(observed, camera, objects, warnings, contradiction);
         }
 

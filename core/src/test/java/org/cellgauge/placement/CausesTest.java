@@ -225,7 +225,7 @@ class CausesTest {
 
     /** A few cells of the study whose table is in the docs; its counts of many are there. */
     @ParameterizedTest
-    @CsvSource({"EDGE_SHIFT", "EXCHANGED"})
+    @CsvSource({"EDGE_SHIFT", "EXCHANGED", "RADIANS", "SIZE_OF_SOME", "PRINCIPAL_POINT", "DISTORTION"})
     void theStudyNamesWhatIsWrong(Cause cause) {
         CauseStudy.Figures figures = new CauseStudy(RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY), cause, 5,
                 true, CheckSettings.builder().build()).run(4, done -> { });

@@ -36,7 +36,8 @@ public interface InitialPose {
      * A first estimate and how good it is.
      *
      * @param worldFromCamera the camera pose
-     * @param costPx2 how far it leaves corners off: sum of squared distances, each at most that of a foreign marker, px²
+     * @param costPx2 how far it leaves corners off: sum of squared distances, each at most that of a foreign marker,
+     *     px²
      */
     record Estimate(RigidTransform worldFromCamera, double costPx2) {
     }
