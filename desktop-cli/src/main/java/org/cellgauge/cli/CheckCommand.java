@@ -114,6 +114,10 @@ public final class CheckCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(),
                     "nothing to check; name photos, a folder of them, or --detections FILE");
         }
+        if (rejudge && again) {
+            throw new ParameterException(spec.commandLine(),
+                    "--rejudge checks nothing anew; leave out --again, or --rejudge");
+        }
         List<Path> read = new ArrayList<>(images);
         read.addAll(detectionsFiles);
         read.add(cellFile);

@@ -115,11 +115,12 @@ class BatchTest {
         assertTrue(Files.exists(out.resolve("d3.overlay.png")));
         assertNotEquals(before.get("d2.result.json"), contents(out).get("d2.result.json"));
         assertEquals(List.of(), kept(check(detections(files, "--again"))));
-        assertEquals(List.of(), kept(check(detections(files, "--seed", 2))));
+        List<Path> two = files.subList(0, 2);
+        assertEquals(List.of(), kept(check(detections(two, "--seed", 2))));
         Files.writeString(cell, SmallCell.YAML.replace("[0, 300, 100]", "[0, 300, 101]"));
-        assertEquals(List.of(), kept(check(detections(files, "--seed", 2))));
+        assertEquals(List.of(), kept(check(detections(two, "--seed", 2))));
         Files.writeString(out.resolve("d1.result.json"), "{");
-        assertEquals(List.of("d2", "d3"), kept(check(detections(files, "--seed", 2))));
+        assertEquals(List.of("d2"), kept(check(detections(two, "--seed", 2))));
     }
 
     @Test
@@ -139,8 +140,8 @@ class BatchTest {
 
     @Test
     void theOrderIsThatOfTheInputsAndTheBytesThoseOfOneThread() throws IOException {
-        List<Path> files = new ArrayList<>(corners(9));
-        files.add(4, Files.writeString(folder.resolve("broken.json"), "{"));
+        List<Path> files = new ArrayList<>(corners(5));
+        files.add(2, Files.writeString(folder.resolve("broken.json"), "{"));
         CommandCall alone = check(detections(files, "--threads", 1, "--json"));
         Path other = folder.resolve("other");
         Map<String, String> one = contents(out);
@@ -158,21 +159,21 @@ class BatchTest {
     @Test
     void aLongReportHasPagesAndAShorterOneLeavesNoneOfThem() throws IOException {
         List<Path> files = new ArrayList<>();
-        for (int i = 1; i <= 205; i++) {
+        for (int i = 1; i <= 103; i++) {
             files.add(Files.writeString(folder.resolve("d" + i + ".json"), "{"));
         }
         check(detections(files));
-        assertEquals(List.of("report-001.html", "report-002.html", "report-003.html", "report.html", "summary.csv"),
+        assertEquals(List.of("report-001.html", "report-002.html", "report.html", "summary.csv"),
                 List.copyOf(contents(out).keySet()));
         String main = Files.readString(out.resolve("report.html"));
-        assertTrue(main.contains("<a href=\"report-002.html\">photos 101 to 200</a></td><td class=\"text\">100 ref"),
+        assertTrue(main.contains("<a href=\"report-002.html\">photos 101 to 103</a></td><td class=\"text\">3 refused"),
                 main);
-        assertTrue(main.contains("<a href=\"report-001.html#photo-7\">d7</a>") && main.contains("105 more"));
+        assertTrue(main.contains("<a href=\"report-001.html#photo-7\">d7</a>") && main.contains("73 more"));
         assertTrue(main.contains("Signature") && main.contains("References as stated"));
-        String page = Files.readString(out.resolve("report-003.html"));
-        assertTrue(page.contains("<section id=\"photo-205\">") && page.contains("href=\"report-002.html\">"));
+        String page = Files.readString(out.resolve("report-002.html"));
+        assertTrue(page.contains("<section id=\"photo-103\">") && page.contains("href=\"report-001.html\">"));
         assertFalse(page.contains("the next page"));
-        assertEquals(206, Files.readAllLines(out.resolve("summary.csv")).size());
+        assertEquals(104, Files.readAllLines(out.resolve("summary.csv")).size());
         check(detections(files.subList(0, 2)));
         assertEquals(List.of("report.html", "summary.csv"), List.copyOf(contents(out).keySet()));
     }
@@ -229,10 +230,10 @@ class BatchTest {
                 .toString(), "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Djava.awt.headless=true", "-cp",
                 System.getProperty("java.class.path"), Main.class.getName(), "check", "--cell", cell.toString(),
                 "--out", out.toString(), "--threads", "1", "--detections"));
-        corners(60).forEach(file -> command.add(file.toString()));
+        corners(30).forEach(file -> command.add(file.toString()));
         Process run = new ProcessBuilder(command).redirectOutput(folder.resolve("stdout").toFile()).start();
         try (BufferedReader err = run.errorReader()) {
-            assertTrue(err.readLine().startsWith("[1/60] d1: "));
+            assertTrue(err.readLine().startsWith("[1/30] d1: "));
             CommandCall second = check(detections(corners(1)));
             assertEquals(3, second.code());
             assertTrue(second.err().contains("another run writes its results here (process " + run.pid())
@@ -242,18 +243,18 @@ class BatchTest {
             String last = err.lines().collect(Collectors.joining("\n"));
             assertTrue(run.waitFor(20, TimeUnit.SECONDS));
             assertEquals(128 + 15, run.exitValue());
-            assertTrue(last.matches("(?s).*Stopped: \\d+ of 60 photos are done; summary and report of these are in .*"),
+            assertTrue(last.matches("(?s).*Stopped: \\d+ of 30 photos are done; summary and report of these are in .*"),
                     last);
         } finally {
             run.destroyForcibly();
         }
         Map<String, String> left = contents(out);
         long results = left.keySet().stream().filter(name -> name.endsWith(".result.json")).count();
-        assertTrue(results >= 1 && results < 60, left.keySet().toString());
+        assertTrue(results >= 1 && results < 30, left.keySet().toString());
         assertEquals(1 + 2 * results, left.get("summary.csv").lines().count());
         assertTrue(left.get("report.html").endsWith("</html>\n"));
         assertTrue(left.keySet().stream().noneMatch(name -> name.startsWith(".")), left.keySet().toString());
-        assertTrue(Files.readString(folder.resolve("stdout")).contains(" of 60 photos: "));
+        assertTrue(Files.readString(folder.resolve("stdout")).contains(" of 30 photos: "));
     }
 
     /** Of a run that was killed: the system has let go of its lock, and nobody of its unfinished files. */

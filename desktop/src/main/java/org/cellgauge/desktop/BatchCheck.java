@@ -224,7 +224,7 @@ public final class BatchCheck {
     /** What the work on each input of a run needs to know. */
     record Plan(CellFile cellFile, Cell cell, OptionalDouble targetStdMm, CheckSettings settings, ResultFolder folder,
             String version, String day, Function<? super Message, String> words, Function<CheckInput, String> command,
-            DrawFiles draws, boolean storedOnly, boolean anew, StopSignal stop, int count) {
+            DrawFiles draws, boolean drawsUnwanted, boolean storedOnly, boolean anew, StopSignal stop, int count) {
         /** Reports of many photos must stay small enough to open. */
         int reportWidthPx() {
             return count <= FEW ? LARGE_PICTURE_PX : count <= MANY ? MEDIUM_PICTURE_PX : SMALL_PICTURE_PX;
@@ -273,8 +273,8 @@ public final class BatchCheck {
             DrawFiles draws = with.draws != null ? with.draws : isBatch ? DrawFiles.NONE : DrawFiles.BOUNDED;
             plan = new Plan(with.cellFile, cell, targetStdMm,
                     with.settings.toBuilder().threads(Math.max(1, threads / workers)).build(), with.folder,
-                    with.version, with.day, with.words, with.command, draws, with.storedOnly, with.anew, with.stop,
-                    inputs.size());
+                    with.version, with.day, with.words, with.command, draws, with.draws == DrawFiles.NONE,
+                    with.storedOnly, with.anew, with.stop, inputs.size());
             if (with.folder != null) {
                 try {
                     summary = new GrowingFile(with.folder.file(SUMMARY), 0);

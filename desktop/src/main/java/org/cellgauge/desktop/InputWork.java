@@ -195,7 +195,7 @@ final class InputWork {
             ResultRecord record = plan.cellFile().in(stored.record()).withCommand(plan.command().apply(input));
             boolean anew = !judged.equals(stored.view());
             computed = new StoredResult(judged, anew ? record.withJudgedOn(plan.day()) : record);
-            if (plan.draws() == DrawFiles.NONE) {
+            if (plan.drawsUnwanted()) {
                 plan.folder().deleteChainsFrom(input.name(), 1);
             }
             // whether a photo lay beside the corners when they were painted is not stored

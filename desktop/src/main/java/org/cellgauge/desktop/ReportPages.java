@@ -24,7 +24,7 @@ final class ReportPages implements Closeable {
 
     private static final String MAIN = "report.html";
     private static final Pattern PART = Pattern.compile("report-(\\d{3,9})\\.html");
-    private static final int MOST_NOTABLE = 100;
+    private static final int MOST_NOTABLE = 30;
     /** Room for what a page has besides its sections, so that a disk that fills up costs no report. */
     private static final int RESERVED_BYTES = 1 << 20;
 
