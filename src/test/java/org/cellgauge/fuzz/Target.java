@@ -151,7 +151,8 @@ public enum Target {
     };
 
     private static final ResultRecord RECORD = ResultRecord.of("a.json", "0".repeat(64), "0");
-    private static final CheckSettings SHORT = CheckSettings.builder().chains(2).iterations(1000).build();
+    private static final CheckSettings SHORT = CheckSettings.builder().chains(2).iterations(1000)
+            .targetMcseStdRel(0.05).build();
 
     private final Set<String> readers;
 

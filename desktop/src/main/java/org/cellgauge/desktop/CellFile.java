@@ -43,8 +43,8 @@ public record CellFile(Path file, Cell cell, String sha256, String cameraName, S
     public static CellFile of(Path file, Cell cell, String text) {
         StatedCamera camera = CellReader.statedCamera(text, file.toString());
         boolean apart = camera.kind() == StatedCamera.Kind.FILE;
-        return new CellFile(file, cell, Sha256.of(text.getBytes(StandardCharsets.UTF_8)), apart ? camera.fileName() : null,
-                apart ? Sha256.of(file.resolveSibling(camera.fileName())) : null);
+        return new CellFile(file, cell, Sha256.of(text.getBytes(StandardCharsets.UTF_8)),
+                apart ? camera.fileName() : null, apart ? Sha256.of(file.resolveSibling(camera.fileName())) : null);
     }
 
     /** A record with these files in it. */
