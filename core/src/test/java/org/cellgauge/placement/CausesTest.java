@@ -239,7 +239,7 @@ class CausesTest {
     @CsvSource({"EDGE_SHIFT", "EXCHANGED", "RADIANS", "SIZE_UNIT", "SIZE_OF_SOME", "PRINCIPAL_POINT", "DISTORTION"})
     void theStudyNamesWhatIsWrong(Cause cause) {
         CauseStudy.Figures figures = new CauseStudy(RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY), cause, 5,
-                true, CheckSettings.builder().build()).run(4, done -> { });
+                10, true, CheckSettings.builder().build()).run(4, done -> { });
         assertTrue(figures.first() >= 0.75 * figures.cells() && figures.cells() > (cause.isOutright() ? 3 : 1), cause + ": " + figures.first()
                 + " of " + figures.cells() + ", instead " + figures.instead());
     }
