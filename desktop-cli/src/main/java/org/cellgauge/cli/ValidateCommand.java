@@ -43,6 +43,7 @@ import picocli.CommandLine.Spec;
             "  cellgauge validate --photos --grid --cell cell.yaml \\",
             "      --simulations 400 --out grid.md",
             "  cellgauge validate --random-layouts --simulations 400",
+            "  cellgauge validate --cell cell.yaml --outliers 0.05,20",
             "  cellgauge validate --random-layouts --cause all --simulations 300",
             ""},
         footer = {"",
@@ -144,6 +145,9 @@ public final class ValidateCommand implements Callable<Integer> {
             }
             TruthPrior prior = prior(cell, nominal);
             ValidationSettings settings = settings(cell);
+            if (study.get(StudyTable.OUTLIERS).isPresent()) {
+                return studyRun().drawnCorners(prior, settings.pixelStdPx(), json, this::progress);
+            }
             ValidationResult result = Validation.run(prior, settings, this::progress);
             ValidationText text = new ValidationText(prior, settings, result);
             PrintWriter out = spec.commandLine().getOut();
@@ -178,9 +182,10 @@ public final class ValidateCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), without + " is about --cause: give that, too");
         }
         boolean noise = study.get(StudyTable.PIXEL_STD_PX).isPresent();
-        if (cause != null && (study.photos() || noise)) {
+        boolean outliers = study.get(StudyTable.OUTLIERS).isPresent();
+        if (cause != null && (study.photos() || noise || outliers)) {
             throw new ParameterException(spec.commandLine(), "--cause draws corners with the noise that cells state: "
-                    + "leave out " + (study.photos() ? "--photos" : "--pixel-std"));
+                    + "leave out " + (study.photos() ? "--photos" : noise ? "--pixel-std" : "--outliers"));
         }
     }
 
