@@ -15,7 +15,6 @@ import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.vision.CornerForecast;
 import org.cellgauge.plan.Forecast;
 import org.cellgauge.plan.Layout;
-import org.cellgauge.settings.ModelSettings;
 
 /**
  * A layout as information: for every place that the camera may have, what each reference tells, and what the target asks
@@ -55,20 +54,16 @@ public final class LayoutModel {
      *
      * @param layout what stands where
      * @param forecast how precisely corners would be found, where the cell states no noise
-     * @param model how the cell is modelled: its unknown intrinsics count
-     * @param otherSizesMm sizes of markers that may be asked about beside those of the layout
+     * @param intrinsics prior of the unknown intrinsics
      */
-    public LayoutModel(Layout layout, CornerForecast forecast, ModelSettings model,
-            Collection<Double> otherSizesMm) {
+    public LayoutModel(Layout layout, CornerForecast forecast, IntrinsicsPrior intrinsics) {
         this.layout = layout;
         Cell cell = layout.cell();
         Set<Double> sizes = new LinkedHashSet<>();
         cell.references().forEach(r -> sizes.add(r.sizeMm()));
         cell.objects().forEach(o -> sizes.add(o.sizeMm()));
-        sizes.addAll(otherSizesMm);
         double unit = 1 / cell.targetStdMm().orElse(1);
         cell.references().forEach(r -> seenEverywhere.add(r.id()));
-        IntrinsicsPrior intrinsics = IntrinsicsPrior.stated(cell.camera(), model);
         for (RigidTransform worldFromCamera : layout.worldFromCameras()) {
             View view = new View(new PlannedView(cell, worldFromCamera, forecast, 1, intrinsics,
                     new ArrayList<>(sizes)));

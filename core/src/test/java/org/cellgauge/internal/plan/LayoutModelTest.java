@@ -17,6 +17,7 @@ import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.vision.CornerForecast;
 import org.cellgauge.laplace.LayoutPrediction;
 import org.cellgauge.light.ToneCurve;
@@ -73,7 +74,7 @@ class LayoutModelTest {
         LayoutPrediction expected = LayoutPrediction.of(cell, scene.worldFromCamera(), scene.objects(),
                 kind.settings());
         LayoutModel model = new LayoutModel(layout(cell, scene.worldFromCamera(), scene.objects()),
-                CornerForecast.USUAL, kind.settings().model(), List.of());
+                CornerForecast.USUAL, IntrinsicsPrior.stated(cell.camera(), kind.settings().model()));
         Forecast forecast = model.forecast();
         assertEquals(4, forecast.rows().size());
         // squares of objects tell a little of prints and lens, too, which the approximation of the camera leaves out
@@ -105,7 +106,7 @@ class LayoutModelTest {
         CellEstimate check = CellCheck.quickLook(cell, new Detections("layout", 1280, 720, told, List.of(), light),
                 CheckSettings.builder().build(), null).update().estimate();
         Forecast rows = new LayoutModel(layout(cell, scene.worldFromCamera(), scene.objects()), forecast,
-                CheckSettings.builder().build().model(), List.of()).forecast();
+                IntrinsicsPrior.KNOWN).forecast();
         for (ObjectEstimate object : check.objects()) {
             Forecast.Row row = rows.rows().stream().filter(r -> r.object() == object.marker().id()).findFirst()
                     .orElseThrow();
