@@ -66,7 +66,7 @@ public final class LayoutModel {
         cell.references().forEach(r -> seenEverywhere.add(r.id()));
         for (RigidTransform worldFromCamera : layout.worldFromCameras()) {
             View view = new View(new PlannedView(cell, worldFromCamera, forecast, 1, intrinsics,
-                    new ArrayList<>(sizes)));
+                    new ArrayList<>(sizes), cell.references().size() + layout.worldFromObjects().size()));
             for (Reference r : cell.references()) {
                 double[] information = view.view.information(r.worldFromMarker(), r.sizeMm(), r.placement());
                 if (information == null) {

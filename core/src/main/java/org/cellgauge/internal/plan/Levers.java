@@ -47,6 +47,8 @@ final class Levers {
     private final CornerForecast forecast;
     private final List<Step> steps = new ArrayList<>();
     private final ReferencePlaces places;
+    /** Whether there is a target that is missed as it is. */
+    private final boolean missed;
     private double @Nullable [] bounds;
 
     /**
@@ -65,6 +67,7 @@ final class Levers {
         this.options = options;
         forecast = new CornerForecast(options.toneCurve(), options.blurPx(), options.noiseGrey());
         places = new ReferencePlaces(layout, options);
+        missed = layout.cell().targetStdMm().isPresent() && worst(layout, false) > 1;
         placements();
         added();
         raised();
@@ -176,7 +179,7 @@ final class Levers {
             if (Double.isInfinite(reached)) {
                 continue;
             }
-            if (reached <= 1 && layout.cell().targetStdMm().isPresent()) {
+            if (reached <= 1 && missed) {
                 double meets = size;
                 double misses = before;
                 for (int i = 0; i < HALVINGS && Math.abs(meets - misses) > FINE * Math.abs(meets); i++) {
@@ -252,10 +255,15 @@ final class Levers {
     private Change change(RigidTransform pose) {
         double[] at = pose.translationMm();
         double[] euler = pose.eulerRad();
-        return new Change(Warning.of(ChangeKind.ADD_REFERENCE, Decimal.shortest(places.sizeMm), Decimal.of(at[0], 0),
-                Decimal.of(at[1], 0), Decimal.of(at[2], 0), Decimal.of(Math.toDegrees(euler[0]), 0),
-                Decimal.of(Math.toDegrees(euler[1]), 0), Decimal.of(Math.toDegrees(euler[2]), 0)),
+        return new Change(Warning.of(ChangeKind.ADD_REFERENCE, Decimal.shortest(places.sizeMm), whole(at[0]),
+                whole(at[1]), whole(at[2]), whole(Math.toDegrees(euler[0])), whole(Math.toDegrees(euler[1])),
+                whole(Math.toDegrees(euler[2]))),
                 options.cost(ChangeKind.ADD_REFERENCE));
+    }
+
+    private static Decimal whole(double value) {
+        // adding 0 makes 0 of -0
+        return Decimal.of(Math.rint(value) + 0.0, 0);
     }
 
     /** Several references at once, as one change whose words are a row. */
@@ -286,7 +294,7 @@ final class Levers {
         double[] heights = {most / 4, most / 2, most};
         double[] whole = Arrays.stream(heights).map(Math::rint).toArray();
         sizesFrom(whole, height -> new Step("raised",
-                new Change(Warning.of(ChangeKind.RAISE_REFERENCE, id, Decimal.of(height, 0)),
+                new Change(Warning.of(ChangeKind.RAISE_REFERENCE, id, whole(height)),
                         options.cost(ChangeKind.RAISE_REFERENCE)),
                 all -> lifted(all, id, height), false));
     }
@@ -297,7 +305,7 @@ final class Levers {
             double reached = worst(tried.apply().apply(layout), false);
             if (!Double.isInfinite(reached)) {
                 steps.add(tried);
-                if (reached <= 1 && layout.cell().targetStdMm().isPresent()) {
+                if (reached <= 1 && missed) {
                     return;
                 }
             }
@@ -325,7 +333,7 @@ final class Levers {
                     RigidTransform by = RigidTransform.ofRotationVector(turn, new double[3]);
                     int id = r.id();
                     Step step = new Step("tilted", new Change(Warning.of(ChangeKind.TILT_REFERENCE, id,
-                            Decimal.of(sign * TILT_DEG, 0), axis == 0 ? "x" : "y"),
+                            whole(sign * TILT_DEG), axis == 0 ? "x" : "y"),
                             options.cost(ChangeKind.TILT_REFERENCE)), all -> {
                                 Reference now = find(all.cell(), id);
                                 return moved(all, now, now.worldFromMarker().compose(by));
@@ -350,7 +358,7 @@ final class Levers {
         if (smallestObject > 0) {
             sizes(LARGER, factor -> new Step("objects",
                     new Change(Warning.of(ChangeKind.LARGER_OBJECT_MARKERS, Decimal.of(factor, 2),
-                            Decimal.of(factor * smallestObject, 0)),
+                            whole(factor * smallestObject)),
                             options.cost(ChangeKind.LARGER_OBJECT_MARKERS) * cell.objects().size()),
                     all -> {
                         List<ObjectMarker> larger = new ArrayList<>();
@@ -361,7 +369,7 @@ final class Levers {
         }
         sizes(LARGER, factor -> new Step("references",
                 new Change(Warning.of(ChangeKind.LARGER_REFERENCE_MARKERS, Decimal.of(factor, 2),
-                        Decimal.of(factor * smallest, 0)),
+                        whole(factor * smallest)),
                         options.cost(ChangeKind.LARGER_REFERENCE_MARKERS) * cell.references().size()),
                 all -> {
                     List<Reference> larger = new ArrayList<>();
@@ -384,8 +392,8 @@ final class Levers {
                 nearer.add(RigidTransform.of(pose.rotation(), between(centre, pose.translationMm(), share)));
             }
             double[] at = nearer.get(0).translationMm();
-            return new Step("camera", new Change(Warning.of(ChangeKind.CAMERA_CLOSER, Decimal.of(at[0], 0),
-                    Decimal.of(at[1], 0), Decimal.of(at[2], 0), Decimal.of(100 * share, 0)),
+            return new Step("camera", new Change(Warning.of(ChangeKind.CAMERA_CLOSER, whole(at[0]),
+                    whole(at[1]), whole(at[2]), whole(100 * share)),
                     options.cost(ChangeKind.CAMERA_CLOSER)), all -> seen(all.withCameras(nearer)), false);
         });
         for (double degrees : ASLANT_DEG) {
@@ -406,7 +414,7 @@ final class Levers {
         PinholeCamera lens = layout.cell().camera();
         double focal = lens.get(PinholeCamera.FX);
         sizes(LONGER, factor -> new Step("lens",
-                new Change(Warning.of(ChangeKind.LONGER_LENS, Decimal.of(factor * focal, 0), Decimal.of(factor, 2)),
+                new Change(Warning.of(ChangeKind.LONGER_LENS, whole(factor * focal), Decimal.of(factor, 2)),
                         options.cost(ChangeKind.LONGER_LENS)),
                 all -> seen(all.with(all.cell().withCamera(all.cell().camera().withFocal(
                         factor * all.cell().camera().get(PinholeCamera.FX),
@@ -443,8 +451,8 @@ final class Levers {
             aslant.add(RigidTransform.of(turned, moved));
         }
         double[] at = aslant.get(0).translationMm();
-        return new Step("camera", new Change(Warning.of(ChangeKind.CAMERA_ASLANT, Decimal.of(at[0], 0),
-                Decimal.of(at[1], 0), Decimal.of(at[2], 0), Decimal.of(degrees, 0)),
+        return new Step("camera", new Change(Warning.of(ChangeKind.CAMERA_ASLANT, whole(at[0]),
+                whole(at[1]), whole(at[2]), whole(degrees)),
                 options.cost(ChangeKind.CAMERA_ASLANT)), all -> seen(all.withCameras(aslant)), false);
     }
 

@@ -48,6 +48,8 @@ public final class PlannedView {
     private final double statedStdPx;
     private final @Nullable CornerForecast forecast;
     private final double photos;
+    /** Noise that a check would add to the forecast, as a share of its variance. */
+    private final double addedShare;
     private final IntrinsicsPrior intrinsics;
     private final boolean shifts;
     private final double printGainStdMm;
@@ -65,9 +67,10 @@ public final class PlannedView {
      * @param photos so many photos from there are taken together: their noise averages out, placements do not
      * @param intrinsics prior of the unknown intrinsics
      * @param sizesMm sizes of markers that there may be
+     * @param markers how many markers tell, by how square they are, what noise there is beside the forecast
      */
     public PlannedView(Cell cell, RigidTransform worldFromCamera, CornerForecast forecast, int photos,
-            IntrinsicsPrior intrinsics, List<Double> sizesMm) {
+            IntrinsicsPrior intrinsics, List<Double> sizesMm, int markers) {
         camera = cell.camera();
         this.worldFromCamera = worldFromCamera;
         cameraFromWorld = worldFromCamera.inverse();
@@ -78,11 +81,31 @@ public final class PlannedView {
         this.photos = photos;
         this.intrinsics = intrinsics;
         shifts = this.forecast != null;
+        addedShare = shifts ? addedShare(markers) : 0;
         printGainStdMm = shifts ? cell.prints().printGainStdMm() : 0;
         sizeStdMm = cell.prints().sizeStdMm();
         flatnessMm = cell.prints().flatnessMm();
         this.sizesMm = new ArrayList<>(sizesMm);
         unknowns = firstSize() + (sizeStdMm > 0 ? sizesMm.size() : 0);
+    }
+
+    /**
+     * What a check is left to believe of noise beside that of fits, on photos that have none of it: the mean over its
+     * prior times the likelihood of squares, two degrees of freedom for each marker, that are as large as is usual.
+     */
+    private static double addedShare(int markers) {
+        AddedNoise ofUnit = AddedNoise.toFits(1);
+        double total = 0;
+        double mean = 0;
+        for (int node = 0; node < AddedNoise.NODES; node++) {
+            double u = AddedNoise.atNode(node);
+            double share = ofUnit.variancePx2(u);
+            double log = -0.5 * u * u - markers * (Math.log1p(share) + 1 / (1 + share) - 1);
+            double weight = Math.exp(log);
+            total += weight;
+            mean += weight * share;
+        }
+        return mean / total;
     }
 
     private int firstShift() {
@@ -233,7 +256,7 @@ public final class PlannedView {
                     covariance[i * count + j] = own[8 * i + j] / photos;
                 }
             }
-            double added = AddedNoise.toFits(mean).variancePx2(0);
+            double added = addedShare * mean;
             double[] both = shift.covarianceWithCornersPx2();
             for (int i = 0; i < 8; i++) {
                 covariance[i * (count + 1)] += added / photos;

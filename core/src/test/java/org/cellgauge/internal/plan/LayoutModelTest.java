@@ -1,13 +1,14 @@
 package org.cellgauge.internal.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.apache.commons.math3.random.Well19937c;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.check.CellCheck;
@@ -17,6 +18,7 @@ import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.vision.CornerForecast;
 import org.cellgauge.laplace.LayoutPrediction;
@@ -26,6 +28,7 @@ import org.cellgauge.plan.Layout;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.vision.PhotoLight;
 import org.junit.jupiter.api.Test;
@@ -93,28 +96,71 @@ class LayoutModelTest {
         assertEquals(worst, Math.sqrt(model.worst()), tolerance * worst);
     }
 
-    /** A photo whose corners are as precise as forecast: a whole check of them, learned noise and edges and all. */
+    /** Photos whose corners are as precise as forecast: whole checks of them, learned noise and edges and all. */
     @Test
-    void ofUnknownNoiseItIsWhatACheckOfSuchCornersFinds() {
+    void ofUnknownNoiseItIsWhatChecksOfSuchCornersFind() {
         ThesisScene scene = ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(0.3).planeObjects();
-        Cell stated = scene.cell();
-        Cell cell = stated.withPixelStdPx(OptionalDouble.empty());
-        CornerForecast forecast = new CornerForecast(ToneCurve.SRGB, 0.7, 40);
-        Detections exact = scene.exactDetections();
-        List<MarkerObservation> told = exact.markers().stream().map(m -> forecast.of(m.id(), m.cornersPx())).toList();
-        PhotoLight light = new PhotoLight(ToneCurve.SRGB, true, 0.7, 40, 1000, CornerForecast.EDGE_SHIFT_STD_PX);
-        CellEstimate check = CellCheck.quickLook(cell, new Detections("layout", 1280, 720, told, List.of(), light),
-                CheckSettings.builder().build(), null).update().estimate();
+        Cell cell = scene.cell().withPixelStdPx(OptionalDouble.empty());
+        CornerForecast forecast = new CornerForecast(ToneCurve.SRGB, 0.7, 10);
+        PhotoLight light = new PhotoLight(ToneCurve.SRGB, true, 0.7, 10, 1000, CornerForecast.EDGE_SHIFT_STD_PX);
+        Well19937c random = new Well19937c(11);
+        Map<Integer, double[]> variances = new LinkedHashMap<>();
+        int photos = 60;
+        for (int k = 0; k < photos; k++) {
+            List<MarkerObservation> told = new ArrayList<>();
+            for (MarkerObservation m : scene.exactDetections().markers()) {
+                told.add(drawn(forecast.of(m.id(), m.cornersPx()), random));
+            }
+            CellEstimate check = CellCheck.quickLook(cell, new Detections("layout", 1280, 720, told, List.of(), light),
+                    CheckSettings.builder().build(), null).update().estimate();
+            for (ObjectEstimate object : check.objects()) {
+                double[] sum = variances.computeIfAbsent(object.marker().id(), id -> new double[3]);
+                for (int axis = 0; axis < 3; axis++) {
+                    sum[axis] += Math.pow(object.pose().std()[axis], 2) / photos;
+                }
+            }
+        }
         Forecast rows = new LayoutModel(layout(cell, scene.worldFromCamera(), scene.objects()), forecast,
                 IntrinsicsPrior.KNOWN).forecast();
-        for (ObjectEstimate object : check.objects()) {
-            Forecast.Row row = rows.rows().stream().filter(r -> r.object() == object.marker().id()).findFirst()
-                    .orElseThrow();
+        for (Forecast.Row row : rows.rows()) {
             for (int axis = 0; axis < 3; axis++) {
-                double std = object.pose().std()[axis];
+                double std = Math.sqrt(variances.get(row.object())[axis]);
                 assertEquals(std, row.axis(axis), 0.05 * std, row.object() + " axis " + axis);
             }
         }
-        assertNotNull(rows);
+    }
+
+    /** Corners and shift off by a draw from what they are said to be good for. */
+    private static MarkerObservation drawn(MarkerObservation exact, Well19937c random) {
+        EdgeShift shift = exact.edgeShift();
+        double[] joint = new double[81];
+        for (int i = 0; i < 8; i++) {
+            for (int j = 0; j < 8; j++) {
+                joint[9 * i + j] = exact.covariancePx2()[8 * i + j];
+            }
+            joint[9 * i + 8] = shift.covarianceWithCornersPx2()[i];
+            joint[72 + i] = shift.covarianceWithCornersPx2()[i];
+        }
+        joint[80] = shift.variancePx2();
+        assertTrue(Cholesky.factor(joint, 9));
+        double[] z = new double[9];
+        for (int i = 0; i < 9; i++) {
+            z[i] = random.nextGaussian();
+        }
+        double[] corners = exact.cornersPx();
+        double moved = 0;
+        for (int i = 0; i < 9; i++) {
+            double sum = 0;
+            for (int j = 0; j <= i; j++) {
+                sum += joint[9 * i + j] * z[j];
+            }
+            if (i < 8) {
+                corners[i] += sum;
+            } else {
+                moved = sum;
+            }
+        }
+        return new MarkerObservation(exact.id(), corners, exact.covariancePx2(),
+                new EdgeShift(moved, shift.variancePx2(), shift.covarianceWithCornersPx2()));
     }
 }
