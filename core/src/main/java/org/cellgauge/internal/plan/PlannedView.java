@@ -530,10 +530,32 @@ public final class PlannedView {
     /**
      * A point in the world as far as it depends on what is shared: its error is {@code rows · (error of the unknowns)}
      * plus an error of its own.
-     *
-     * @param rows 3 x n, mm per unit of the unknowns
-     * @param ownMm2 covariance of its own error, 3 x 3, mm²: what its own corners leave
      */
-    public record PointRows(double[] rows, double[] ownMm2) {
+    public static final class PointRows {
+        private final double[] rows;
+        private final double[] ownMm2;
+
+        PointRows(double[] rows, double[] ownMm2) {
+            this.rows = rows;
+            this.ownMm2 = ownMm2;
+        }
+
+        /**
+         * Its change by the unknowns.
+         *
+         * @return 3 x n, mm per unit of the unknowns; not to be changed
+         */
+        public double[] rows() {
+            return rows;
+        }
+
+        /**
+         * Covariance of its own error: what its own corners leave.
+         *
+         * @return 3 x 3, mm²; not to be changed
+         */
+        public double[] ownMm2() {
+            return ownMm2;
+        }
     }
 }

@@ -33,6 +33,7 @@ import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.vision.PhotoLight;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Information summed marker by marker says what the whole cell's Laplace approximation says. */
@@ -94,6 +95,36 @@ class LayoutModelTest {
             assertTrue(row.ownStdMm() < row.worstStdMm());
         }
         assertEquals(worst, Math.sqrt(model.worst()), tolerance * worst);
+    }
+
+    /**
+     * Worst axis and worst lateral axis of the root mean square over the three objects in the plane, mm, without the noise of
+     * their own corners: converged chains of an independent implementation (method notes, "What the numbers should be",
+     * rigid-marker), which have two digits.
+     */
+    @ParameterizedTest
+    @CsvSource({"1, false, 3, 4.2, 0.8", "1, false, 4, 2.5, 0.7", "1, true, 4, 2.3, 0.7", "1, true, 6, 2.1, 0.6",
+        "5, false, 3, 7.4, 3.2", "5, false, 4, 5.6, 2.8", "5, false, 6, 4.8, 2.2", "5, true, 3, 6.3, 3.3",
+        "5, true, 5, 4.9, 2.5", "20, false, 4, 12, 10", "20, true, 6, 9.5, 8.2"})
+    void figuresOfAnIndependentSamplerAreForetold(double stdMm, boolean raised, int references, double worst,
+            double lateral) {
+        ThesisScene scene = (raised ? ThesisScene.oneRaised(references) : ThesisScene.inPlane(references))
+                .placement(stdMm, 0.01).pixelStd(0.3).planeObjects();
+        Forecast forecast = new LayoutModel(layout(scene.cell(), scene.worldFromCamera(), scene.objects()),
+                CornerForecast.USUAL, IntrinsicsPrior.KNOWN).forecast();
+        double[] squares = new double[3];
+        PlannedView view = new LayoutModel(layout(scene.cell(), scene.worldFromCamera(), scene.objects()),
+                CornerForecast.USUAL, IntrinsicsPrior.KNOWN).view(0);
+        for (Forecast.Row row : forecast.rows()) {
+            double[] own = view.object(scene.objects().get(row.object()), 47).point(new double[3]).ownMm2();
+            for (int axis = 0; axis < 3; axis++) {
+                squares[axis] += (row.axis(axis) * row.axis(axis) - own[4 * axis]) / 3;
+            }
+        }
+        double ofBoth = Math.sqrt(Math.max(squares[0], squares[1]));
+        assertEquals(worst, Math.max(ofBoth, Math.sqrt(squares[2])), 0.05 * worst);
+        // one digit of some leaves no more
+        assertEquals(lateral, ofBoth, Math.max(0.05 * lateral, 0.051));
     }
 
     /** Photos whose corners are as precise as forecast: whole checks of them, learned noise and edges and all. */
