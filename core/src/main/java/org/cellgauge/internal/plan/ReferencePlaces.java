@@ -59,8 +59,8 @@ final class ReferencePlaces {
         for (int h = 0; h <= heights; h++) {
             double height = heights == 0 ? 0 : options.maxHeightMm() * h / heights;
             for (int i = 0; i < ROWS * COLUMNS; i++) {
-                double[] at = onPlane((i % COLUMNS + 0.5) / COLUMNS, (i / COLUMNS + 0.5) / ROWS, normal,
-                        level + height);
+                int row = i / COLUMNS;
+                double[] at = onPlane((i % COLUMNS + 0.5) / COLUMNS, (row + 0.5) / ROWS, normal, level + height);
                 if (at == null || !options.isFree(at[0], at[1])) {
                     continue;
                 }
