@@ -75,6 +75,22 @@ final class RepeatingCommand {
         return line(words);
     }
 
+    /**
+     * The command of a calibration.
+     *
+     * @param parsed what the user gave
+     * @return one line for a POSIX shell in the folder that files are named from
+     */
+    static String calibrate(ParseResult parsed) {
+        List<String> words = new ArrayList<>(List.of("cellgauge", "calibrate"));
+        for (OptionSpec option : new LinkedHashSet<>(parsed.matchedOptions())) {
+            words.add(option.longestName());
+            words.addAll(option.originalStringValues());
+        }
+        parsed.matchedPositionals().forEach(p -> words.addAll(p.originalStringValues()));
+        return line(words);
+    }
+
     private static void addTold(List<String> words, List<Setting<?>> rows, SettingSource settings,
             SettingSource usual) {
         for (Setting<?> row : rows) {

@@ -81,8 +81,8 @@ class WholeFilesTest {
         }
         Files.writeString(folder.resolve(".cellgauge-" + dead + "-1.part"), "just now, by another computer");
         WholeFiles.deleteUnfinished(folder);
-        assertEquals(Stream.of(".cellgauge-" + dead + "-1.part", own, ".cellgauge-x-0.part", "a.part").sorted().toList(),
-                names());
+        assertEquals(Stream.of(".cellgauge-" + dead + "-1.part", own, ".cellgauge-x-0.part", "a.part").sorted()
+                .toList(), names());
     }
 
     @Test
