@@ -160,7 +160,7 @@ final class InputWork {
                 unwritable = e;
             } catch (StoppedException e) {
                 throw e;
-            } catch (RuntimeException | OutOfMemoryError e) {
+            } catch (RuntimeException | Error e) {
                 // one photo must not cost the others their results
                 Optional<Refusal> limit = MachineRefusal.behind(e);
                 if (limit.isPresent()) {
@@ -168,7 +168,8 @@ final class InputWork {
                             limit.get().withPlace(Place.of(input.file().toString())), e)));
                 } else {
                     failed(InputOutcome.Kind.INTERNAL_ERROR, new InputOutcome.Failure("internal-error",
-                            BatchCheck.inShort(e), null, (RuntimeException) e));
+                            BatchCheck.inShort(e), null,
+                            e instanceof RuntimeException error ? error : new IllegalStateException(e)));
                 }
             }
         }
