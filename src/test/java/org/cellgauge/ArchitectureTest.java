@@ -48,7 +48,8 @@ class ArchitectureTest {
      * {@code internal}, in a package of the same name and at the same place of the path.
      */
     private static final List<String> ORDER =
-            List.of("warning", "geometry", "light", "cell", "settings", "vision", "pose", "estimate", "laplace",
+            List.of("warning", "geometry", "light", "cell", "settings", "vision", "calibration", "pose", "estimate",
+                    "laplace", "plan",
                     "sampling", "placement", "posterior", "chains", "check", "output", "validation", "live", "overlay");
 
     /** Mathematics alone: uses no other package, and is used only by these. */
