@@ -49,8 +49,8 @@ class ArchitectureTest {
      */
     private static final List<String> ORDER =
             List.of("warning", "geometry", "light", "cell", "settings", "vision", "calibration", "pose", "estimate",
-                    "laplace", "plan",
-                    "sampling", "placement", "posterior", "chains", "check", "output", "validation", "live", "overlay");
+                    "laplace", "plan", "sampling", "placement", "posterior", "chains", "check", "output", "validation",
+                    "live", "overlay");
 
     /** Mathematics alone: uses no other package, and is used only by these. */
     private static final List<String> STATISTICS = room("statistics");
