@@ -1,6 +1,7 @@
 package org.cellgauge.cell;
 
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -195,7 +196,13 @@ public final class CalibrationTargetReader {
     private static Markers surveyed(YamlValue value, Path targetFile) {
         YamlMapping keys = value.mapping("{file: cell.yaml}", "file");
         YamlValue name = keys.required("file", "file: cell.yaml");
-        Path file = targetFile.resolveSibling(name.text("cell.yaml"));
+        String stated = name.text("cell.yaml");
+        Path file;
+        try {
+            file = targetFile.resolveSibling(stated);
+        } catch (InvalidPathException e) {
+            throw name.refused(TargetRefusal.NO_CELL_FILE, stated);
+        }
         if (!Files.exists(file)) {
             throw name.refused(TargetRefusal.NO_CELL_FILE, file.toString());
         }
