@@ -223,6 +223,7 @@ class RepeatingCommandTest {
     @Test
     void awkwardNamesOfFilesAreWrittenSoThatTheyAreFound() {
         assertEquals("cellgauge check --cell 'my cell.yaml' ./-photo.png", RepeatingCommand.check(
-                Path.of("my cell.yaml"), new CheckInput(Path.of("-photo.png"), false, "-photo", null), USUAL));
+                Path.of("my cell.yaml"), new CheckInput(Path.of("-photo.png"), false, "-photo", null), USUAL,
+                false));
     }
 }
