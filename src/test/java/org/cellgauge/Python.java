@@ -31,11 +31,16 @@ final class Python {
         return found;
     }
 
-    /** Runs a snippet; skips the test where its modules are missing. */
-    static Ran run(String snippet, Path folder, String... arguments) throws IOException, InterruptedException {
+    /** Skips the test where a snippet's modules are missing. */
+    static void assumeModulesOf(String snippet, Path folder) throws IOException, InterruptedException {
         String imports = snippet.lines().filter(line -> line.startsWith("import ") || line.startsWith("from "))
                 .collect(Collectors.joining("\n"));
         Assumptions.assumeTrue(started(imports, folder.resolve("imports.out")).code() == 0, "no such modules: " + COMMAND);
+    }
+
+    /** Runs a snippet; skips the test where its modules are missing. */
+    static Ran run(String snippet, Path folder, String... arguments) throws IOException, InterruptedException {
+        assumeModulesOf(snippet, folder);
         return started(snippet, folder.resolve("snippet.out"), arguments);
     }
 
