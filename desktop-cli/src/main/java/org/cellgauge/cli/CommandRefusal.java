@@ -9,6 +9,8 @@ enum CommandRefusal implements RefusalKind {
             + "for instance 0.3"),
     /** A size of markers in the image that no distance makes: px. */
     NO_DISTANCE("no distance of the camera makes markers %s px wide; give another --marker-px or --camera-pose"),
+    /** A camera file that cannot be written: what the system says. */
+    CAMERA_NOT_WRITTEN("the camera file cannot be written (%s); name another with --out"),
     /** Standard output takes no more. */
     OUTPUT_LOST("not all of it could be written; the disk is full, or the program that reads it has ended");
 

@@ -1,0 +1,91 @@
+package org.cellgauge.calibration;
+
+import org.cellgauge.warning.WarningKind;
+
+/** What users of a calibration should know, or a part of such a sentence. */
+public enum CalibrationWarning implements WarningKind {
+    /** Photos without the target: names. */
+    NOT_FOUND("the target was not found in %s"),
+    /** Points were left out: how many, of how many, the photos with most of them. */
+    OUTLIERS("%s of %s corners were left out because they are off by more than 4 standard deviations, most of them in "
+            + "%s"),
+    /** Too many points were left out: per cent. */
+    IN_QUESTION("%s %% of the corners had to be left out, which is more than mistakes of detection account for: the "
+            + "calibration is in question; look at the photos named"),
+    /** Photos that contradict the others: names. */
+    CONTRADICTS("%s contradict the other photos: the target moved or bent, or focus or zoom changed; leave them out or "
+            + "take them again"),
+    /** Photos that tell next to nothing: names. */
+    ADDS_LITTLE("%s add next to nothing to what the others tell"),
+    /** Odd and even photos calibrate to different cameras: ratio, factor of the deviations. */
+    MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: lens model "
+            + "or target are wrong by more than the corners' noise. The stated deviations are widened by %s"),
+    /** Odd and even photos differ somewhat: ratio. */
+    SOME_MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: "
+            + "chance is possible, a small error of lens model or target too"),
+    /** Too few photos for the gate: how many it takes. */
+    NOT_CROSS_VALIDATED("too few photos to calibrate odd and even ones apart: nothing tells an error of the lens model; "
+            + "take at least %s"),
+    /** Parts of the image without any point: per cent, where the largest is. */
+    NOT_COVERED("%s %% of the image were never covered by the target, most of it %s: what is said of these parts is "
+            + "extrapolated"),
+    /** All photos from one distance: ratio of the farthest to the nearest. */
+    ONE_DISTANCE("all photos are from nearly one distance (farthest to nearest %s): take some from half and from twice "
+            + "as far"),
+    /** Few tilts: how many photos are tilted by more than 20 degrees. */
+    FEW_TILTS("the target is tilted by more than 20 degrees in %s photos only: focal length and distance are hard to "
+            + "tell apart; tilt it by 30 to 45 degrees to all sides"),
+    /** A field of view no usual lens has: degrees. */
+    ODD_FIELD_OF_VIEW("the field of view comes out as %s degrees, which hardly any lens has: check the target file"),
+
+    // ---- the next photo
+
+    /** The next photo: where in the image, how far, how it is tilted. */
+    NEXT_PHOTO("take one more photo with the target %s, %s, %s"),
+    /** A place: row and column. */
+    AT_PLACE("in the %s %s of the image"),
+    /** The place. */
+    IN_MIDDLE("in the middle of the image"),
+    /** A row. */
+    TOP("upper"),
+    /** A row. */
+    MIDDLE_ROW("middle"),
+    /** A row. */
+    BOTTOM("lower"),
+    /** A column. */
+    LEFT("left"),
+    /** A column. */
+    CENTRE("centre"),
+    /** A column. */
+    RIGHT("right"),
+    /** The distance: mm. */
+    AT_DISTANCE("at about %s mm"),
+    /** A tilt. */
+    FACING("facing the camera"),
+    /** A tilt: degrees, {@link #LEFT_EDGE} and the like. */
+    TILTED("tilted by %s degrees with %s nearer"),
+    /** An edge. */
+    LEFT_EDGE("its left edge"),
+    /** An edge. */
+    RIGHT_EDGE("its right edge"),
+    /** An edge. */
+    UPPER_EDGE("its upper edge"),
+    /** An edge. */
+    LOWER_EDGE("its lower edge");
+
+    private final String english;
+
+    CalibrationWarning(String english) {
+        this.english = english;
+    }
+
+    @Override
+    public String code() {
+        return "calibration-" + WarningKind.super.code();
+    }
+
+    @Override
+    public String english() {
+        return english;
+    }
+}

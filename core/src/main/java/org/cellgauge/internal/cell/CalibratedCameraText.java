@@ -1,0 +1,47 @@
+package org.cellgauge.internal.cell;
+
+import java.util.Locale;
+import org.cellgauge.geometry.PinholeCamera;
+
+/**
+ * Camera files of calibrated cameras: BoofCV's keys, and a key of this project's beside them that BoofCV passes over.
+ */
+public final class CalibratedCameraText {
+    /** The key. */
+    public static final String KEY = "cellgauge_calibration";
+
+    private CalibratedCameraText() {
+    }
+
+    /**
+     * The text of a camera file.
+     *
+     * @param camera the camera
+     * @param parameters names of the unknowns, without units: {@code fx}, {@code k1}
+     * @param covariance their joint covariance
+     * @param photos how many it rests on
+     * @param rmsPx root mean square reprojection error, px
+     * @param widenedBy factor of the deviations, at least 1
+     * @return YAML, ended by a line feed
+     */
+    public static String text(PinholeCamera camera, String[] parameters, double[][] covariance, int photos,
+            double rmsPx, double widenedBy) {
+        StringBuilder out = new StringBuilder(CameraWriter.text(camera));
+        out.append(KEY).append(":\n  parameters: [").append(String.join(", ", parameters)).append("]\n  std: [");
+        for (int i = 0; i < parameters.length; i++) {
+            out.append(i == 0 ? "" : ", ").append(CameraWriter.number(Math.sqrt(covariance[i][i])));
+        }
+        out.append("]\n  covariance:\n");
+        for (double[] row : covariance) {
+            out.append("  - [");
+            for (int j = 0; j < row.length; j++) {
+                out.append(j == 0 ? "" : ", ").append(CameraWriter.number(row[j]));
+            }
+            out.append("]\n");
+        }
+        return out.append("  photos: ").append(photos)
+                .append("\n  rms_px: ").append(String.format(Locale.ROOT, "%.4f", rmsPx))
+                .append("\n  widened_by: ").append(String.format(Locale.ROOT, "%.3f", widenedBy)).append('\n')
+                .toString();
+    }
+}
