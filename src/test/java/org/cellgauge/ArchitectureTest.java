@@ -27,9 +27,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.cellgauge.fuzz.Target;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,8 +48,9 @@ class ArchitectureTest {
      * {@code internal}, in a package of the same name and at the same place of the path.
      */
     private static final List<String> ORDER =
-            List.of("warning", "geometry", "light", "cell", "settings", "vision", "calibration", "pose", "estimate", "laplace",
-                    "sampling", "placement", "posterior", "chains", "check", "output", "validation", "live", "overlay");
+            List.of("warning", "geometry", "light", "cell", "settings", "vision", "calibration", "pose", "estimate",
+                    "laplace", "plan", "sampling", "placement", "posterior", "chains", "check", "output", "validation",
+                    "live", "overlay");
 
     /** Mathematics alone: uses no other package, and is used only by these. */
     private static final List<String> STATISTICS = room("statistics");
@@ -62,6 +66,21 @@ class ArchitectureTest {
             "parallelSetAll", "parallelPrefix", "supplyAsync", "runAsync");
 
     private static final int JAVA_17_CLASS_FILE = 61;
+
+    /** Calls that only a reader of files needs. */
+    private static final String READING = String.join("|", "java\\.nio\\.file\\.Files\\.(read|newInput|lines).*",
+            "java\\.nio\\.file\\.Files\\.newBufferedReader", "java\\.io\\.File(InputStream|Reader)\\.<init>",
+            "com\\.google\\.gson\\.(JsonParser|stream\\.JsonReader)\\..*",
+            "javax\\.imageio\\.ImageIO\\.getImageReaders.*",
+            "org\\.yaml\\.snakeyaml\\.reader\\.StreamReader\\.<init>", "org\\.cellgauge\\.cell\\.YamlValue\\.parse",
+            "org\\.cellgauge\\.internal\\.cell\\.InputFiles\\.(text|bytes)");
+    /**
+     * Hand on what others take apart: the bytes of any file, values of any YAML, standard input, what a cell's hash is
+     * of; a picture that was just made. And a table of numbers that {@code validate} goes on with, which it wrote.
+     */
+    private static final List<String> NO_READERS = List.of("internal.cell.InputFiles", "cell.YamlValue",
+            "cli.StandardInput", "desktop.CellFile", "desktop.Sha256", "desktop.render.GreyJpeg",
+            "cli.CoverageStudyRun");
 
     private static JavaClasses product;
     private static JavaClasses core;
@@ -132,6 +151,26 @@ class ArchitectureTest {
         }
         assertTrue(read > 100, read + " files were read");
         assertEquals(List.of(), named);
+    }
+
+    /** What takes a file apart gets mutated ones as well (docs/robustness.md), or says here why it need not. */
+    @Test
+    void everyReaderIsTriedOnMutatedInputs() {
+        Set<String> readers = new TreeSet<>();
+        for (JavaClass type : product) {
+            boolean reads = type.getCodeUnitCallsFromSelf().stream().anyMatch(call -> {
+                String owner = call.getTargetOwner().getName();
+                return (owner + "." + call.getName()).matches(READING) && !owner.equals(type.getName());
+            });
+            if (reads) {
+                readers.add(type.getName().substring(BASE.length()).replaceFirst("\\$.*", ""));
+            }
+        }
+        Set<String> tried = new TreeSet<>(NO_READERS);
+        for (Target target : Target.values()) {
+            tried.addAll(target.readers());
+        }
+        assertEquals(tried, readers);
     }
 
     /** NullAway looks at packages that are marked, and at no others. */

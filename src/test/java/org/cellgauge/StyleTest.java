@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 class StyleTest {
     private static final Path ROOT = Path.of(System.getProperty("cellgauge.root", "."));
     private static final List<String> FOLDERS =
-            List.of("core/src", "desktop-cli/src", "android-app/src", "examples", "src");
+            List.of("core/src", "desktop/src", "desktop-cli/src", "android-app/src", "examples", "src");
     private static final int COLUMNS = 120;
 
     @Test

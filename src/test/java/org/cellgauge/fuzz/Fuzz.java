@@ -3,6 +3,7 @@ package org.cellgauge.fuzz;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,6 +22,8 @@ public final class Fuzz {
     /** Longest message of a refusal, in characters. */
     private static final int LONGEST_MESSAGE = 3000;
     private static final int MOST_FAULTS = 20;
+    /** Processor time after which an input counts as one that never ends, ms. */
+    private static final long HANGS_MS = 20_000;
 
     private final Target target;
     private final long seed;
@@ -30,6 +33,9 @@ public final class Fuzz {
     private long refused;
     private long tried;
     private long longestMs;
+    /** The input at work, and the processor time at which it began. */
+    private volatile long current = -1;
+    private volatile long startedNs;
 
     Fuzz(Target target, long seed, Path root) throws IOException {
         this.target = target;
@@ -49,20 +55,25 @@ public final class Fuzz {
     /** Tries the input of a number; a fault is kept. */
     void tryOne(long number) {
         byte[] input = input(number);
-        long started = threads.getCurrentThreadCpuTime();
+        startedNs = threads.getCurrentThreadCpuTime();
+        current = number;
         String fault = "";
         try {
             target.read(input);
         } catch (InputRefusedException e) {
             refused++;
             String message = e.getMessage();
-            if (message.length() > LONGEST_MESSAGE || message.contains("null)") || message.contains("%s")) {
+            // of a hole in a pattern; the file's own words stand in messages too
+            boolean hole = (message.contains("null)") || message.contains("%s"))
+                    && !new String(input, StandardCharsets.UTF_8).matches("(?s).*(null\\)|%s).*");
+            if (message.length() > LONGEST_MESSAGE || hole) {
                 fault = "message: " + message.substring(0, Math.min(200, message.length()));
             }
         } catch (RuntimeException | Error e) {
             fault = e + " at " + (e.getStackTrace().length > 0 ? e.getStackTrace()[0] : "?");
         }
-        long ms = (threads.getCurrentThreadCpuTime() - started) / 1_000_000;
+        long ms = (threads.getCurrentThreadCpuTime() - startedNs) / 1_000_000;
+        current = -1;
         longestMs = Math.max(longestMs, ms);
         tried++;
         if (fault.isEmpty() && ms > MOST_MS) {
@@ -71,6 +82,40 @@ public final class Fuzz {
         if (!fault.isEmpty()) {
             faults.add(target + ", seed " + seed + ", number " + number + ": " + fault);
         }
+    }
+
+    /** Ends the process, and says where it is, when an input of a thread does not end. */
+    private void watch(Thread worker, Path root) {
+        Thread guard = new Thread(() -> {
+            while (worker.isAlive()) {
+                long number = current;
+                long ms = (threads.getThreadCpuTime(worker.getId()) - startedNs) / 1_000_000;
+                if (number >= 0 && number == current && ms > HANGS_MS) {
+                    System.out.println(target + ", seed " + seed + ", number " + number + ": does not end");
+                    for (StackTraceElement at : worker.getStackTrace()) {
+                        System.out.println("    at " + at);
+                    }
+                    try {
+                        keep(number, root);
+                    } catch (IOException e) {
+                        System.out.println("not kept: " + e);
+                    }
+                    Runtime.getRuntime().halt(1);
+                }
+                try {
+                    Thread.sleep(1000);
+                } catch (InterruptedException e) {
+                    return;
+                }
+            }
+        }, "guard");
+        guard.setDaemon(true);
+        guard.start();
+    }
+
+    private void keep(long number, Path root) throws IOException {
+        Path folder = Files.createDirectories(root.resolve("out/fuzz-faults"));
+        Files.write(folder.resolve(target + "-" + seed + "-" + number), input(number));
     }
 
     List<String> faults() {
@@ -101,6 +146,7 @@ public final class Fuzz {
         boolean sound = true;
         for (Target target : name.equals("ALL") ? Target.values() : new Target[] {Target.valueOf(name)}) {
             Fuzz fuzz = new Fuzz(target, seed, root);
+            fuzz.watch(Thread.currentThread(), root);
             long end = System.nanoTime() + seconds * 1_000_000_000L;
             for (long i = first; i < first + count && System.nanoTime() < end; i++) {
                 int before = fuzz.faults.size();
@@ -110,8 +156,7 @@ public final class Fuzz {
                 fuzz.tryOne(i);
                 if (fuzz.faults.size() > before) {
                     System.out.println(fuzz.faults.get(before));
-                    Path folder = Files.createDirectories(root.resolve("out/fuzz-faults"));
-                    Files.write(folder.resolve(target + "-" + seed + "-" + i), fuzz.input(i));
+                    fuzz.keep(i, root);
                 }
             }
             System.out.println(fuzz);

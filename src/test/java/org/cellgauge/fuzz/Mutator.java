@@ -2,7 +2,6 @@ package org.cellgauge.fuzz;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.regex.Matcher;
@@ -49,16 +48,17 @@ final class Mutator {
         return changed;
     }
 
+    /** The number at a random place or the next after it, so that a long text costs no more than a short one. */
     private String withOtherNumber(String text) {
-        List<int[]> places = new ArrayList<>();
-        Matcher numbers = NUMBER.matcher(text);
-        while (numbers.find()) {
-            places.add(new int[] {numbers.start(), numbers.end()});
+        int from = random.nextInt(text.length() + 1);
+        while (from > 0 && from < text.length() && isOfNumber(text.charAt(from - 1))) {
+            from--;
         }
-        if (places.isEmpty()) {
+        Matcher numbers = NUMBER.matcher(text);
+        if (!numbers.find(from) && !numbers.find(0)) {
             return text;
         }
-        int[] place = places.get(random.nextInt(places.size()));
+        int[] place = {numbers.start(), numbers.end()};
         String old = text.substring(place[0], place[1]);
         String other;
         if (random.nextInt(3) == 0) {
@@ -69,6 +69,10 @@ final class Mutator {
             other = Double.toString(Double.parseDouble(old) * factor);
         }
         return text.substring(0, place[0]) + other + text.substring(place[1]);
+    }
+
+    private static boolean isOfNumber(char c) {
+        return c >= '0' && c <= '9' || c == '.' || c == '-' || c == '+' || c == 'e' || c == 'E';
     }
 
     private byte[] changed(byte[] in, List<byte[]> corpus) {

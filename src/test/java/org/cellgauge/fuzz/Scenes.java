@@ -1,8 +1,11 @@
 package org.cellgauge.fuzz;
 
+import java.awt.color.ColorSpace;
+import java.awt.color.ICC_Profile;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +16,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
+import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
@@ -40,6 +44,11 @@ final class Scenes {
             """;
     /** Written by Pillow: Java has no encoder. */
     private static final String WEBP = "UklGRigAAABXRUJQVlA4TBsAAAAvC8AAAM1lRP8Dato2YHr3Ln+4E0FETADk8gIA";
+
+    /** Length of a PNG's signature and its first chunk. */
+    private static final int PNG_HEADER = 33;
+    /** Place of the first JPEG among the images: the first format comes in all types. */
+    private static final int JPEG_AT = 5;
 
     private Scenes() {
     }
@@ -96,10 +105,27 @@ final class Scenes {
                 }
             }
         }
+        // notes that are read beside the pixels: a colour profile, a gamma
+        byte[] profile = ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB).getData();
+        byte[] begin = "ICC_PROFILE\0\1\1".getBytes(StandardCharsets.ISO_8859_1);
+        images.add(inserted(images.get(JPEG_AT), 2, ByteBuffer.allocate(4 + begin.length + profile.length)
+                .putShort((short) 0xFFE2).putShort((short) (2 + begin.length + profile.length)).put(begin).put(profile)
+                .array()));
+        byte[] gamma = ByteBuffer.allocate(16).putInt(4).put("gAMA".getBytes(StandardCharsets.ISO_8859_1)).putInt(45455)
+                .array();
+        CRC32 checksum = new CRC32();
+        checksum.update(gamma, 4, 8);
+        images.add(inserted(images.get(0), PNG_HEADER, ByteBuffer.wrap(gamma).putInt(12, (int) checksum.getValue())
+                .array()));
         images.add(Base64.getDecoder().decode(WEBP));
         images.add("P2 3 2 # text\n 9\n0 1 2 7 8 9".getBytes(StandardCharsets.US_ASCII));
         images.add("P6\n2 1\n1023\n\u0001\u0002\u0003\u0000\u0001\u0001\u0001\u0001\u0002\u0002\u0003\u0003".getBytes(
                 StandardCharsets.US_ASCII));
         return images;
+    }
+
+    private static byte[] inserted(byte[] file, int at, byte[] part) {
+        return ByteBuffer.allocate(file.length + part.length).put(file, 0, at).put(part)
+                .put(file, at, file.length - at).array();
     }
 }

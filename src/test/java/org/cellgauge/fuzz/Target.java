@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
@@ -21,15 +22,19 @@ import org.cellgauge.internal.overlay.CellOverlay;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.output.ResultReader;
 import org.cellgauge.output.ResultRecord;
+import org.cellgauge.output.ResultRefusal;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.DetectionsFile;
 
-/** What inputs are tried on: each reader of files, and checks as a whole. */
-enum Target {
+/**
+ * What inputs are tried on: each reader of files, and checks as a whole. That no reader is missing is held by
+ * {@code ArchitectureTest}.
+ */
+public enum Target {
     /** Cell files with the camera in them. */
-    CELL {
+    CELL("cell.CellReader") {
         @Override
         List<byte[]> corpus(Path root) throws IOException {
             List<byte[]> cells = new ArrayList<>();
@@ -47,7 +52,7 @@ enum Target {
     },
 
     /** Camera files. */
-    CAMERA {
+    CAMERA("cell.CameraReader") {
         @Override
         List<byte[]> corpus(Path root) throws IOException {
             return List.of(Files.readAllBytes(root.resolve("fixtures/distorted-4/camera.yaml")),
@@ -63,7 +68,7 @@ enum Target {
     },
 
     /** Detections files. */
-    DETECTIONS {
+    DETECTIONS("vision.DetectionsFile") {
         @Override
         List<byte[]> corpus(Path root) throws IOException {
             return List.of(Scenes.detections().getBytes(StandardCharsets.UTF_8),
@@ -77,7 +82,7 @@ enum Target {
     },
 
     /** Photos of every format. */
-    IMAGE {
+    IMAGE("desktop.ImageFiles", "desktop.ImageFormat") {
         @Override
         List<byte[]> corpus(Path root) throws IOException {
             return Scenes.images();
@@ -95,7 +100,7 @@ enum Target {
     },
 
     /** Stored results. */
-    RESULT {
+    RESULT("output.ResultReader") {
         @Override
         List<byte[]> corpus(Path root) throws IOException {
             Cell cell = Scenes.cell(root, "lifted-4");
@@ -106,7 +111,8 @@ enum Target {
 
         @Override
         void read(byte[] input) {
-            ResultReader.of(new String(input, StandardCharsets.UTF_8), "a.result.json");
+            ResultReader.of(InputFiles.text(input, "a.result.json", ResultRefusal.RESULT_FILE, ResultReader.MAX_BYTES),
+                    "a.result.json");
         }
     },
 
@@ -137,13 +143,31 @@ enum Target {
             CheckResult result = CellCheck.run(cell, detections, SHORT);
             Oracle.judge(cell, detections, result);
             CellOverlay.of(result);
-            ResultView read = ResultReader.of(ResultJson.of(result, RECORD), "a.result.json");
+            String json = ResultJson.of(result, RECORD);
+            Oracle.fitsSchema(json);
+            ResultView read = ResultReader.of(json, "a.result.json");
             Oracle.require(read.verdict() == result.verdict(), "another verdict is read than was written");
         }
     };
 
     private static final ResultRecord RECORD = ResultRecord.of("a.json", "0".repeat(64), "0");
-    private static final CheckSettings SHORT = CheckSettings.builder().chains(2).iterations(1000).build();
+    private static final CheckSettings SHORT = CheckSettings.builder().chains(2).iterations(1000)
+            .targetMcseStdRel(0.05).build();
+
+    private final Set<String> readers;
+
+    Target(String... readers) {
+        this.readers = Set.of(readers);
+    }
+
+    /**
+     * Classes that take apart what is in a file, and that are tried here.
+     *
+     * @return their names without what all of them begin with, {@code org.cellgauge.}
+     */
+    public Set<String> readers() {
+        return readers;
+    }
 
     /** Inputs without a fault, of which mutations are made. */
     abstract List<byte[]> corpus(Path root) throws IOException;

@@ -42,6 +42,8 @@ public final class CameraReader {
     private static final String FISHEYE = KannalaBrandtLens.MODEL.modelName();
     private static final int MAX_SYMMETRIC = 5;
     private static final int BORDER_SIDES = 4;
+    /** Largest coefficient of a fisheye, measured in the first one: far beyond any lens, and finite. */
+    private static final int MAX_COEFFICIENT = 1_000_000;
     private static final String SYMMETRIC = "symmetric";
     private static final String SYMMETRIC_EXAMPLE = "symmetric: [1, k1, k2, k3, k4]";
     /** No marker can be read in an image that is narrower, px. */
@@ -217,7 +219,12 @@ public final class CameraReader {
         }
         double first = coefficients.get(0).positive(CellPhrase.COEFFICIENT_OF_ANGLE);
         for (int i = 1; i < coefficients.size(); i++) {
-            k[KannalaBrandtLens.K1 + i - 1] = coefficients.get(i).number(CellPhrase.SYMMETRIC) / first;
+            double coefficient = coefficients.get(i).number(CellPhrase.SYMMETRIC) / first;
+            if (!(Math.abs(coefficient) <= MAX_COEFFICIENT)) {
+                throw coefficients.get(i).refused(CellRefusal.OUT_OF_RANGE, -MAX_COEFFICIENT, MAX_COEFFICIENT,
+                        plain(coefficient), CellPhrase.SYMMETRIC);
+            }
+            k[KannalaBrandtLens.K1 + i - 1] = coefficient;
         }
         k[PinholeCamera.FX] *= first;
         k[PinholeCamera.FY] *= first;

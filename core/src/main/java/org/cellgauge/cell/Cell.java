@@ -96,6 +96,28 @@ public final class Cell {
     }
 
     /**
+     * The same cell with other references.
+     *
+     * @param others markers with a known place, at least one
+     * @return a new cell
+     * @throws IllegalArgumentException if there is none, or an id stands twice in the cell then
+     */
+    public Cell withReferences(List<Reference> others) {
+        return new Cell(camera, family, others, objects, pixelStdPx, targetStdMm, prints, toneCurve);
+    }
+
+    /**
+     * The same cell with other objects.
+     *
+     * @param others markers on objects; may be empty
+     * @return a new cell
+     * @throws IllegalArgumentException if an id stands twice in the cell then
+     */
+    public Cell withObjects(List<ObjectMarker> others) {
+        return new Cell(camera, family, references, others, pixelStdPx, targetStdMm, prints, toneCurve);
+    }
+
+    /**
      * The same cell with another target.
      *
      * @param stdMm largest allowed standard deviation of any axis, mm, positive, or empty for none

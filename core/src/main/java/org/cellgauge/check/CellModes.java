@@ -138,6 +138,9 @@ final class CellModes {
             return camera;
         }
         CameraFit noisier = camera.with(observed.errors.inflated(inflation));
+        if (camera.modes.isEmpty()) {
+            return noisier;
+        }
         List<PoseMode> modes = noisier.finder(camera.view).refined(camera.modes);
         return modes.isEmpty() ? camera : noisier.at(modes);
     }
@@ -348,7 +351,10 @@ final class CellModes {
         }
 
         private CameraFit cameraFit(ReferenceView all, IntrinsicsPrior intrinsics) {
-            CameraFit fit = cameraFitOf(all, intrinsics);
+            CameraFit fit = searched(all, intrinsics);
+            if (fit.modes.isEmpty()) {
+                return asExplained(fit);
+            }
             boolean foreign = foreignReference(fit) >= 0;
             if (settings.model().likelihood() == LikelihoodModel.RIGID_MARKER && Contradiction.isSuspected(fit)) {
                 Contradiction found = Contradiction.of(atNoise(fit, observed));
@@ -367,7 +373,8 @@ final class CellModes {
                 }
                 if (best != null && (foreign || best.cause().isOutright())) {
                     contradiction = found;
-                    return agreeing(fit, intrinsics);
+                    CameraFit explained = found.asExplained();
+                    return explained != null ? explained : agreeing(fit, intrinsics);
                 }
             }
             return foreign ? withoutForeign(fit, intrinsics) : fit;
@@ -391,14 +398,19 @@ final class CellModes {
         }
 
         /**
-         * What the chains of references in contradiction run on, so that they can start at all: those that make sense
-         * together. No figure of theirs is shown, so that none is said to be left out.
+         * What the chains of references in contradiction run on, so that they can start at all, where they are not as
+         * something explains: those that make sense together. No figure of theirs is shown, so that none is said to be
+         * left out.
          */
         private CameraFit agreeing(CameraFit all, IntrinsicsPrior intrinsics) {
             CameraFit fit = all;
             for (int foreign = foreignReference(fit); foreign >= 0 && fit.view.size() > 1;
                     foreign = foreignReference(fit)) {
-                fit = cameraFitOf(without(fit.view, foreign), intrinsics);
+                CameraFit fewer = searched(without(fit.view, foreign), intrinsics);
+                if (fewer.modes.isEmpty()) {
+                    return fit;
+                }
+                fit = fewer;
             }
             return fit;
         }
@@ -422,7 +434,31 @@ final class CellModes {
             return view.only(kept);
         }
 
+        /**
+         * The camera where no pose fits the references as stated, if they are as something explains it: chains have
+         * something to run on, and no figure of theirs is shown.
+         */
+        private CameraFit asExplained(CameraFit unfitted) {
+            if (settings.model().likelihood() == LikelihoodModel.RIGID_MARKER) {
+                contradiction = Contradiction.ofNoPose(atNoise(unfitted, observed));
+            }
+            CameraFit fit = contradiction == null ? null : contradiction.asExplained();
+            if (fit == null) {
+                throw noPose();
+            }
+            return fit;
+        }
+
         private CameraFit cameraFitOf(ReferenceView view, IntrinsicsPrior intrinsics) {
+            CameraFit fit = searched(view, intrinsics);
+            if (fit.modes.isEmpty()) {
+                throw noPose();
+            }
+            return fit;
+        }
+
+        /** The camera from some references; without modes where no pose fits them. */
+        private CameraFit searched(ReferenceView view, IntrinsicsPrior intrinsics) {
             boolean needsPosePrior = settings.model().posePriorAllowed() && PosePrior.isNeededFor(view.size());
             if (worldFromCameraStart != null && !needsPosePrior) {
                 CameraFit fromStart = fitFromStart(view, worldFromCameraStart, intrinsics);
@@ -449,10 +485,7 @@ final class CellModes {
                 RigidTransform other = InitialPose.PNP.estimate(view, cell.camera());
                 modes = other == null ? modes : fit.finder(view).modes(other);
             }
-            if (modes.isEmpty()) {
-                throw noPose();
-            }
-            return fit.at(notNegligible(modes), initial);
+            return modes.isEmpty() ? fit : fit.at(notNegligible(modes), initial);
         }
 
         /** The camera at the modes that the start leads to; null where they leave more unexplained than noise would. */

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
@@ -57,12 +59,15 @@ final class CauseSearch {
     private static final double LEAST_RADIANS = 0.2;
 
     private final CameraFit stated;
+    /** What of chi-square is too much; 0 where no camera pose is known that it could be told of. */
     private final double misfit;
     private final int degrees;
     /** Whether something leaves nothing to explain. */
     private boolean settled;
     private final List<Explanation> found = new ArrayList<>();
     private final List<Trial> trials = new ArrayList<>();
+    /** The camera as each cause that is or is not has it. */
+    private final Map<Explanation, CameraFit> explained = new LinkedHashMap<>();
     /** The one or two poses of each reference in the camera frame, by its corners alone. */
     private final List<List<RigidTransform>> alone = new ArrayList<>();
 
@@ -82,7 +87,7 @@ final class CauseSearch {
     private CauseSearch(CameraFit stated) {
         this.stated = stated;
         degrees = 8 * stated.view.size() - 6;
-        misfit = 2 * stated.mode().halfChiSquare() - degrees;
+        misfit = stated.modes.isEmpty() ? 0 : 2 * stated.mode().halfChiSquare() - degrees;
         double[] observed = stated.view.observedPx();
         for (int m = 0; m < stated.view.size(); m++) {
             List<RigidTransform> poses = new ArrayList<>();
@@ -104,9 +109,9 @@ final class CauseSearch {
      * What explains the misfit best, with what else may.
      *
      * @param stated the camera from references as stated, at a corner noise that the photo does not contradict
-     * @return null where nothing does
+     * @return what was found, without an explanation where nothing explains it
      */
-    static @Nullable Explanation of(CameraFit stated) {
+    static Contradiction of(CameraFit stated) {
         CauseSearch search = new CauseSearch(stated);
         search.discrete();
         // what has nothing to fit and leaves nothing to explain is beaten by nothing that has
@@ -116,18 +121,36 @@ final class CauseSearch {
         if (!search.settled) {
             search.oneElsewhere();
         }
-        search.found.sort(Comparator.comparingDouble(e -> -e.evidence()));
-        if (search.found.isEmpty()) {
-            return null;
+        return search.result();
+    }
+
+    /**
+     * What explains corners that no camera pose fits as the references are stated: only what is or is not, as there is
+     * no pose to start from with what has a size.
+     *
+     * @param stated the camera from references as stated, without modes
+     * @return null where nothing does; otherwise what does, with the camera as it would be if that were so
+     */
+    static @Nullable Contradiction ofNoPose(CameraFit stated) {
+        CauseSearch search = new CauseSearch(stated);
+        search.discrete();
+        return search.found.isEmpty() ? null : search.result();
+    }
+
+    /** That for which most speaks, with what may be instead. */
+    private Contradiction result() {
+        found.sort(Comparator.comparingDouble(e -> -e.evidence()));
+        if (found.isEmpty()) {
+            return Contradiction.UNEXPLAINED;
         }
-        Explanation best = search.found.get(0);
+        Explanation best = found.get(0);
         List<Explanation> others = new ArrayList<>();
-        for (Explanation other : search.found.subList(1, search.found.size())) {
+        for (Explanation other : found.subList(1, found.size())) {
             if (other.evidence() > best.evidence() - ReferenceCheck.DOUBT) {
                 others.add(other);
             }
         }
-        return best.orInstead(others);
+        return new Contradiction(best.orInstead(others), explained.get(best));
     }
 
     // ---- causes that are or are not
@@ -169,8 +192,11 @@ final class CauseSearch {
             CameraFit fit = fit(trial.references, stated.lens, stated.view.observedPx(),
                     trial.start.worldFromCamera(), allowed(degrees) + MARGIN);
             if (fit != null && explains(fit)) {
-                found.add(Explanation.outright(trial.cause.cause(), trial.cause.references(), trial.cause.axis(),
-                        trial.cause.size()[0], trial.cause.evidence() - 2 * fit.mode().halfChiSquare()));
+                Explanation cause = Explanation.outright(trial.cause.cause(), trial.cause.references(),
+                        trial.cause.axis(), trial.cause.size()[0],
+                        trial.cause.evidence() - 2 * fit.mode().halfChiSquare());
+                found.add(cause);
+                explained.put(cause, fit);
             }
         }
     }

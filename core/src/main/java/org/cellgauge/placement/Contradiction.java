@@ -9,12 +9,14 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Contradiction {
     /** Nothing explains it. */
-    public static final Contradiction UNEXPLAINED = new Contradiction(null);
+    public static final Contradiction UNEXPLAINED = new Contradiction(null, null);
 
     private final @Nullable Explanation explanation;
+    private final @Nullable CameraFit asExplained;
 
-    private Contradiction(@Nullable Explanation explanation) {
+    Contradiction(@Nullable Explanation explanation, @Nullable CameraFit asExplained) {
         this.explanation = explanation;
+        this.asExplained = asExplained;
     }
 
     /**
@@ -36,7 +38,18 @@ public final class Contradiction {
      *     explains why they do not
      */
     public static @Nullable Contradiction of(CameraFit stated) {
-        return CauseSearch.isCalledFor(stated) ? new Contradiction(CauseSearch.of(stated)) : null;
+        return CauseSearch.isCalledFor(stated) ? CauseSearch.of(stated) : null;
+    }
+
+    /**
+     * Looks for what explains that no camera pose fits at all.
+     *
+     * @param stated the camera from all references as stated, without modes, at a corner noise that the photo does not
+     *     contradict
+     * @return null where nothing explains it
+     */
+    public static @Nullable Contradiction ofNoPose(CameraFit stated) {
+        return stated.view.size() > 1 ? CauseSearch.ofNoPose(stated) : null;
     }
 
     /**
@@ -46,5 +59,14 @@ public final class Contradiction {
      */
     public @Nullable Explanation explanation() {
         return explanation;
+    }
+
+    /**
+     * The camera as it would be if references were as the explanation has them.
+     *
+     * @return null where nothing is explained, or by something that has a size
+     */
+    public @Nullable CameraFit asExplained() {
+        return asExplained;
     }
 }

@@ -186,6 +186,11 @@ final class DirectionScore {
 
     /** The cause as it fits, given all tests of the photo and their scores. */
     CauseFit fit(List<DirectionScore> tests, PlacementScores scores) {
+        return new CauseFit(explanation(), statistic(), limit(), explanation().std() * timesApart(tests, scores));
+    }
+
+    /** How many times less well its size is told if any one other cause, or other reference, may be the reason. */
+    double timesApart(List<DirectionScore> tests, PlacementScores scores) {
         double nearest = 0;
         for (DirectionScore other : tests) {
             if (!isOfTheSame(other)) {
@@ -193,8 +198,7 @@ final class DirectionScore {
                 nearest = Math.max(nearest, Math.abs(shared) / (sensitivity * other.sensitivity));
             }
         }
-        return new CauseFit(explanation(), statistic(), limit(),
-                explanation().std() / Math.sqrt(Math.max(0, 1 - nearest * nearest)));
+        return 1 / Math.sqrt(Math.max(0, 1 - nearest * nearest));
     }
 
     /** Whether another test is about the same reference or the same cause. */

@@ -97,7 +97,7 @@ public final class ReferenceCheck {
             Reference reference = camera.view.references().get(m);
             fits.add(new ReferenceFit(reference,
                     distance(position, reference.worldFromMarker().translationMm()), scores.chiSquare(m),
-                    named.leftOut.contains(reference.id()), tests));
+                    named.leftOut.contains(reference.id()), tests, scores));
         }
         List<CauseFit> causeFits = new ArrayList<>();
         for (DirectionScore test : tests) {

@@ -1,6 +1,7 @@
 package org.cellgauge.placement;
 
 import java.util.Arrays;
+import java.util.List;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.internal.statistics.ChiSquare;
 
@@ -20,10 +21,11 @@ public final class ReferenceFit {
     private final double[] limit = undefined();
     private final double[] offset = undefined();
     private final double[] offsetStd = undefined();
+    private final double[] apartStd = undefined();
     private final double[] detectable = undefined();
 
     ReferenceFit(Reference reference, double distanceMm, double[] chiSquare, boolean misplaced,
-            Iterable<DirectionScore> tests) {
+            List<DirectionScore> tests, PlacementScores scores) {
         this.reference = reference;
         this.distanceMm = distanceMm;
         this.chiSquare = chiSquare[0];
@@ -36,6 +38,7 @@ public final class ReferenceFit {
                 limit[c] = test.limit();
                 offset[c] = test.offset()[c];
                 offsetStd[c] = test.offsetStd()[c];
+                apartStd[c] = offsetStd[c] * test.timesApart(tests, scores);
                 detectable[c] = test.detectable()[c];
             }
         }
@@ -161,6 +164,16 @@ public final class ReferenceFit {
      */
     public double[] offsetStd() {
         return offsetStd.clone();
+    }
+
+    /**
+     * The same if any one other reference may be off, or one other cause be at work besides: of an offset of several of
+     * these the photo tells whose it is.
+     *
+     * @return a copy; mm, then rad; infinite where something else looks just like it
+     */
+    public double[] apartStd() {
+        return apartStd.clone();
     }
 
     /**

@@ -102,6 +102,9 @@ class CameraReaderTest {
             fault("fisheye of six coefficients", "model: [\\s\\S]*",
                     "model: kannala_brandt\nsymmetric: [1, 0, 0, 0, 0, 0]\n", "line 11, symmetric: ", "1 to 5",
                     "got 6"),
+            fault("fisheye coefficient beyond numbers", "model: [\\s\\S]*",
+                    "model: kannala_brandt\nsymmetric: [0.5, 1e308]\n", "line 11, symmetric[1]: ",
+                    "must be from -1000000 to 1000000", "Infinity"),
             // t (1 - 0.9 t²) has its top at 0.61 rad, 215 px from the middle, well within the image
             fault("fisheye that turns back", "model: [\\s\\S]*", "model: kannala_brandt\nsymmetric: [1, -0.9]\n",
                     "line 11, symmetric: ", "35 degrees", "calibrate again"),

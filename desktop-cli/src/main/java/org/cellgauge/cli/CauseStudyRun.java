@@ -22,8 +22,8 @@ final class CauseStudyRun {
     static final String NONE = "none";
     /** Everything in turn. */
     static final String ALL = "all";
-    /** A cause must show by so many of its standard deviations. */
-    private static final double DEVIATIONS = 5;
+    /** Sizes of causes in their standard deviations: by so many they must show, and twice that. */
+    static final NumberPair DEVIATIONS = new NumberPair(5, 10);
     /** Share of cells in which it must be named first then, and in which anything may be said if nothing is wrong. */
     private static final double NAMED = 0.9;
     private static final double FALSE_ALARMS = 0.01;
@@ -44,17 +44,18 @@ final class CauseStudyRun {
      * Runs the study and prints its table.
      *
      * @param name key of a cause, or {@link #NONE} or {@link #ALL}
+     * @param deviations least and largest size of a cause that has one, in its standard deviations
      * @param marginal whether deviations are those of a cause that is known to be the only one possible
      * @param json whether counts are printed as JSON
      * @param progress told what is done
      * @return the exit code
      */
-    int run(String name, boolean marginal, boolean json, IntConsumer progress) {
+    int run(String name, NumberPair deviations, boolean marginal, boolean json, IntConsumer progress) {
         Map<String, CauseStudy.Figures> figures = new LinkedHashMap<>();
         boolean well = true;
         for (Cause cause : causes(name)) {
-            CauseStudy.Figures of = new CauseStudy(cells, cause, DEVIATIONS, !marginal, check)
-                    .run(simulations, progress);
+            CauseStudy.Figures of = new CauseStudy(cells, cause, deviations.first(), deviations.second(), !marginal,
+                    check).run(simulations, progress);
             figures.put(cause == null ? NONE : cause.key(), of);
             well &= cause == null ? of.alarms() <= FALSE_ALARMS * of.cells() : of.first() >= NAMED * of.cells();
         }

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.cellgauge.cell.InputRefusedException;
@@ -15,8 +14,10 @@ import org.cellgauge.desktop.BatchOutcome;
 import org.cellgauge.desktop.CellFile;
 import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.desktop.CheckText;
+import org.cellgauge.desktop.DrawFiles;
 import org.cellgauge.desktop.InputOutcome;
 import org.cellgauge.desktop.ResultFolder;
+import org.cellgauge.desktop.StopSignal;
 import org.cellgauge.desktop.TextTable;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.internal.warning.Printable;
@@ -43,14 +44,19 @@ import picocli.CommandLine.Spec;
             "  camera-tool | cellgauge check --cell cell.yaml --json -",
             ""},
         footer = {"",
-            "Files in DIR: NAME.result.json, NAME.overlay.png and NAME.chain-K.csv (Stan CSV) of every photo,",
-            "report.html and summary.csv of the run. Results of earlier runs of the same names are replaced.",
+            "Files in DIR: NAME.result.json and NAME.overlay.png of every photo, report.html and summary.csv of the",
+            "run; NAME.chain-K.csv (Stan CSV) of a single photo, or with --draws. What an earlier run left there of",
+            "the same photo, cell and settings is kept; other results of the same names are replaced. Beyond 100",
+            "photos the report has pages.",
             "The table goes to standard output, progress and messages to standard error.",
             "",
             "Exit codes: 0 target met or none set, 1 internal error, 2 usage, 3 input refused or results",
             "not writable, 4 target missed, 5 not converged or pose ambiguous: no figure to trust. Of several",
-            "photos the most serious counts: 1, then 3, 5, 4, 0."})
+            "photos the most serious counts: 1, then 3, 5, 4, 0. Stopped by Ctrl-C 130, by SIGTERM 143: what is",
+            "done by then is in DIR, summary and report included, and the same command does the rest."})
 public final class CheckCommand implements Callable<Integer> {
+    static final String DRAWS = "--draws";
+
     private static final Path DEFAULT_FOLDER = Path.of("cellgauge-out");
 
     @Spec
@@ -85,9 +91,14 @@ public final class CheckCommand implements Callable<Integer> {
                     + "same inputs, settings and, but for its target, the same cell.")
     private boolean rejudge;
 
-    @Option(names = "--no-draws",
-            description = "Leaves out NAME.chain-K.csv, some MB a photo; the other results hold all figures.")
-    private boolean noDraws;
+    @Option(names = "--again",
+            description = "Checks all photos, also those whose results an earlier run left in DIR.")
+    private boolean again;
+
+    @Option(names = DRAWS, negatable = true, fallbackValue = "true",
+            description = "Writes all draws into NAME.chain-K.csv, some MB a photo, or none. Without either: of a "
+                    + "single photo 1000 draws a chain at most and 20 MB in all, of several photos none.")
+    private Boolean draws;
 
     private Stages stages;
 
@@ -103,14 +114,19 @@ public final class CheckCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(),
                     "nothing to check; name photos, a folder of them, or --detections FILE");
         }
+        if (rejudge && again) {
+            throw new ParameterException(spec.commandLine(),
+                    "--rejudge checks nothing anew; leave out --again, or --rejudge");
+        }
         List<Path> read = new ArrayList<>(images);
         read.addAll(detectionsFiles);
         read.add(cellFile);
         StandardInput.requireOnce(spec.commandLine(), read);
         stages = new Stages(main.debug());
+        long start = System.nanoTime();
         try {
             CellFile cell = StandardInput.cellFile(cellFile);
-            stages.end("cell file");
+            stages.add("cell file", (System.nanoTime() - start) * 1e-9);
             boolean files = !json || rejudge || out != null;
             ResultFolder folder = files ? ResultFolder.into(out == null ? DEFAULT_FOLDER : out) : null;
             return run(cell, settings, CheckInput.resolve(StandardInput.kept(images, System.in),
@@ -123,24 +139,48 @@ public final class CheckCommand implements Callable<Integer> {
     private int run(CellFile cell, CheckSettings settings, CheckInput.Inputs inputs, ResultFolder folder) {
         PrintWriter err = spec.commandLine().getErr();
         inputs.remarks().forEach(remark -> err.println(Printable.of(remark)));
-        Printed printed = new Printed(inputs.isBatch());
-        BatchCheck.Builder batch = BatchCheck.of(cell).settings(settings).folder(folder).version(Main.version())
-                .day(Main.day()).words(CommandWords::of).listener(printed)
-                .command(input -> RepeatingCommand.check(cellFile, input, settings));
-        BatchOutcome outcome;
-        try {
-            outcome = (rejudge ? batch.rejudge() : noDraws ? batch.withoutDraws() : batch).build().run(inputs);
-        } catch (ResultFolder.UnwritableException e) {
-            printed.endOfTable();
-            throw e;
-        }
-        printed.end(outcome);
-        if (outcome.reported()) {
-            err.println("Results in " + folder + ": open " + folder.file("report.html"));
-        }
-        stages.print(err);
         err.flush();
+        Printed printed = new Printed(inputs.isBatch());
+        boolean allDraws = Boolean.TRUE.equals(draws);
+        StopSignal stop = new StopSignal();
+        BatchCheck.Builder batch = BatchCheck.of(cell).settings(settings).folder(folder).version(Main.version())
+                .day(Main.day()).words(CommandWords::of).listener(printed).stop(stop)
+                .draws(draws == null ? null : allDraws ? DrawFiles.ALL : DrawFiles.NONE)
+                .command(input -> RepeatingCommand.check(cellFile, input, settings, allDraws));
+        if (rejudge) {
+            batch.rejudge();
+        }
+        if (again) {
+            batch.anew();
+        }
+        StopOnShutdown onShutdown = new StopOnShutdown(stop);
+        try (onShutdown) {
+            BatchOutcome outcome = batch.build().run(inputs);
+            printed.end(outcome);
+            after(outcome, stop.isGiven(), folder);
+            stages.print(err);
+            err.flush();
+        }
         return printed.exitCode;
+    }
+
+    /** What is to be said of a run as a whole, besides its results. */
+    private void after(BatchOutcome outcome, boolean stopped, ResultFolder folder) {
+        PrintWriter err = spec.commandLine().getErr();
+        if (outcome.kept() > 0) {
+            err.println(outcome.kept() + " kept from an earlier run; --again checks "
+                    + (outcome.kept() == 1 ? "it" : "them") + " anew");
+        }
+        String where = Printable.of(outcome.reportFolder().map(Path::toString).orElse(""));
+        if (stopped || outcome.unwritable().isPresent()) {
+            err.println((stopped ? "Stopped: " : "Ended: ") + outcome.done() + " of " + outcome.count()
+                    + " photos are done; " + (where.isEmpty() ? "there is no report of them"
+                            : "summary and report of these are in " + where)
+                    + (folder == null ? "" : ". The same command does the rest."));
+        } else if (!where.isEmpty()) {
+            err.println("Results in " + where + ": open "
+                    + Printable.of(outcome.reportFolder().get().resolve("report.html").toString()));
+        }
     }
 
     /** What a run prints as it goes on, and its exit code. */
@@ -149,25 +189,29 @@ public final class CheckCommand implements Callable<Integer> {
         private final PrintWriter stdout = spec.commandLine().getOut();
         private final PrintWriter err = spec.commandLine().getErr();
         private final TextTable table = new TextTable(2);
+        private final Progress progress;
         /** What to do first, with the photos that say so. */
         private final Map<String, List<String>> actions = new LinkedHashMap<>();
         private int exitCode;
 
         Printed(boolean batch) {
             this.batch = batch;
+            progress = new Progress(err, Main.isTerminal(System.getenv()), Main.columns(System.getenv("COLUMNS")),
+                    System::nanoTime);
             table.row("photo", "verdict", "worst std mm", "of", "R-hat", "draws");
         }
 
         @Override
-        public void stage(String name) {
-            stages.end(name);
+        public void stage(String name, double seconds) {
+            stages.add(name, seconds);
         }
 
         @Override
         public void finished(InputOutcome outcome) {
-            String progress = outcome.word();
+            String words = outcome.word();
+            progress.clear();
             if (outcome.kind() == InputOutcome.Kind.RESULT) {
-                progress += result(outcome);
+                words += result(outcome);
             } else {
                 int code = outcome.kind() == InputOutcome.Kind.REFUSED ? ExitCodes.INPUT_REFUSED
                         : ExitCodes.INTERNAL_ERROR;
@@ -180,9 +224,9 @@ public final class CheckCommand implements Callable<Integer> {
             }
             stdout.flush();
             if (batch) {
-                err.printf(Locale.ROOT, "[%d/%d] %s: %s (%.2f s)%n", outcome.number(), outcome.count(),
-                        Printable.of(outcome.input().name()), progress, outcome.seconds());
-                err.flush();
+                progress.done(outcome, words);
+            } else if (outcome.everyDraw() > 1) {
+                err.println("Files of draws hold every " + outcome.everyDraw() + ". draw; " + DRAWS + " writes all");
             }
         }
 
@@ -210,46 +254,37 @@ public final class CheckCommand implements Callable<Integer> {
             return shown ? ", worst std " + std + " mm" : "";
         }
 
-        /** Ends what is printed as data, also where the run cannot go on. */
-        void endOfTable() {
-            if (!json && batch) {
-                stdout.print(table.text(""));
-            }
-            stdout.flush();
-        }
-
         void end(BatchOutcome outcome) {
-            endOfTable();
+            progress.clear();
             if (batch && !json) {
+                stdout.print(table.text(""));
                 stdout.println(outcome.total());
                 actions.forEach((action, photos) -> stdout.print(CheckText.wrap("  " + Listing.and(photos) + ": "
                         + action, "    ")));
-                stdout.flush();
             }
+            stdout.flush();
+            outcome.unwritable().ifPresent(e -> exitCode = ExitCodes.moreSerious(exitCode, main.report(e,
+                    ExitCodes.INPUT_REFUSED, spec.commandLine())));
         }
     }
 
-    /** How long the stages of a run take, for --debug. */
+    /** How long the stages of a run take, all threads together, for --debug. */
     private static final class Stages {
         private final boolean wanted;
-        private final Map<String, Long> nanoseconds = new LinkedHashMap<>();
-        private long last;
+        private final Map<String, Double> seconds = new LinkedHashMap<>();
 
         Stages(boolean wanted) {
             this.wanted = wanted;
-            last = System.nanoTime();
         }
 
-        void end(String stage) {
-            long now = System.nanoTime();
-            nanoseconds.merge(stage, now - last, Long::sum);
-            last = now;
+        void add(String stage, double stageSeconds) {
+            seconds.merge(stage, stageSeconds, Double::sum);
         }
 
         void print(PrintWriter err) {
             if (wanted) {
                 List<String> parts = new ArrayList<>();
-                nanoseconds.forEach((stage, ns) -> parts.add(stage + " " + Math.round(ns * 1e-6) + " ms"));
+                seconds.forEach((stage, s) -> parts.add(stage + " " + Math.round(s * 1e3) + " ms"));
                 err.println("Time: " + String.join(", ", parts));
             }
         }

@@ -29,6 +29,8 @@ final class CommandWords {
             entry(FolderRefusal.OUT_NOT_MADE, "this folder cannot be made or is gone; name another with --out"),
             entry(FolderRefusal.OUT_NOT_WRITTEN,
                     "results cannot be written (%s); free space or name another folder with --out"),
+            entry(FolderRefusal.OUT_IN_USE, "another run writes its results here (%s); wait for its end, or name "
+                    + "another folder with --out"),
             entry(FolderRefusal.RESULT_NOT_WRITTEN, "its result cannot be written (%s); give the input another name, "
                     + "or name another folder with --out"),
             entry(BatchRefusal.NOT_STORED, "no result of this input is in %s; check it without --rejudge first, or "

@@ -95,6 +95,34 @@ final class CoverageStudyRun {
                 CheckText.plain(sensor.exposure()), meanSidePx(cell, seen), check.sampling().seed()));
     }
 
+    /**
+     * Corners drawn of one cell, some of them far off.
+     *
+     * @param prior of the truths of the cell
+     * @param pixelStdPx standard deviation of the noise of the others, px
+     * @param json whether figures are printed as JSON
+     * @param progress told what is done
+     * @return the exit code
+     */
+    int drawnCorners(TruthPrior prior, double pixelStdPx, boolean json, IntConsumer progress) {
+        Map<String, Object> settings = study.plain();
+        settings.put("simulated_pixel_std_px", pixelStdPx);
+        addTruth(settings, prior.cell(), prior.nominal(), prior);
+        addPoses(settings, prior.nominal());
+        return print(run(OneCell.of(prior), withOutliers(DrawnCorners.of(pixelStdPx)), progress), settings, json,
+                String.format(Locale.ROOT, "one cell, corners drawn with %s px%s, seed %d",
+                        CheckText.plain(pixelStdPx), outliers(), check.sampling().seed()));
+    }
+
+    private DrawnCorners withOutliers(DrawnCorners corners) {
+        return study.get(StudyTable.OUTLIERS).map(of -> corners.withOutliers(of.first(), of.second())).orElse(corners);
+    }
+
+    private String outliers() {
+        return study.get(StudyTable.OUTLIERS).map(of -> ", " + CheckText.plain(100 * of.first())
+                + " % of them off by " + CheckText.plain(of.second()) + " deviations").orElse("");
+    }
+
     // ---- random layouts
 
     int randomLayouts(boolean json, IntConsumer progress) {
@@ -118,9 +146,9 @@ final class CoverageStudyRun {
             OptionalDouble px = study.get(StudyTable.PIXEL_STD_PX);
             cells = px.isEmpty() ? RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY)
                     : RandomLayouts.withNoise(MarkerFamily.SQUARE_BINARY, px);
-            detections = DrawnCorners.asStated();
+            detections = withOutliers(DrawnCorners.asStated());
             settings.put("simulated_pixel_std_px", px.isEmpty() ? "drawn" : px.getAsDouble());
-            what = "a layout for each, corners drawn with the stated noise";
+            what = "a layout for each, corners drawn with the stated noise" + outliers();
         }
         return print(run(cells, detections, progress), settings, json, what + ", seed " + check.sampling().seed());
     }

@@ -33,8 +33,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /** Entry point of the command {@code cellgauge}. */
 @Command(name = "cellgauge", mixinStandardHelpOptions = true, versionProvider = Main.Version.class,
         description = "Honest uncertainties of camera and object poses in a robot cell.",
-        subcommands = {CheckCommand.class, SimulateCommand.class, CalibrateCommand.class, ValidateCommand.class,
-            FamiliesCommand.class, CommandLine.HelpCommand.class},
+        subcommands = {CheckCommand.class, PlanCommand.class, CalibrateCommand.class, SimulateCommand.class,
+            ValidateCommand.class, FamiliesCommand.class, CommandLine.HelpCommand.class},
         footer = {"", "A first call, from a clone:",
             "  cellgauge check --cell fixtures/lifted-4/cell.yaml \\",
             "      fixtures/lifted-4/photo.png",
@@ -186,8 +186,13 @@ public final class Main implements Callable<Integer> {
 
     /** Columns of help for what the environment says of the terminal's, which may be null or no number. */
     static int helpWidth(String columns) {
+        return Math.max(NARROWEST, Math.min(HELP_WIDTH, columns(columns)));
+    }
+
+    /** Columns of the terminal for what the environment says of them, which may be null or no number. */
+    static int columns(String columns) {
         try {
-            return Math.max(NARROWEST, Math.min(HELP_WIDTH, Integer.parseInt(columns)));
+            return Math.max(NARROWEST, Integer.parseInt(columns));
         } catch (NumberFormatException e) {
             return HELP_WIDTH;
         }
@@ -196,8 +201,17 @@ public final class Main implements Callable<Integer> {
     /** Whether colours are shown: by a terminal that can, where the user has not asked for none. */
     static CommandLine.Help.Ansi ansi(Map<String, String> environment) {
         // picocli asks for a terminal itself, but takes a dumb one for able
-        return environment.containsKey("NO_COLOR") || "dumb".equals(environment.get("TERM"))
-                ? CommandLine.Help.Ansi.OFF : CommandLine.Help.Ansi.AUTO;
+        return environment.containsKey("NO_COLOR") || isDumb(environment) ? CommandLine.Help.Ansi.OFF
+                : CommandLine.Help.Ansi.AUTO;
+    }
+
+    /** Whether standard error is a terminal on which a line can be rewritten; the start script knows, Java does not. */
+    static boolean isTerminal(Map<String, String> environment) {
+        return Boolean.getBoolean("cellgauge.terminal") && !isDumb(environment);
+    }
+
+    private static boolean isDumb(Map<String, String> environment) {
+        return "dumb".equals(environment.get("TERM"));
     }
 
     private static void examplesFirst(CommandLine command) {

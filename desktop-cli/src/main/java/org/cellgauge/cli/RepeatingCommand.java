@@ -29,11 +29,15 @@ final class RepeatingCommand {
      * @param cellFile as named by the user
      * @param input what was checked
      * @param settings how
+     * @param allDraws whether all draws were asked for
      * @return one line for a POSIX shell in the folder that the files are named from
      */
-    static String check(Path cellFile, CheckInput input, CheckSettings settings) {
+    static String check(Path cellFile, CheckInput input, CheckSettings settings, boolean allDraws) {
         List<String> words = new ArrayList<>(List.of("cellgauge", "check", "--cell", file(cellFile)));
         addTold(words, SettingTable.all(), settings, CheckOptions.OfCheck.USUAL);
+        if (allDraws) {
+            words.add(CheckCommand.DRAWS);
+        }
         if (input.isDetections()) {
             words.add("--detections");
         }

@@ -30,6 +30,7 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.light.ToneCurve;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -69,24 +70,8 @@ public final class SimulateCommand implements Callable<Integer> {
                     + "to be seen; the others stay out of the photo.")
     private List<String> objects = new ArrayList<>();
 
-    @Option(names = "--camera-pose", paramLabel = "X,Y,Z,PSI,THETA,PHI", converter = PoseArgument.Converter.class,
-            preprocessor = PoseArgument.MayBeNegative.class,
-            description = "Pose of the camera in the world, mm and degrees. Without it the camera looks straight at "
-                    + "the plane z = 0, from where all markers fit.")
-    private PoseArgument cameraPose;
-
-    @Option(names = "--look-at", paramLabel = "X,Y,Z", preprocessor = PoseArgument.MayBeNegative.class,
-            description = "Point that the camera looks at, in the world, mm, in place of --camera-pose; up in the "
-                    + "image is up in the world, or y where it looks straight down.")
-    private String lookAt;
-
-    @Option(names = "--camera-position", paramLabel = "X,Y,Z", preprocessor = PoseArgument.MayBeNegative.class,
-            description = "With --look-at: where the camera stands, in the world, mm.")
-    private String cameraPosition;
-
-    @Option(names = "--distance", paramLabel = "MM",
-            description = "With --look-at, in place of --camera-position: straight above the point, so far from it.")
-    private Double distanceMm;
+    @Mixin
+    private Viewpoint viewpoint = new Viewpoint();
 
     @Option(names = "--camera-jitter", paramLabel = "MM,DEG", defaultValue = "0,0",
             preprocessor = PoseArgument.MayBeNegative.class,
@@ -219,15 +204,14 @@ public final class SimulateCommand implements Callable<Integer> {
         if (name.isEmpty() || name.startsWith(".") || name.contains("/") || name.contains("\\")) {
             throw usage("--name: '" + name + "' is no file name; folders go to --out");
         }
-        requireOneViewpoint();
+        viewpoint.requireOne(spec.commandLine());
         Map<Integer, RigidTransform> poses = ObjectPoses.parse(spec.commandLine(), objects);
         PrintWriter err = spec.commandLine().getErr();
         try {
             Cell cell = StandardInput.cell(cellFile);
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, poses);
             PhotoOptions.requirePrintable(spec.commandLine(), cell, printGainMm);
-            RigidTransform camera = lookAt != null ? lookingAt() : cameraPose != null ? cameraPose.pose()
-                    : CellSimulation.overview(cell, poses);
+            RigidTransform camera = viewpoint.pose(spec.commandLine(), cell, poses);
             if (Files.exists(out) && !Files.isDirectory(out)) {
                 throw usage("--out: " + out + " is a file, not a folder");
             }
@@ -280,46 +264,6 @@ public final class SimulateCommand implements Callable<Integer> {
             }
         }
         err.flush();
-    }
-
-    private void requireOneViewpoint() {
-        if (lookAt == null && (cameraPosition != null || distanceMm != null)) {
-            throw usage((cameraPosition != null ? "--camera-position" : "--distance")
-                    + " needs the point to look at: give --look-at, too");
-        }
-        if (lookAt != null && cameraPose != null) {
-            throw usage("--look-at and --camera-pose both say where the camera looks: leave out one of them");
-        }
-        if (lookAt != null && (cameraPosition == null) == (distanceMm == null)) {
-            throw usage("--look-at: say from where, with either --camera-position X,Y,Z or --distance MM");
-        }
-        if (distanceMm != null && !(distanceMm > 0 && Double.isFinite(distanceMm))) {
-            throw usage("--distance: must be positive, not " + distanceMm);
-        }
-    }
-
-    private RigidTransform lookingAt() {
-        double[] target = point("--look-at", lookAt);
-        double[] from = cameraPosition != null ? point("--camera-position", cameraPosition)
-                : new double[] {target[0], target[1], target[2] + distanceMm};
-        try {
-            return CellSimulation.lookingAt(from, target);
-        } catch (IllegalArgumentException e) {
-            throw usage("--look-at: " + e.getMessage());
-        }
-    }
-
-    private double[] point(String option, String text) {
-        String[] parts = text.split(",", -1);
-        try {
-            double[] point = Arrays.stream(parts).mapToDouble(part -> Double.parseDouble(part.trim())).toArray();
-            if (point.length == 3 && Arrays.stream(point).allMatch(Double::isFinite)) {
-                return point;
-            }
-        } catch (NumberFormatException e) {
-            // said below
-        }
-        throw usage(option + ": '" + text.trim() + "' is not X,Y,Z in mm, as in 250,190,0");
     }
 
     private Sensor sensor() {

@@ -67,11 +67,8 @@ final class StandardInput {
      * @throws InputRefusedException if it is faulty
      */
     static CellFile cellFile(Path file) {
-        if (!is(file)) {
-            return CellFile.read(file);
-        }
-        String text = cellText();
-        return CellFile.of(WORD, cell(text), text);
+        return is(file) ? CellFile.of(WORD, InputFiles.bytes(System.in, WORD.toString(), CellPhrase.CELL_FILE,
+                MAX_CELL_BYTES)) : CellFile.read(file);
     }
 
     private static String cellText() {

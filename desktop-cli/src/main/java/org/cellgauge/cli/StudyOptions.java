@@ -84,6 +84,9 @@ final class StudyOptions {
             return name + " is the noise of drawn corners; with --photos it is the detector's: leave it out, or say "
                     + "what the check is told with " + SettingOptions.name(StudyTable.STATED_PIXEL_STD_PX);
         }
+        if (row == StudyTable.OUTLIERS) {
+            return name + " draws corners, and with --photos the detector finds them: leave it out";
+        }
         return row == StudyTable.SPREAD ? "--random-layouts makes its own cells: leave out " + name
                 : name + " is about photos: give --photos, too";
     }

@@ -51,6 +51,17 @@ final class StudyTable {
             .in("px").where(settings -> !settings.get(PHOTOS)).within(StudyTable::positive,
                     SettingRefusal.NOT_POSITIVE_IN, "px");
 
+    /** Corners that are far off: their share, and by how many deviations of the corner noise. */
+    static final Setting<Optional<NumberPair>> OUTLIERS = Setting.of("outliers",
+            SettingForm.of("SHARE,DEVIATIONS", text -> Optional.of(pair(text, StudyRefusal.NO_OUTLIERS)),
+                    pair -> pair.map(NumberPair::toString).orElse(null),
+                    pair -> pair.map(NumberPair::toString).orElse("")), Optional.<NumberPair>empty(),
+            "Corners that are far off, as by a smudge or a glint: which share of all, and by how many deviations of the "
+                    + "corner noise, in any direction; ranks are not counted then")
+            .usually("none").where(settings -> !settings.get(PHOTOS))
+            .within(pair -> pair.isEmpty() || pair.get().first() >= 0 && pair.get().first() <= 1
+                    && pair.get().second() >= 0, StudyRefusal.OUTLIERS_OUT_OF_RANGE);
+
     /** Whether the grid of photos is gone through. */
     static final Setting<Boolean> GRID = Setting.of("grid", SettingForm.flag(), false,
             "With --photos: a row for each combination of tone curve, blur, size of markers and exposure, and some "
@@ -157,7 +168,7 @@ final class StudyTable {
                     + "--random-layouts: auto)")
             .named("state-pixel-std").where(StudyTable::ofPhotos);
 
-    private static final List<Setting<?>> ALL = List.of(SIMULATIONS, SPREAD, PIXEL_STD_PX, PHOTOS, RANDOM_LAYOUTS,
+    private static final List<Setting<?>> ALL = List.of(SIMULATIONS, SPREAD, PIXEL_STD_PX, OUTLIERS, PHOTOS, RANDOM_LAYOUTS,
             GRID, CORNERS_ONLY, TONE_CURVE, BLUR_PX, MARKER_PX, EXPOSURE, JPEG_QUALITY, UNSHARP, PRINT_GAIN_MM,
             GRADIENT, NOISE_GREY, FULL_WELL_ELECTRONS, STATED_PIXEL_STD_PX);
 

@@ -43,6 +43,7 @@ import picocli.CommandLine.Spec;
             "  cellgauge validate --photos --grid --cell cell.yaml \\",
             "      --simulations 400 --out grid.md",
             "  cellgauge validate --random-layouts --simulations 400",
+            "  cellgauge validate --cell cell.yaml --outliers 0.05,20",
             "  cellgauge validate --random-layouts --cause all --simulations 300",
             "  cellgauge validate --calibration --simulations 400",
             ""},
@@ -62,7 +63,8 @@ public final class ValidateCommand implements Callable<Integer> {
     /** Noise of corners where none is given: that of a sharp photo as cameras compress it, px. */
     private static final double CALIBRATION_STD_PX = 0.2;
     /** Options besides settings on which figures depend. */
-    private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only", "--cause", "--alone");
+    private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only", "--cause", "--alone",
+            "--deviations");
 
     @Spec
     private CommandSpec spec;
@@ -87,9 +89,13 @@ public final class ValidateCommand implements Callable<Integer> {
 
     @Option(names = "--cause", paramLabel = "NAME|none|all",
             description = "Counts how often what is wrong with a cell is named, in cells stated or photographed wrong "
-                    + "in that way, by 5 to 10 standard deviations where it has a size (those with any one other cause "
-                    + "allowed for); none: in how many right ones anything is said. No chains are run.")
+                    + "in that way, by --deviations where it has a size; none: in how many right ones anything is said. No chains are run.")
     private String cause;
+
+    @Option(names = "--deviations", paramLabel = "LEAST,MOST",
+            description = "With --cause: how large a cause that has a size is, uniform between so many of its standard "
+                    + "deviations, those with any one other cause allowed for. Default: 5,10")
+    private String deviations;
 
     @Option(names = "--alone",
             description = "With --cause: deviations are those of a cause that is known to be the only one possible.")
@@ -150,6 +156,9 @@ public final class ValidateCommand implements Callable<Integer> {
             }
             TruthPrior prior = prior(cell, nominal);
             ValidationSettings settings = settings(cell);
+            if (study.get(StudyTable.OUTLIERS).isPresent()) {
+                return studyRun().drawnCorners(prior, settings.pixelStdPx(), json, this::progress);
+            }
             ValidationResult result = Validation.run(prior, settings, this::progress);
             ValidationText text = new ValidationText(prior, settings, result);
             PrintWriter out = spec.commandLine().getOut();
@@ -173,18 +182,30 @@ public final class ValidateCommand implements Callable<Integer> {
     }
 
     private int causes(CellSource cells) {
-        return new CauseStudyRun(spec.commandLine(), cells, check, study.simulations()).run(cause, alone, json,
-                this::progress);
+        return new CauseStudyRun(spec.commandLine(), cells, check, study.simulations()).run(cause, deviations(), alone,
+                json, this::progress);
+    }
+
+    private NumberPair deviations() {
+        NumberPair pair = deviations == null ? CauseStudyRun.DEVIATIONS : NumberPair.of(deviations).orElseThrow(
+                () -> new ParameterException(spec.commandLine(), "--deviations: '" + deviations
+                        + "' is not two numbers, such as 5,10"));
+        if (!(pair.first() > 0 && pair.second() >= pair.first())) {
+            throw new ParameterException(spec.commandLine(), "--deviations: must be positive, the larger one last");
+        }
+        return pair;
     }
 
     private void requireCornersForCauses() {
-        if (cause == null && alone) {
-            throw new ParameterException(spec.commandLine(), "--alone is about --cause: give that, too");
+        String without = cause != null ? null : alone ? "--alone" : deviations != null ? "--deviations" : null;
+        if (without != null) {
+            throw new ParameterException(spec.commandLine(), without + " is about --cause: give that, too");
         }
         boolean noise = study.get(StudyTable.PIXEL_STD_PX).isPresent();
-        if (cause != null && (study.photos() || noise)) {
+        boolean outliers = study.get(StudyTable.OUTLIERS).isPresent();
+        if (cause != null && (study.photos() || noise || outliers)) {
             throw new ParameterException(spec.commandLine(), "--cause draws corners with the noise that cells state: "
-                    + "leave out " + (study.photos() ? "--photos" : "--pixel-std"));
+                    + "leave out " + (study.photos() ? "--photos" : noise ? "--pixel-std" : "--outliers"));
         }
     }
 

@@ -723,7 +723,7 @@ class CheckCommandTest {
         check("--detections", corners, "--iterations", 100, "--out", out);
         BufferedImage with = ImageIO.read(out.resolve("corners.overlay.png").toFile());
         Files.delete(folder.resolve("none.png"));
-        check("--detections", corners, "--iterations", 100, "--out", out);
+        check("--detections", corners, "--iterations", 100, "--again", "--out", out);
         BufferedImage without = ImageIO.read(out.resolve("corners.overlay.png").toFile());
         int differing = 0;
         for (int y = 0; y < with.getHeight(); y++) {

@@ -171,13 +171,15 @@ class RepeatingCommandTest {
         others.put(StudyTable.NOISE_GREY, "3");
         others.put(StudyTable.FULL_WELL_ELECTRONS, "10000");
         others.put(StudyTable.STATED_PIXEL_STD_PX, "auto");
-        Set<Setting<?>> alone = Set.of(StudyTable.GRID, StudyTable.RANDOM_LAYOUTS, StudyTable.PIXEL_STD_PX);
+        Set<Setting<?>> alone = Set.of(StudyTable.GRID, StudyTable.RANDOM_LAYOUTS, StudyTable.PIXEL_STD_PX,
+                StudyTable.OUTLIERS);
         Set<Setting<?>> tried = new HashSet<>(others.keySet());
         tried.addAll(alone);
         assertEquals(new HashSet<>(StudyTable.all()), tried, "a new setting is tried here, too");
         toldAndReadBack(others);
         toldAndReadBack(Map.of(StudyTable.PHOTOS, "true", StudyTable.GRID, "true"));
         toldAndReadBack(Map.of(StudyTable.RANDOM_LAYOUTS, "true", StudyTable.PIXEL_STD_PX, "0.2"));
+        toldAndReadBack(Map.of(StudyTable.OUTLIERS, "0.05,20"));
     }
 
     private static void toldAndReadBack(Map<Setting<?>, String> texts) {
@@ -221,6 +223,7 @@ class RepeatingCommandTest {
     @Test
     void awkwardNamesOfFilesAreWrittenSoThatTheyAreFound() {
         assertEquals("cellgauge check --cell 'my cell.yaml' ./-photo.png", RepeatingCommand.check(
-                Path.of("my cell.yaml"), new CheckInput(Path.of("-photo.png"), false, "-photo", null), USUAL));
+                Path.of("my cell.yaml"), new CheckInput(Path.of("-photo.png"), false, "-photo", null), USUAL,
+                false));
     }
 }

@@ -1,74 +1,59 @@
 package org.cellgauge.desktop;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.OutputStreamWriter;
-import java.io.Writer;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.ArrayDeque;
 import java.util.Collections;
-import java.util.HashSet;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
-import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReadWriteLock;
+import java.util.concurrent.locks.ReentrantReadWriteLock;
 import java.util.function.Function;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.InputRefusedException;
-import org.cellgauge.check.CellCheck;
-import org.cellgauge.check.CheckResult;
-import org.cellgauge.internal.cell.InputChecks;
-import org.cellgauge.internal.output.StanCsv;
-import org.cellgauge.internal.overlay.CellOverlay;
-import org.cellgauge.internal.overlay.OverlayStyle;
 import org.cellgauge.internal.vision.BoofThreads;
-import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.CellView;
-import org.cellgauge.output.ResultJson;
-import org.cellgauge.output.ResultReader;
-import org.cellgauge.output.ResultRecord;
-import org.cellgauge.output.ResultView;
-import org.cellgauge.output.StoredResult;
 import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.settings.SamplerKind;
-import org.cellgauge.settings.SettingTable;
-import org.cellgauge.vision.BoofMarkerDetector;
-import org.cellgauge.vision.Detections;
-import org.cellgauge.vision.DetectionsFile;
-import org.cellgauge.vision.GreyImage;
-import org.cellgauge.vision.MarkerDetector;
-import org.cellgauge.vision.MarkerObservation;
 import org.cellgauge.warning.Message;
-import org.cellgauge.warning.Place;
-import org.cellgauge.warning.Refusal;
-import org.cellgauge.warning.Warning;
 
 /**
- * Checks photos and detections files of one cell, one after the other, and writes what it finds into a folder: result
- * file, overlay and draws of each, summary and report of all. One input that cannot be used does not cost the others
- * their results.
+ * Checks photos and detections files of one cell, several at once, and writes what it finds into a folder: result file,
+ * overlay and draws of each, summary and report of all. One input that cannot be used does not cost the others their
+ * results; what an earlier run left of the same is kept; a run that ends early leaves summary and report of what was
+ * done. However many inputs there are, the memory holds a few of them at a time.
  *
- * <p>Same inputs, cell, settings and day: same bytes.
+ * <p>Same inputs, cell, settings and day: same bytes, whatever the number of threads.
  */
 public final class BatchCheck {
+    /** How far the threads may be ahead of the first input that is not done, in inputs for each. */
+    private static final int AHEAD = 4;
+    private static final int LARGE_PICTURE_PX = 1280;
+    private static final int MEDIUM_PICTURE_PX = 640;
+    private static final int SMALL_PICTURE_PX = 320;
+    private static final String SUMMARY = "summary.csv";
+    private static final int FEW = 24;
+    private static final int MANY = 200;
+
     private final Builder with;
     private final Cell cell;
-    private final CheckSettings settings;
     private final OptionalDouble targetStdMm;
-    private MarkerDetector detector;
 
     private BatchCheck(Builder builder) {
         with = builder;
-        settings = builder.settings;
-        targetStdMm = settings.model().targetStdMm().isPresent() ? settings.model().targetStdMm()
-                : builder.cellFile.cell().targetStdMm();
+        OptionalDouble asked = builder.settings.model().targetStdMm();
+        targetStdMm = asked.isPresent() ? asked : builder.cellFile.cell().targetStdMm();
         cell = builder.cellFile.cell().withTarget(targetStdMm);
     }
 
@@ -93,7 +78,9 @@ public final class BatchCheck {
         private Function<CheckInput, String> command = input -> null;
         private BatchListener listener = outcome -> { };
         private boolean storedOnly;
-        private boolean withDraws = true;
+        private boolean anew;
+        private DrawFiles draws;
+        private StopSignal stop = new StopSignal();
 
         private Builder(CellFile cellFile) {
             this.cellFile = cellFile;
@@ -177,12 +164,35 @@ public final class BatchCheck {
         }
 
         /**
-         * Leaves out the files of draws, some megabytes of each input.
+         * Sets which draws are written into files.
+         *
+         * @param value where none is set, a bounded number for a single input, and none of a folder or list
+         * @return this
+         */
+        public Builder draws(DrawFiles value) {
+            draws = value;
+            return this;
+        }
+
+        /**
+         * Checks all inputs anew. Otherwise results that the folder holds of the same bytes, cell, settings and version
+         * are kept, and held against the target as it is now.
          *
          * @return this
          */
-        public Builder withoutDraws() {
-            withDraws = false;
+        public Builder anew() {
+            anew = true;
+            return this;
+        }
+
+        /**
+         * Sets what ends the batch early.
+         *
+         * @param value when it is given, what is done is written, and the batch ends
+         * @return this
+         */
+        public Builder stop(StopSignal value) {
+            stop = value;
             return this;
         }
 
@@ -211,317 +221,218 @@ public final class BatchCheck {
         }
     }
 
-    /** What was found in one input, its markers and its picture, which may be null. */
-    private record Found(Detections detections, GreyImage photo, String sha256) {
-    }
-
-    /** A result to write; what the chains drew is null where nothing was sampled. */
-    private record Result(StoredResult stored, CheckResult sampled, Found found) {
-    }
-
-    /** The overlay as its own file, and smaller for the report. */
-    private record Picture(byte[] png, byte[] jpeg) {
+    /** What the work on each input of a run needs to know. */
+    record Plan(CellFile cellFile, Cell cell, OptionalDouble targetStdMm, CheckSettings settings, ResultFolder folder,
+            String version, String day, Function<? super Message, String> words, Function<CheckInput, String> command,
+            DrawFiles draws, boolean drawsUnwanted, boolean storedOnly, boolean anew, StopSignal stop, int count) {
+        /** Reports of many photos must stay small enough to open. */
+        int reportWidthPx() {
+            return count <= FEW ? LARGE_PICTURE_PX : count <= MANY ? MEDIUM_PICTURE_PX : SMALL_PICTURE_PX;
+        }
     }
 
     /**
      * Checks inputs.
      *
      * @param inputs what to check
-     * @return what became of all
-     * @throws ResultFolder.UnwritableException if results cannot be written: a batch has no use in going on then
+     * @return what became of all, also where the folder took no more at some point: the batch ends there
+     * @throws ResultFolder.UnwritableException if the folder takes nothing from the beginning, or another run has it
      */
     public BatchOutcome run(CheckInput.Inputs inputs) {
         BoofThreads.useOne();
-        return new Run(inputs).all();
-    }
-
-    /** The line about a whole batch. */
-    static String total(int count, Map<String, Integer> byWord) {
-        List<String> parts = new ArrayList<>();
-        byWord.forEach((word, number) -> parts.add(number + " " + word));
-        return (count == 1 ? "1 photo: " : count + " photos: ") + String.join(", ", parts);
-    }
-
-    // ---- one input
-
-    private Result one(CheckInput input) {
-        if (input.refusal() != null) {
-            throw new InputRefusedException(input.file().toString(), input.refusal());
+        if (with.folder == null) {
+            return new Run(inputs).all();
         }
-        return with.storedOnly ? rejudged(input) : checked(input);
-    }
-
-    private Result checked(CheckInput input) {
-        Found found = found(input);
-        CheckResult result = CellCheck.run(with.cellFile.cell(), found.detections(), settings);
-        with.listener.stage("check");
-        return new Result(new StoredResult(ResultView.of(result, with.words),
-                record(input, found.sha256())), result, found);
-    }
-
-    private Found found(CheckInput input) {
-        GreyImage photo;
-        Detections detections;
-        String name = input.file().toString();
-        byte[] bytes = input.isDetections() ? DetectionsFile.bytes(input.file()) : ImageFiles.bytes(input.file());
-        if (input.isDetections()) {
-            detections = withRemarks(DetectionsFile.read(bytes, name));
-            InputChecks.imageSize(cell, detections.widthPx(), detections.heightPx(), name);
-            with.listener.stage("detections file");
-            photo = photoBeside(input.file(), detections);
-        } else {
-            photo = ImageFiles.decode(bytes, name, (width, height) -> InputChecks.imageSize(cell, width, height, name));
-            with.listener.stage("image file");
-            if (detector == null) {
-                detector = BoofMarkerDetector.forCell(cell);
-            }
-            detections = detector.detect(photo, name);
-            with.listener.stage("detection");
+        ResultFolder.Hold hold = with.folder.hold();
+        try (hold; Run run = new Run(inputs)) {
+            return run.all();
         }
-        return new Found(detections, photo, Sha256.of(bytes));
-    }
-
-    private ResultRecord record(CheckInput input, String sha256) {
-        Path name = input.file().getFileName();
-        return with.cellFile.in(ResultRecord.of(name == null ? input.file().toString() : name.toString(), sha256,
-                with.version)).withDate(with.day).withCommand(with.command.apply(input));
-    }
-
-    /** A stored result as the target of now judges it. */
-    private Result rejudged(CheckInput input) {
-        Found found = found(input);
-        String file = input.file().toString();
-        Path path = with.folder.file(resultFile(input));
-        if (!Files.exists(path)) {
-            throw new InputRefusedException(file, BatchRefusal.NOT_STORED, with.folder.toString());
-        }
-        StoredResult stored = ResultReader.stored(path);
-        ResultView view = stored.view();
-        if (!found.sha256().equals(stored.record().inputSha256())) {
-            throw new InputRefusedException(file, BatchRefusal.OTHER_INPUT);
-        }
-        if (!CellView.of(cell).equals(view.cell())) {
-            throw new InputRefusedException(file, BatchRefusal.OTHER_CELL);
-        }
-        if (!sampledAs(view).equals(view.run().settings().toBuilder()
-                .set(SettingTable.TARGET_STD_MM, OptionalDouble.empty()).build())) {
-            throw new InputRefusedException(file, BatchRefusal.OTHER_SETTINGS);
-        }
-        with.listener.stage("stored result");
-        ResultView judged = view.withTarget(targetStdMm);
-        ResultRecord record = with.cellFile.in(stored.record()).withCommand(with.command.apply(input));
-        if (!judged.equals(view)) {
-            record = record.withJudgedOn(with.day);
-        }
-        return new Result(new StoredResult(judged, record), null, found);
-    }
-
-    /** The settings of now as a result made with them holds them, but for the target. */
-    private CheckSettings sampledAs(ResultView view) {
-        CheckSettings.Builder builder = settings.toBuilder()
-                .set(SettingTable.TARGET_STD_MM, OptionalDouble.empty())
-                .set(SettingTable.THREADS, SettingTable.THREADS.usual());
-        for (SamplerKind kind : SamplerKind.values()) {
-            if (kind.word().equals(view.run().samplerUsed())) {
-                builder.warmup(settings.sampling().warmup(kind));
-            }
-        }
-        return builder.build();
-    }
-
-    /** Markers that the cell does not know are of no use, and often a sign of the wrong cell file. */
-    private Detections withRemarks(Detections detections) {
-        Set<Integer> known = new HashSet<>();
-        cell.references().forEach(r -> known.add(r.id()));
-        cell.objects().forEach(o -> known.add(o.id()));
-        List<Integer> foreign = new ArrayList<>();
-        for (MarkerObservation marker : detections.markers()) {
-            if (!known.contains(marker.id())) {
-                foreign.add(marker.id());
-            }
-        }
-        if (foreign.isEmpty()) {
-            return detections;
-        }
-        List<Warning> warnings = new ArrayList<>(detections.warnings());
-        warnings.add(Warning.of(BatchWarning.FOREIGN_MARKERS, Listing.comma(foreign)));
-        return new Detections(detections.imageName(), detections.widthPx(), detections.heightPx(), detections.markers(),
-                warnings, detections.light());
-    }
-
-    /** The photo that a detections file names, where it stands beside it: a ground to paint on, nothing more. */
-    private static GreyImage photoBeside(Path file, Detections detections) {
-        try {
-            Path name = Path.of(detections.imageName()).getFileName();
-            Path photo = name == null ? file : file.resolveSibling(name);
-            if (!Files.isRegularFile(photo) || Files.isSameFile(photo, file)) {
-                return null;
-            }
-            String shown = photo.toString();
-            return ImageFiles.decode(ImageFiles.bytes(photo), shown, (width, height) -> {
-                if (width != detections.widthPx() || height != detections.heightPx()) {
-                    throw new InputRefusedException(shown, BatchRefusal.OTHER_SIZE);
-                }
-            });
-        } catch (InvalidPathException | InputRefusedException | IOException e) {
-            return null;
-        }
-    }
-
-    private static String resultFile(CheckInput input) {
-        return input.name() + ".result.json";
     }
 
     /** One run over inputs: what it writes, and what it counts. */
-    private final class Run {
-        private final CheckInput.Inputs inputs;
-        private final int count;
-        private final HtmlReport report;
-        private final SummaryCsv summary = new SummaryCsv();
+    private final class Run implements AutoCloseable {
+        private final List<CheckInput> inputs;
+        private final boolean isBatch;
+        private final Plan plan;
+        private final int workers;
+        private final ReadWriteLock memory = new ReentrantReadWriteLock();
         private final Map<String, Integer> byWord = new LinkedHashMap<>();
+        private GrowingFile summary;
+        private ReportPages report;
         private boolean withResult;
         private int done;
-        private long startedNs = System.nanoTime();
+        private int kept;
+        /** Why the folder takes no more; the threads ask for it. */
+        private volatile ResultFolder.UnwritableException unwritable;
 
-        Run(CheckInput.Inputs inputs) {
-            this.inputs = inputs;
-            count = inputs.inputs().size();
-            report = new HtmlReport(with.cellFile, CellView.of(cell), targetStdMm, with.version, with.day);
+        Run(CheckInput.Inputs named) {
+            inputs = named.inputs();
+            isBatch = named.isBatch();
+            int threads = with.settings.sampling().threads();
+            workers = Math.max(1, Math.min(threads, inputs.size()));
+            DrawFiles draws = with.draws != null ? with.draws : isBatch ? DrawFiles.NONE : DrawFiles.BOUNDED;
+            plan = new Plan(with.cellFile, cell, targetStdMm,
+                    with.settings.toBuilder().threads(Math.max(1, threads / workers)).build(), with.folder,
+                    with.version, with.day, with.words, with.command, draws, with.draws == DrawFiles.NONE,
+                    with.storedOnly, with.anew, with.stop, inputs.size());
+            if (with.folder != null) {
+                try {
+                    summary = new GrowingFile(with.folder.file(SUMMARY), 0);
+                    summary.append(SummaryCsv.header());
+                } catch (IOException e) {
+                    close();
+                    throw with.folder.unwritable(e);
+                }
+                report = new ReportPages(new HtmlReport(with.cellFile, CellView.of(cell), targetStdMm, with.version,
+                        with.day, named.remarks()), with.folder.path(), inputs.size());
+            }
         }
 
         BatchOutcome all() {
-            for (CheckInput input : inputs.inputs()) {
-                try {
-                    result(input, one(input));
-                } catch (InputRefusedException e) {
-                    refused(input, e);
-                } catch (ResultFolder.UnwritableException e) {
-                    throw e;
-                } catch (RuntimeException | OutOfMemoryError e) {
-                    // one photo must not cost the others their results
-                    Optional<Refusal> limit = MachineRefusal.behind(e);
-                    if (limit.isPresent()) {
-                        refused(input, new InputRefusedException(
-                                limit.get().withPlace(Place.of(input.file().toString())), e));
-                    } else {
-                        failed(input, InputOutcome.Kind.INTERNAL_ERROR,
-                                new InputOutcome.Failure("internal-error", inShort(e), null, (RuntimeException) e),
-                                null);
+            AtomicInteger threads = new AtomicInteger();
+            ExecutorService pool = workers == 1 ? null : Executors.newFixedThreadPool(workers, task -> {
+                Thread thread = new Thread(task, "cellgauge-input-" + threads.incrementAndGet());
+                thread.setDaemon(true);
+                return thread;
+            });
+            ThreadLocal<InputWork> work = ThreadLocal.withInitial(() -> new InputWork(plan));
+            Deque<Future<InputWork.Done>> ahead = new ArrayDeque<>();
+            try {
+                int next = 0;
+                while (true) {
+                    while (ahead.size() < (pool == null ? 1 : AHEAD * workers) && next < inputs.size()
+                            && !plan.stop().isGiven() && unwritable == null) {
+                        int index = next++;
+                        FutureTask<InputWork.Done> task = new FutureTask<>(() -> work(work.get(), index));
+                        ahead.add(task);
+                        if (pool == null) {
+                            task.run();
+                        } else {
+                            pool.execute(task);
+                        }
+                    }
+                    if (ahead.isEmpty()) {
+                        break;
+                    }
+                    InputWork.Done one = result(ahead.remove());
+                    if (one != null) {
+                        add(one);
                     }
                 }
-            }
-            boolean reported = with.folder != null && (inputs.isBatch() || withResult);
-            if (reported) {
-                Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
-                files.put("summary.csv", text(summary.text()));
-                files.put("report.html", text(report.html(total(count, byWord))));
-                with.folder.write(files);
-                with.listener.stage("report");
-            }
-            return new BatchOutcome(count, Collections.unmodifiableMap(byWord), reported);
-        }
-
-        private void result(CheckInput input, Result result) {
-            ResultFolder.UnwritableException unwritable = null;
-            if (with.folder != null) {
-                try {
-                    files(input, result);
-                } catch (InputRefusedException e) {
-                    failed(input, InputOutcome.Kind.REFUSED, failure(e), result.stored());
-                    return;
-                } catch (ResultFolder.UnwritableException e) {
-                    // what was computed is at least told
-                    unwritable = e;
+            } finally {
+                work.remove();
+                if (pool != null) {
+                    pool.shutdownNow();
                 }
             }
-            summary.add(input, result.stored().view());
-            withResult = true;
-            tell(input, InputOutcome.Kind.RESULT, result.stored(), result.stored().record(), null);
-            if (unwritable != null) {
-                throw unwritable;
-            }
+            String total = outcome(Optional.empty()).total();
+            Optional<Path> reported = with.folder != null && (isBatch || withResult) ? finished(total)
+                    : Optional.empty();
+            return outcome(reported);
         }
 
-        private void files(CheckInput input, Result result) {
-            CheckResult sampled = result.sampled();
-            // painted while the chains are written, which takes about as long, unless one thread is all there may be
-            CompletableFuture<Picture> picture = CompletableFuture.supplyAsync(() -> picture(result),
-                    settings.sampling().threads() == 1 || sampled == null ? Runnable::run : BatchCheck::besides);
-            Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
-            int chains = sampled == null || !with.withDraws ? 0 : sampled.draws().size();
-            for (int i = 1; i <= chains; i++) {
-                int chain = i;
-                files.put(input.name() + ".chain-" + chain + ".csv", bytes -> {
-                    Writer writer = new OutputStreamWriter(bytes, StandardCharsets.UTF_8);
-                    StanCsv.write(sampled, chain, result.stored().record().inputName(), with.version, writer);
-                    writer.flush();
-                });
-            }
-            files.put(input.name() + ".overlay.png", bytes -> bytes.write(picture.join().png()));
-            files.put(resultFile(input), text(ResultJson.of(result.stored())));
-            with.folder.write(files);
-            report.add(input, result.stored(), picture.join().jpeg());
-            if (sampled != null) {
-                with.folder.deleteChainsFrom(input.name(), chains + 1);
-            }
-            with.listener.stage("files");
+        private BatchOutcome outcome(Optional<Path> reported) {
+            return new BatchOutcome(inputs.size(), done, kept, Collections.unmodifiableMap(byWord), reported,
+                    Optional.ofNullable(unwritable));
         }
 
-        private Picture picture(Result result) {
-            BufferedImage painted = OverlayPainter.paint(result.found().photo(), CellOverlay.of(cell,
-                    result.found().detections(), result.stored().view(), OverlayStyle.PHOTO));
+        /** An input that the memory is too small for beside others is tried again alone. */
+        private InputWork.Done work(InputWork work, int index) {
+            InputWork.Done one = locked(memory.readLock(), work, index);
+            boolean isShort = one != null && one.outcome().refusal() != null
+                    && one.outcome().refusal().code().equals(MachineRefusal.MEMORY.code());
+            return isShort && workers > 1 ? locked(memory.writeLock(), work, index) : one;
+        }
+
+        private InputWork.Done locked(Lock lock, InputWork work, int index) {
+            lock.lock();
             try {
-                return new Picture(Pictures.png(painted), Pictures.jpeg(painted, reportWidthPx()));
+                // what the folder takes no more of need not be made
+                return unwritable == null ? work.on(inputs.get(index), index + 1) : null;
+            } finally {
+                lock.unlock();
+            }
+        }
+
+        private InputWork.Done result(Future<InputWork.Done> task) {
+            try {
+                return task.get();
+            } catch (ExecutionException e) {
+                // work keeps its errors in its outcome; this one is of no input
+                throw e.getCause() instanceof RuntimeException error ? error : new IllegalStateException(e.getCause());
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                throw new IllegalStateException("interrupted", e);
+            }
+        }
+
+        private void add(InputWork.Done one) {
+            InputOutcome outcome = one.outcome();
+            if (one.unwritable() == null && with.folder != null) {
+                try {
+                    summary.append(outcome.kind() == InputOutcome.Kind.RESULT
+                            ? SummaryCsv.rows(outcome.input(), outcome.view())
+                            : SummaryCsv.row(outcome.input(), outcome.word(), outcome.refusal().message()));
+                    report.add(outcome.number(), one.section(),
+                            outcome.kind() == InputOutcome.Kind.RESULT ? outcome.view() : null);
+                } catch (IOException e) {
+                    unwritable = unwritable == null ? with.folder.unwritable(e) : unwritable;
+                }
+            }
+            if (one.unwritable() != null) {
+                unwritable = unwritable == null ? one.unwritable() : unwritable;
+            } else {
+                done++;
+                kept += outcome.isKept() && !plan.storedOnly() ? 1 : 0;
+                byWord.merge(outcome.word(), 1, Integer::sum);
+                withResult |= outcome.kind() == InputOutcome.Kind.RESULT;
+            }
+            one.stages().forEach(with.listener::stage);
+            // what was computed is told also where it could not be written
+            if (one.unwritable() == null || outcome.result() != null) {
+                with.listener.finished(outcome);
+            }
+        }
+
+        /** Ends summary and report, elsewhere if the folder takes them no more. */
+        private Optional<Path> finished(String total) {
+            long start = System.nanoTime();
+            try {
+                finish(total, with.folder.path());
+                with.listener.stage("report", (System.nanoTime() - start) * 1e-9);
+                return Optional.of(with.folder.path());
             } catch (IOException e) {
-                throw new IllegalStateException("encoding in memory failed", e);
+                unwritable = unwritable == null ? with.folder.unwritable(e) : unwritable;
+            }
+            try {
+                Path elsewhere = Files.createTempDirectory("cellgauge-report-");
+                finish(total, elsewhere);
+                return Optional.of(elsewhere);
+            } catch (IOException e) {
+                return Optional.empty();
             }
         }
 
-        /** Reports of many photos must stay small enough to open. */
-        private int reportWidthPx() {
-            return count <= 24 ? 1280 : count <= 200 ? 640 : 320;
+        private void finish(String total, Path folder) throws IOException {
+            // the folder may have been removed
+            Files.createDirectories(folder);
+            summary.moveTo(folder.resolve(SUMMARY));
+            report.finish(total, folder);
         }
 
-        private void refused(CheckInput input, InputRefusedException e) {
-            failed(input, InputOutcome.Kind.REFUSED, failure(e), null);
-        }
-
-        private InputOutcome.Failure failure(InputRefusedException e) {
-            Refusal refusal = e.refusal();
-            return new InputOutcome.Failure(refusal.kind().code(), with.words.apply(refusal), refusal.place(), e);
-        }
-
-        private void failed(CheckInput input, InputOutcome.Kind kind, InputOutcome.Failure why, StoredResult computed) {
-            if (with.folder != null && !with.storedOnly) {
-                // what an earlier run found must not be taken for the answer of this one
-                with.folder.deleteResults(input.name());
+        @Override
+        public void close() {
+            try {
+                if (summary != null) {
+                    summary.close();
+                }
+                if (report != null) {
+                    report.close();
+                }
+            } catch (IOException e) {
+                // files that nobody needs: the next run deletes them
             }
-            InputOutcome outcome = tell(input, kind, computed,
-                    computed == null ? record(input, null) : computed.record(), why);
-            summary.add(input, outcome.word(), why.message());
-            report.add(input, outcome.word(), why.message());
         }
-
-        private InputOutcome tell(CheckInput input, InputOutcome.Kind kind, StoredResult result, ResultRecord record,
-                InputOutcome.Failure why) {
-            long now = System.nanoTime();
-            InputOutcome outcome = new InputOutcome(input, kind, result, record, why, ++done, count,
-                    (now - startedNs) * 1e-9);
-            startedNs = now;
-            byWord.merge(outcome.word(), 1, Integer::sum);
-            with.listener.finished(outcome);
-            return outcome;
-        }
-    }
-
-    private static void besides(Runnable task) {
-        Thread thread = new Thread(task, "cellgauge-picture");
-        thread.setDaemon(true);
-        thread.start();
-    }
-
-    private static WholeFiles.Content text(String text) {
-        return bytes -> bytes.write(text.getBytes(StandardCharsets.UTF_8));
     }
 
     /**

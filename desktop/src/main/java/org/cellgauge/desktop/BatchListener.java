@@ -1,6 +1,6 @@
 package org.cellgauge.desktop;
 
-/** Is told how a batch goes on, in the thread that runs it. */
+/** Is told how a batch goes on, in the thread that runs it and in the order of the inputs. */
 public interface BatchListener {
     /**
      * An input is done, its files are written.
@@ -10,10 +10,11 @@ public interface BatchListener {
     void finished(InputOutcome outcome);
 
     /**
-     * A stage of the work on an input is done.
+     * How long a stage of the work on an input took, whatever went on beside it.
      *
      * @param name such as {@code detection}
+     * @param seconds of one thread
      */
-    default void stage(String name) {
+    default void stage(String name, double seconds) {
     }
 }

@@ -66,15 +66,15 @@ public final class CalibrationReport {
                     + "covariances say of it. About 1 is chance; beyond 2 lens model or target are wrong.",
                     CalibrationResult.Place::crossRatio, 0);
         }
-        out.append("<h2>Made by</h2>\n<pre>").append(HtmlReport.escape(command)).append("</pre>\n<p>CellGauge ")
-                .append(HtmlReport.escape(version)).append("</p>\n</body>\n</html>\n");
+        out.append("<h2>Made by</h2>\n<pre>").append(Html.escape(command)).append("</pre>\n<p>CellGauge ")
+                .append(Html.escape(version)).append("</p>\n</body>\n</html>\n");
         return out.toString();
     }
 
     private void summary() {
         CalibrationResult.Figures f = result.figures();
         out.append("<p>").append(result.camera().widthPx()).append(" x ").append(result.camera().heightPx())
-                .append(" px, lens ").append(HtmlReport.escape(result.lens())).append(", ")
+                .append(" px, lens ").append(Html.escape(result.lens())).append(", ")
                 .append(result.photos().size()).append(" photos with ").append(f.points()).append(" corners, ")
                 .append(f.outliers()).append(" left out. Reprojection error ").append(CheckText.fixed(f.rmsPx(), 3))
                 .append(" px rms, noise of a coordinate ").append(CheckText.fixed(f.noisePx(), 3))
@@ -89,11 +89,11 @@ public final class CalibrationReport {
     private void warnings() {
         if (!result.warnings().isEmpty()) {
             out.append("<h2>Warnings</h2>\n<ul>");
-            result.warnings().forEach(w -> out.append("<li>").append(HtmlReport.escape(w.toString())).append("</li>"));
+            result.warnings().forEach(w -> out.append("<li>").append(Html.escape(w.toString())).append("</li>"));
             out.append("</ul>\n");
         }
         if (result.nextPhoto() != null) {
-            out.append("<p>What would help most: ").append(HtmlReport.escape(result.nextPhoto().toString()))
+            out.append("<p>What would help most: ").append(Html.escape(result.nextPhoto().toString()))
                     .append(".</p>\n");
         }
     }
@@ -113,7 +113,7 @@ public final class CalibrationReport {
     private void row(String... cells) {
         out.append("<tr>");
         for (String cell : cells) {
-            out.append("<td>").append(HtmlReport.escape(cell)).append("</td>");
+            out.append("<td>").append(Html.escape(cell)).append("</td>");
         }
         out.append("</tr>\n");
     }

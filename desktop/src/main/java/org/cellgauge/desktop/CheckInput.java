@@ -1,6 +1,7 @@
 package org.cellgauge.desktop;
 
 import java.io.IOException;
+import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,13 +24,17 @@ import org.cellgauge.warning.RefusalKind;
  */
 public record CheckInput(Path file, boolean isDetections, String name, RefusalKind refusal) {
     private static final Pattern NUMBER = Pattern.compile("\\d+");
+    private static final Pattern RESULTS = Pattern.compile("(?s).*\\.(overlay\\.png|result\\.json|chain-\\d+\\.csv)"
+            + "|report(-\\d{3,9})?\\.html|summary\\.csv");
+    private static final Set<String> BESIDE_PHOTOS = Set.of("yaml", "yml", "json", "txt", "md", "csv", "pdf");
+    private static final int MOST_NAMED = 5;
 
     /**
      * Inputs of a run.
      *
      * @param inputs in the order given, folders replaced by the images in them, sorted by name
      * @param isBatch whether a folder or more than one file was named
-     * @param remarks what the user should know about names
+     * @param remarks what the user should know about names, and about what folders have besides photos
      */
     public record Inputs(List<CheckInput> inputs, boolean isBatch, List<String> remarks) {
     }
@@ -43,11 +48,12 @@ public record CheckInput(Path file, boolean isDetections, String name, RefusalKi
      */
     public static Inputs resolve(List<Path> images, List<Path> detections) {
         List<CheckInput> found = new ArrayList<>();
+        List<String> remarks = new ArrayList<>();
         boolean batch = images.size() + detections.size() > 1;
         for (Path image : images) {
             if (Files.isDirectory(image)) {
                 batch = true;
-                addFolder(image, found);
+                addFolder(image, found, remarks);
             } else {
                 found.add(new CheckInput(image, false, baseName(image), null));
             }
@@ -55,24 +61,58 @@ public record CheckInput(Path file, boolean isDetections, String name, RefusalKi
         for (Path file : detections) {
             found.add(new CheckInput(file, true, baseName(file), null));
         }
-        List<String> remarks = new ArrayList<>();
         return new Inputs(distinctNames(withoutRepeats(found, remarks), remarks), batch, remarks);
     }
 
-    private static void addFolder(Path folder, List<CheckInput> found) {
-        List<Path> files = new ArrayList<>();
-        try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder, CheckInput::isPhoto)) {
-            entries.forEach(files::add);
-        } catch (IOException e) {
+    private static void addFolder(Path folder, List<CheckInput> found, List<String> remarks) {
+        List<Path> photos = new ArrayList<>();
+        List<String> folders = new ArrayList<>();
+        List<String> others = new ArrayList<>();
+        try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
+            for (Path entry : entries) {
+                String name = entry.getFileName().toString();
+                if (name.startsWith(".") || isResult(name)) {
+                    continue;
+                }
+                boolean toNowhere = Files.isSymbolicLink(entry) && !Files.exists(entry);
+                if (Files.isDirectory(entry)) {
+                    folders.add(name);
+                } else if (isPhoto(name) && (toNowhere || Files.isRegularFile(entry))) {
+                    // a link that leads nowhere is refused: a photo is missing
+                    photos.add(entry);
+                } else if (toNowhere || !isOfPhotos(name)) {
+                    others.add(name + (toNowhere ? " (a link that leads nowhere)" : ""));
+                }
+            }
+        } catch (IOException | DirectoryIteratorException e) {
             found.add(new CheckInput(folder, false, baseName(folder), FolderRefusal.FOLDER_NOT_READ));
             return;
         }
-        if (files.isEmpty()) {
+        if (photos.isEmpty()) {
             found.add(new CheckInput(folder, false, baseName(folder), FolderRefusal.NO_IMAGE_IN_FOLDER));
         }
-        files.sort(Comparator.comparing((Path file) -> countable(file.getFileName().toString()))
+        remark(folder, folders, "a folder within it is not searched", "folders within it are not searched", remarks);
+        remark(folder, others, "not read, since no photo by its name",
+                "files are not read, since no photos by their names", remarks);
+        photos.sort(Comparator.comparing((Path file) -> countable(file.getFileName().toString()))
                 .thenComparing(Comparator.naturalOrder()));
-        files.forEach(file -> found.add(new CheckInput(file, false, baseName(file), null)));
+        photos.forEach(file -> found.add(new CheckInput(file, false, baseName(file), missing(file))));
+    }
+
+    /** Says what was passed over: some by name, all by number. */
+    private static void remark(Path folder, List<String> names, String one, String several, List<String> remarks) {
+        if (names.isEmpty()) {
+            return;
+        }
+        names.sort(Comparator.naturalOrder());
+        int more = names.size() - MOST_NAMED;
+        remarks.add(folder + ": " + (names.size() == 1 ? one : names.size() + " " + several) + ": "
+                + String.join(", ", names.subList(0, Math.min(names.size(), MOST_NAMED)))
+                + (more > 0 ? " and " + more + " more" : ""));
+    }
+
+    private static RefusalKind missing(Path file) {
+        return Files.isSymbolicLink(file) && !Files.exists(file) ? FolderRefusal.LINK_TO_NOWHERE : null;
     }
 
     /** A name in which numbers sort by their value: photo-2 before photo-10. */
@@ -80,11 +120,22 @@ public record CheckInput(Path file, boolean isDetections, String name, RefusalKi
         return NUMBER.matcher(name).replaceAll(m -> "0".repeat(Math.max(0, 20 - m.group().length())) + m.group());
     }
 
-    /** Overlays are pictures too, but our own: a second run over a folder of results must not check them. */
-    private static boolean isPhoto(Path file) {
-        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-        return !name.startsWith(".") && !name.endsWith(".overlay.png") && Files.isRegularFile(file)
-                && ImageFormat.ENDINGS.contains(name.substring(name.lastIndexOf('.') + 1));
+    /** What runs write: overlays are pictures too, and a second run over a folder of results must not check them. */
+    private static boolean isResult(String name) {
+        return RESULTS.matcher(name).matches();
+    }
+
+    private static boolean isPhoto(String name) {
+        return ImageFormat.ENDINGS.contains(ending(name));
+    }
+
+    /** What often lies beside photos and is known to be none: cell, camera, truth, corners, notes. */
+    private static boolean isOfPhotos(String name) {
+        return BESIDE_PHOTOS.contains(ending(name));
+    }
+
+    private static String ending(String name) {
+        return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
     }
 
     /**

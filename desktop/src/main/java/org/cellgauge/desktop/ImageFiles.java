@@ -60,6 +60,8 @@ public final class ImageFiles {
     private static final int MAX_BITS = 16;
     /** Bits of values that cameras hand over in 16. */
     private static final int[] BITS_IN_16 = {8, 10, 12};
+    /** How often a reader may ask for more than there is: of whole files, for the last 64 bits. */
+    private static final int MAX_READS_BEHIND_END = 200;
     private static final int APP0 = 0xE0;
     private static final int APP14 = 0xEE;
     private static final int APP15 = 0xEF;
@@ -230,7 +232,7 @@ public final class ImageFiles {
     private static GreyImage decoded(byte[] bytes, ImageFormat format, String name, SizeJudge size)
             throws IOException {
         ImageReader reader = format.reader();
-        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
+        try (ImageInputStream in = new EndingInput(bytes)) {
             // metadata (thumbnails, colour profiles) is not needed, and damaged metadata would stop the reader
             reader.setInput(in, true, true);
             BufferedImage image;
@@ -270,6 +272,36 @@ public final class ImageFiles {
         }
     }
 
+    /**
+     * The bytes of an image, for readers that take what lies behind the end for zeros: of a file cut short they would
+     * make a picture, or never come to an end.
+     */
+    private static final class EndingInput extends MemoryCacheImageInputStream {
+        private int readsBehindEnd;
+
+        EndingInput(byte[] bytes) {
+            super(new ByteArrayInputStream(bytes));
+        }
+
+        @Override
+        public int read() throws IOException {
+            return counted(super.read());
+        }
+
+        @Override
+        public int read(byte[] into, int offset, int length) throws IOException {
+            return counted(super.read(into, offset, length));
+        }
+
+        private int counted(int found) throws IOException {
+            if (found < 0 && ++readsBehindEnd > MAX_READS_BEHIND_END) {
+                // as a cause: they catch the exception itself
+                throw new IOException("reads on behind its end", new EOFException());
+            }
+            return found;
+        }
+    }
+
     /** Only TIFF has more than 16 bits: of such a photo that is the fault, whatever its size. */
     private static void judgeDepth(ImageReader reader, String name) throws IOException {
         Iterator<ImageTypeSpecifier> types = reader.getImageTypes(0);
@@ -279,12 +311,14 @@ public final class ImageFiles {
         }
     }
 
-    /** What an error says, or an error behind it. */
+    /** What an error says of the file, or an error behind it: faults within a reader speak of its code. */
     private static String said(Throwable error) {
         int depth = 0;
         for (Throwable t = error; t != null && depth < 10; t = t.getCause(), depth++) {
             String message = t.getMessage();
-            if (message != null && !message.isBlank() && !message.equals("null")) {
+            boolean ofCode = t instanceof NullPointerException || t instanceof IndexOutOfBoundsException
+                    || t instanceof ClassCastException || t instanceof NegativeArraySizeException;
+            if (!ofCode && message != null && !message.isBlank() && !message.equals("null")) {
                 return message.strip();
             }
         }

@@ -14,12 +14,14 @@ import org.cellgauge.warning.Place;
  * @param result the result; null where there is none. A refused input has one where only its files could not be written
  * @param record what the input is, and by what it was checked
  * @param refusal why there is no result; null where there is one
+ * @param isKept whether an earlier run had the result
+ * @param everyDraw every how-manieth draw the files of draws hold; 0 where none were written
  * @param number its place in the batch, from 1
  * @param count how many inputs the batch has
  * @param seconds how long it took
  */
 public record InputOutcome(CheckInput input, Kind kind, StoredResult result, ResultRecord record, Failure refusal,
-        int number, int count, double seconds) {
+        boolean isKept, int everyDraw, int number, int count, double seconds) {
     /** Whether an input has a result. */
     public enum Kind {
         /** It has. */

@@ -17,7 +17,7 @@ final class PhotoTrend {
     private static final String[] AXES = {"x", "y", "z"};
     private static final int FEWEST = 2;
     private static final int FEWEST_FOR_SLOPE = 3;
-    /** Beyond this many, plots show every second, third, … photo; tables count all. */
+    /** Beyond this many, plots show every second, fourth, … photo; tables count all. */
     private static final int MOST_MARKS = 400;
     private static final int WIDTH = 360;
     private static final int HEIGHT = 130;
@@ -26,9 +26,9 @@ final class PhotoTrend {
     private static final int TOP = 18;
     private static final int BOTTOM = 18;
 
-    private final Map<String, List<double[]>> positions = new LinkedHashMap<>();
+    private final Map<String, Series> positions = new LinkedHashMap<>();
 
-    /** Adds a photo by its number in the batch. */
+    /** Adds a photo by its number in the batch; numbers rise. */
     void add(int number, ResultView view) {
         if (!view.trusted()) {
             return;
@@ -39,43 +39,94 @@ final class PhotoTrend {
                         ? "gripping point of object " + row.id().getAsInt() : CheckText.name(row);
                 double[] mean = row.mean();
                 double[] std = row.std();
-                positions.computeIfAbsent(name, n -> new ArrayList<>()).add(new double[] {number, mean[0], mean[1],
+                positions.computeIfAbsent(name, n -> new Series()).add(new double[] {number, mean[0], mean[1],
                     mean[2], std[0], std[1], std[2]});
             }
         }
     }
 
-    /** A line through positions over the numbers of photos, by least squares. */
-    record Line(int count, double mean, double scatter, double drift, double driftStd) {
-        /**
-         * Fits a line.
-         *
-         * @param points number of the photo, position
-         * @return mean and standard deviation of the positions; drift from the first photo to the last and its standard
-         *     error, NaN of fewer than three photos
-         */
-        static Line of(double[][] points) {
-            int n = points.length;
-            double meanX = 0;
-            double meanY = 0;
-            for (double[] p : points) {
-                meanX += p[0] / n;
-                meanY += p[1] / n;
+    /** Positions of one thing: sums of all, and some to plot, so that no batch is too long for the memory. */
+    private static final class Series {
+        private final Line[] lines = {new Line(), new Line(), new Line()};
+        private final double[] squares = new double[AXES.length];
+        private final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        private final double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        private final List<double[]> marks = new ArrayList<>();
+        private int every = 1;
+
+        /** Adds number of the photo, position and its standard deviations. */
+        void add(double[] p) {
+            for (int axis = 0; axis < AXES.length; axis++) {
+                double std = p[4 + axis];
+                squares[axis] += std * std;
+                low[axis] = Math.min(low[axis], p[1 + axis] - std);
+                high[axis] = Math.max(high[axis], p[1 + axis] + std);
+                lines[axis].add(p[0], p[1 + axis]);
             }
-            double xx = 0;
-            double xy = 0;
-            double yy = 0;
-            for (double[] p : points) {
-                xx += (p[0] - meanX) * (p[0] - meanX);
-                xy += (p[0] - meanX) * (p[1] - meanY);
-                yy += (p[1] - meanY) * (p[1] - meanY);
+            if ((lines[0].count() - 1) % every == 0) {
+                mark(p);
             }
-            double span = points[n - 1][0] - points[0][0];
-            boolean line = n >= FEWEST_FOR_SLOPE;
-            double slope = xy / xx;
-            double left = Math.max(0, yy - slope * xy);
-            return new Line(n, meanY, Math.sqrt(yy / (n - 1)), line ? slope * span : Double.NaN,
-                    line ? span * Math.sqrt(left / (n - 2) / xx) : Double.NaN);
+        }
+
+        private void mark(double[] p) {
+            marks.add(p);
+            if (marks.size() > MOST_MARKS) {
+                for (int i = 0; 2 * i < marks.size(); i++) {
+                    marks.set(i, marks.get(2 * i));
+                }
+                marks.subList((marks.size() + 1) / 2, marks.size()).clear();
+                every *= 2;
+            }
+        }
+    }
+
+    /** A line through positions over the numbers of photos, by least squares; sums alone are kept (Welford's). */
+    static final class Line {
+        private int count;
+        private double first;
+        private double last;
+        private double meanX;
+        private double meanY;
+        private double xx;
+        private double xy;
+        private double yy;
+
+        /** Adds a photo by its number, and a position. */
+        void add(double x, double y) {
+            count++;
+            first = count == 1 ? x : first;
+            last = x;
+            double dx = x - meanX;
+            double dy = y - meanY;
+            meanX += dx / count;
+            meanY += dy / count;
+            xx += dx * (x - meanX);
+            xy += dx * (y - meanY);
+            yy += dy * (y - meanY);
+        }
+
+        int count() {
+            return count;
+        }
+
+        double mean() {
+            return meanY;
+        }
+
+        /** Standard deviation of the positions. */
+        double scatter() {
+            return Math.sqrt(yy / (count - 1));
+        }
+
+        /** From the first photo to the last; NaN of fewer than three. */
+        double drift() {
+            return count < FEWEST_FOR_SLOPE ? Double.NaN : xy / xx * (last - first);
+        }
+
+        /** Standard error of the drift; NaN of fewer than three photos. */
+        double driftStd() {
+            return count < FEWEST_FOR_SLOPE ? Double.NaN
+                    : (last - first) * Math.sqrt(Math.max(0, yy - xy / xx * xy) / (count - 2) / xx);
         }
     }
 
@@ -83,9 +134,9 @@ final class PhotoTrend {
     String html() {
         StringBuilder rows = new StringBuilder();
         StringBuilder plots = new StringBuilder();
-        positions.forEach((name, points) -> {
-            if (points.size() >= FEWEST) {
-                add(name, points, rows, plots);
+        positions.forEach((name, series) -> {
+            if (series.lines[0].count() >= FEWEST) {
+                add(name, series, rows, plots);
             }
         });
         if (rows.length() == 0) {
@@ -103,27 +154,20 @@ final class PhotoTrend {
                 + "</section>\n";
     }
 
-    private static void add(String name, List<double[]> points, StringBuilder rows, StringBuilder plots) {
+    private static void add(String name, Series series, StringBuilder rows, StringBuilder plots) {
         plots.append("<p>");
         for (int axis = 0; axis < AXES.length; axis++) {
-            double[][] series = new double[points.size()][];
-            double squares = 0;
-            for (int i = 0; i < series.length; i++) {
-                double[] p = points.get(i);
-                series[i] = new double[] {p[0], p[1 + axis], p[4 + axis]};
-                squares += p[4 + axis] * p[4 + axis];
-            }
-            Line line = Line.of(series);
-            rows.append("<tr><td>").append(HtmlReport.escape(name)).append("</td>");
+            Line line = series.lines[axis];
+            rows.append("<tr><td>").append(Html.escape(name)).append("</td>");
             cell(rows, "axis", AXES[axis]);
             cell(rows, "photos", String.valueOf(line.count()));
             cell(rows, "mean, mm", CheckText.fixed(line.mean(), 3));
             cell(rows, "scatter (std over photos), mm", CheckText.fixed(line.scatter(), 3));
-            cell(rows, "stated std, mm", CheckText.fixed(Math.sqrt(squares / series.length), 3));
+            cell(rows, "stated std, mm", CheckText.fixed(Math.sqrt(series.squares[axis] / line.count()), 3));
             cell(rows, "drift from first to last, mm", CheckText.fixed(line.drift(), 3));
             cell(rows, "std of the drift, mm", CheckText.fixed(line.driftStd(), 3));
             rows.append("</tr>\n");
-            plots.append(plot(name + ", " + AXES[axis] + ", mm", series, line.mean()));
+            plots.append(plot(name + ", " + AXES[axis] + ", mm", series, axis));
         }
         plots.append("</p>\n");
     }
@@ -133,21 +177,16 @@ final class PhotoTrend {
     }
 
     /** Means with one standard deviation to either side. */
-    private static String plot(String title, double[][] series, double mean) {
-        double low = Double.POSITIVE_INFINITY;
-        double high = Double.NEGATIVE_INFINITY;
-        for (double[] p : series) {
-            low = Math.min(low, p[1] - p[2]);
-            high = Math.max(high, p[1] + p[2]);
-        }
-        if (!(high > low)) {
-            high = low + 1;
-        }
-        double first = series[0][0];
-        double last = series[series.length - 1][0];
+    private static String plot(String title, Series series, int axis) {
+        Line line = series.lines[axis];
+        double mean = line.mean();
+        double low = series.low[axis];
+        double high = series.high[axis] > low ? series.high[axis] : low + 1;
+        double first = line.first;
+        double last = line.last;
         StringBuilder svg = new StringBuilder();
         svg.append(String.format(Locale.ROOT, "<svg class=\"plot\" role=\"img\" width=\"%d\" height=\"%d\" "
-                + "viewBox=\"0 0 %d %d\"><title>%s</title>", WIDTH, HEIGHT, WIDTH, HEIGHT, HtmlReport.escape(title)));
+                + "viewBox=\"0 0 %d %d\"><title>%s</title>", WIDTH, HEIGHT, WIDTH, HEIGHT, Html.escape(title)));
         text(svg, LEFT, TOP - 6, "start", title);
         text(svg, LEFT - 4, TOP + 8, "end", CheckText.fixed(high, 1));
         text(svg, LEFT - 4, HEIGHT - BOTTOM, "end", CheckText.fixed(low, 1));
@@ -156,13 +195,13 @@ final class PhotoTrend {
         line(svg, "axis", LEFT, TOP, LEFT, HEIGHT - BOTTOM);
         line(svg, "axis", LEFT, HEIGHT - BOTTOM, WIDTH - RIGHT, HEIGHT - BOTTOM);
         line(svg, "mean", LEFT, y(mean, low, high), WIDTH - RIGHT, y(mean, low, high));
-        int every = (series.length + MOST_MARKS - 1) / MOST_MARKS;
-        for (int i = 0; i < series.length; i += every) {
-            double[] p = series[i];
+        for (double[] p : series.marks) {
             double x = LEFT + 6 + (p[0] - first) / (last - first) * (WIDTH - LEFT - RIGHT - 12);
-            line(svg, "mark", x, y(p[1] - p[2], low, high), x, y(p[1] + p[2], low, high));
+            double y = p[1 + axis];
+            double std = p[4 + axis];
+            line(svg, "mark", x, y(y - std, low, high), x, y(y + std, low, high));
             svg.append(String.format(Locale.ROOT, "<circle class=\"mark\" cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\"/>", x,
-                    y(p[1], low, high)));
+                    y(y, low, high)));
         }
         return svg.append("</svg>\n").toString();
     }
@@ -178,6 +217,6 @@ final class PhotoTrend {
 
     private static void text(StringBuilder svg, double x, double y, String anchor, String text) {
         svg.append(String.format(Locale.ROOT, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor))
-                .append(HtmlReport.escape(text)).append("</text>");
+                .append(Html.escape(text)).append("</text>");
     }
 }

@@ -8,10 +8,10 @@ import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 
 /**
- * The table of a run, {@code summary.csv}: one row per photo and object (RFC 4180). What is unknown is left
- * empty. A text that begins like a formula has an apostrophe before it.
+ * Rows of the table of a run, {@code summary.csv}: one per photo and object (RFC 4180). What is unknown is left empty.
+ * A text that begins like a formula has an apostrophe before it.
  */
-public final class SummaryCsv {
+final class SummaryCsv {
     private static final String[] COLUMNS = {"input", "name", "verdict", "object", "seen", "x_mm", "y_mm", "z_mm",
         "std_x_mm", "std_y_mm", "std_z_mm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_std_x_mm", "grip_std_y_mm",
         "grip_std_z_mm", "worst_std_mm", "target_std_mm", "within_target", "converged", "r_hat_max", "ess_bulk_min",
@@ -19,35 +19,36 @@ public final class SummaryCsv {
 
     private static final String FORMULA = "=+-@";
 
-    private final StringBuilder text = new StringBuilder();
-
-    /** A table of a header alone. */
-    public SummaryCsv() {
-        line(List.of(COLUMNS));
+    private SummaryCsv() {
     }
 
-    /** Adds the rows of a result: each object of the cell, or one row where it has none. */
-    public void add(CheckInput input, ResultView view) {
+    /** The header. */
+    static String header() {
+        return line(List.of(COLUMNS));
+    }
+
+    /** The rows of a result: each object of the cell, or one row where it has none. */
+    static String rows(CheckInput input, ResultView view) {
         if (view.objects().isEmpty()) {
-            row(input, view, null);
+            return row(input, view, null);
         }
-        for (ResultRow object : view.objects()) {
-            row(input, view, object);
-        }
+        StringBuilder rows = new StringBuilder();
+        view.objects().forEach(object -> rows.append(row(input, view, object)));
+        return rows.toString();
     }
 
-    /** Adds the row of an input that gave no result. */
-    public void add(CheckInput input, String verdict, String reason) {
+    /** The row of an input that gave no result. */
+    static String row(CheckInput input, String verdict, String reason) {
         List<String> cells = new ArrayList<>(List.of(text(input.file().toString()), text(input.name()), verdict));
         while (cells.size() < COLUMNS.length - 2) {
             cells.add("");
         }
         cells.add(text(reason));
         cells.add("");
-        line(cells);
+        return line(cells);
     }
 
-    private void row(CheckInput input, ResultView view, ResultRow object) {
+    private static String row(CheckInput input, ResultView view, ResultRow object) {
         List<String> cells = new ArrayList<>(List.of(text(input.file().toString()), text(input.name()),
                 view.verdict().key()));
         boolean seen = object != null && object.seen();
@@ -70,7 +71,7 @@ public final class SummaryCsv {
         cells.add(number(chains.mcseStdRelMax()));
         cells.add(text(view.reason()));
         cells.add(view.action() == null ? "" : text(view.action()));
-        line(cells);
+        return line(cells);
     }
 
     private static void numbers(List<String> cells, double[] values) {
@@ -89,17 +90,13 @@ public final class SummaryCsv {
         return Double.isFinite(value) ? Double.toString(value) : "";
     }
 
-    private void line(List<String> cells) {
+    private static String line(List<String> cells) {
+        StringBuilder text = new StringBuilder();
         for (int i = 0; i < cells.size(); i++) {
             String cell = cells.get(i);
             boolean quote = cell.contains(",") || cell.contains("\"") || cell.contains("\n") || cell.contains("\r");
             text.append(i == 0 ? "" : ",").append(quote ? '"' + cell.replace("\"", "\"\"") + '"' : cell);
         }
-        text.append("\r\n");
-    }
-
-    /** The table so far. */
-    public String text() {
-        return text.toString();
+        return text.append("\r\n").toString();
     }
 }

@@ -6,8 +6,12 @@ import org.cellgauge.internal.warning.Printable;
 
 /** A table of aligned columns for people: first columns flush left, numbers flush right, two spaces between. */
 public final class TextTable {
+    /** A character that no cell has. */
+    private static final String BETWEEN = "\0";
+
     private final int leftColumns;
-    private final List<String[]> rows = new ArrayList<>();
+    /** Cells joined, since tables of thousands of rows are kept to their end. */
+    private final List<String> rows = new ArrayList<>();
 
     /**
      * An empty table.
@@ -29,7 +33,7 @@ public final class TextTable {
         for (int c = 0; c < cells.length; c++) {
             printable[c] = Printable.of(cells[c]);
         }
-        rows.add(printable);
+        rows.add(String.join(BETWEEN, printable));
         return this;
     }
 
@@ -41,17 +45,19 @@ public final class TextTable {
      */
     public String text(String indent) {
         int columns = 0;
-        for (String[] row : rows) {
-            columns = Math.max(columns, row.length);
+        for (String row : rows) {
+            columns = Math.max(columns, cells(row).length);
         }
         int[] width = new int[columns];
-        for (String[] row : rows) {
+        for (String joined : rows) {
+            String[] row = cells(joined);
             for (int c = 0; c < row.length; c++) {
                 width[c] = Math.max(width[c], row[c].length());
             }
         }
         StringBuilder text = new StringBuilder();
-        for (String[] row : rows) {
+        for (String joined : rows) {
+            String[] row = cells(joined);
             StringBuilder line = new StringBuilder(indent);
             for (int c = 0; c < row.length; c++) {
                 String padding = " ".repeat(width[c] - row[c].length());
@@ -60,5 +66,9 @@ public final class TextTable {
             text.append(line.toString().stripTrailing()).append('\n');
         }
         return text.toString();
+    }
+
+    private static String[] cells(String row) {
+        return row.split(BETWEEN, -1);
     }
 }

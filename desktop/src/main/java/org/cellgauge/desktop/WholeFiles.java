@@ -3,6 +3,8 @@ package org.cellgauge.desktop;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileAlreadyExistsException;
@@ -12,11 +14,15 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.security.SecureRandom;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -24,9 +30,10 @@ import java.util.regex.Pattern;
 public final class WholeFiles {
     private static final String PREFIX = ".cellgauge-";
     private static final String SUFFIX = ".part";
-    private static final Pattern UNFINISHED = Pattern.compile("\\.cellgauge-(\\d{1,18})-\\d+\\.part");
-    private static final int MAX_NUMBER = 10_000;
-    private static final int MIN_AGE_S = 60;
+    private static final Pattern UNFINISHED = Pattern.compile("\\.cellgauge-(\\d{1,18})-[0-9a-f]+\\.part");
+    private static final int RANDOM_BYTES = 8;
+    private static final int MAX_TRIES = 100;
+    private static final Duration OTHERS_MAY_WRITE = Duration.ofMinutes(1);
 
     private WholeFiles() {
     }
@@ -58,7 +65,8 @@ public final class WholeFiles {
                     // a move would replace an empty folder without a word
                     throw new FileSystemException(place.toString(), null, "a folder of this name is in the way");
                 }
-                try (OutputStream out = new BufferedOutputStream(unfinished(place, waiting), 1 << 16)) {
+                FileChannel channel = unfinished(place, temporary -> waiting.put(place, temporary));
+                try (OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16)) {
                     entry.getValue().writeTo(out);
                 }
             }
@@ -76,21 +84,29 @@ public final class WholeFiles {
     }
 
     /**
-     * A file that did not exist, beside the place of a file to be written. Not of createTempFile: that hides the file
-     * from everyone but its owner, and the rights stay on moving. Its name does not grow with the other's, which may be
-     * as long as names can be.
+     * Opens a file that did not exist, beside the place of a file to be written. Not of createTempFile: that hides the
+     * file from everyone but its owner, and the rights stay on moving. Its name does not grow with the other's, which
+     * may be as long as names can be, and nobody can foresee it.
+     *
+     * @param place of the file to be
+     * @param name is told where it is as soon as it is there
+     * @return the file, to be written and read
+     * @throws IOException if it cannot be made
      */
-    private static OutputStream unfinished(Path place, Map<Path, Path> waiting) throws IOException {
-        for (int number = waiting.size(); ; number++) {
-            Path temporary = place.resolveSibling(PREFIX + ProcessHandle.current().pid() + "-" + number + SUFFIX);
+    static FileChannel unfinished(Path place, Consumer<Path> name) throws IOException {
+        byte[] random = new byte[RANDOM_BYTES];
+        for (int tries = 1; ; tries++) {
+            new SecureRandom().nextBytes(random);
+            Path temporary = place.resolveSibling(PREFIX + ProcessHandle.current().pid() + "-"
+                    + HexFormat.of().formatHex(random) + SUFFIX);
             try {
                 // never into what is there already: somebody else's file, or a link to one
-                OutputStream out = Files.newOutputStream(temporary, StandardOpenOption.CREATE_NEW,
-                        StandardOpenOption.WRITE);
-                waiting.put(place, temporary);
-                return out;
+                FileChannel channel = FileChannel.open(temporary, StandardOpenOption.CREATE_NEW,
+                        StandardOpenOption.READ, StandardOpenOption.WRITE);
+                name.accept(temporary);
+                return channel;
             } catch (FileAlreadyExistsException e) {
-                if (number > MAX_NUMBER) {
+                if (tries == MAX_TRIES) {
                     throw e;
                 }
             }
@@ -105,19 +121,25 @@ public final class WholeFiles {
      * @throws IOException if the folder cannot be read or a file not be deleted
      */
     public static void deleteUnfinished(Path folder) throws IOException {
+        deleteUnfinished(folder, OTHERS_MAY_WRITE);
+    }
+
+    /** The same of files that are so old; of any where nobody else may write to the folder. */
+    static void deleteUnfinished(Path folder, Duration age) throws IOException {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, PREFIX + "*" + SUFFIX)) {
             for (Path file : files) {
                 Matcher name = UNFINISHED.matcher(file.getFileName().toString());
-                boolean isOld = Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && Files.getLastModifiedTime(file)
-                        .toInstant().isBefore(Instant.now().minusSeconds(MIN_AGE_S));
-                if (name.matches() && isOld && ProcessHandle.of(Long.parseLong(name.group(1))).isEmpty()) {
+                if (name.matches() && Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
+                        && !Files.getLastModifiedTime(file).toInstant().isAfter(Instant.now().minus(age))
+                        && ProcessHandle.of(Long.parseLong(name.group(1))).isEmpty()) {
                     Files.deleteIfExists(file);
                 }
             }
         }
     }
 
-    private static void move(Path from, Path to) throws IOException {
+    /** Gives a file its name, in place of what has it. */
+    static void move(Path from, Path to) throws IOException {
         try {
             Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
         } catch (AtomicMoveNotSupportedException e) {

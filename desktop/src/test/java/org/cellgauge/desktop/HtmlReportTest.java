@@ -56,16 +56,17 @@ class HtmlReportTest {
     void aDriftIsTheSlopeOfTheLeastSquaresLine() {
         double[] x = {4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14};
         double[] y = {4.26, 5.68, 7.24, 4.82, 6.95, 8.81, 8.04, 8.33, 10.84, 7.58, 9.96};
-        double[][] points = new double[x.length][];
+        PhotoTrend.Line line = new PhotoTrend.Line();
         for (int i = 0; i < x.length; i++) {
-            points[i] = new double[] {x[i], y[i]};
+            line.add(x[i], y[i]);
         }
-        PhotoTrend.Line line = PhotoTrend.Line.of(points);
         assertEquals(7.5009, line.mean(), 1e-4);
         assertEquals(2.0316, line.scatter(), 1e-4);
         assertEquals(10 * 0.5001, line.drift(), 1e-3);
         assertEquals(10 * 0.1179, line.driftStd(), 1e-3);
-        PhotoTrend.Line two = PhotoTrend.Line.of(new double[][] {{1, 3}, {2, 5}});
+        PhotoTrend.Line two = new PhotoTrend.Line();
+        two.add(1, 3);
+        two.add(2, 5);
         assertEquals(Math.sqrt(2), two.scatter(), 1e-12);
         assertTrue(Double.isNaN(two.drift()) && Double.isNaN(two.driftStd()));
     }

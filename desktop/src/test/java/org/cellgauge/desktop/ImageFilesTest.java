@@ -29,6 +29,7 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.vision.GreyImage;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -163,6 +164,17 @@ class ImageFilesTest {
         for (int i = 0; i < 48; i++) {
             assertEquals(20 * (i % 12) + 10 * (i / 12), grey.get(i % 12, i / 12));
         }
+    }
+
+    /** Damaged so that its tables do not end with it, and the decoder takes all that follows for zeros. */
+    @Test
+    @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void whatDoesNotEndWithTheFileIsCutShort() {
+        byte[] webp = Base64.getDecoder().decode("UklGRigAAABXRUJQVlA4TBsAAAAvC8AAAM1lZUT/"
+                + "A2o5XFSEvhMYkdsk5Jxg4g9V9g==");
+        InputRefusedException refused = assertThrows(InputRefusedException.class,
+                () -> ImageFiles.decode(webp, "a.webp", (w, h) -> { }));
+        assertEquals(ImageRefusal.CUT_SHORT, refused.refusal().kind());
     }
 
     @Test

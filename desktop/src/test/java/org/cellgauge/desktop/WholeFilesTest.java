@@ -2,15 +2,19 @@ package org.cellgauge.desktop;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,16 +40,19 @@ class WholeFilesTest {
         assertEquals(List.of("a", "b"), names());
     }
 
-    /** Whoever knows the name of an unfinished file beforehand can lay a link there: it leads nowhere. */
+    /** Whoever knew the name of an unfinished file beforehand could lay a link there. */
     @Test
-    void linksInTheWayOfUnfinishedFilesAreNotFollowed() throws IOException {
-        Path precious = Files.writeString(folder.resolve("precious"), "kept");
-        String name = ".cellgauge-" + ProcessHandle.current().pid() + "-0.part";
-        Files.createSymbolicLink(folder.resolve(name), precious);
-        WholeFiles.writeContents(Map.of(folder.resolve("a"), out -> out.write("new".getBytes())));
-        assertEquals("kept", Files.readString(precious));
-        assertEquals("new", Files.readString(folder.resolve("a")));
-        assertEquals(List.of(name, "a", "precious"), names());
+    void namesOfUnfinishedFilesCannotBeForeseen() throws IOException {
+        Set<String> names = new HashSet<>();
+        for (int i = 0; i < 20; i++) {
+            List<String> beside = new ArrayList<>();
+            WholeFiles.writeContents(Map.of(folder.resolve("a"), out -> beside.addAll(names())));
+            beside.remove("a");
+            assertEquals(1, beside.size(), beside.toString());
+            assertTrue(beside.get(0).matches("\\.cellgauge-\\d+-[0-9a-f]{16}\\.part"), beside.get(0));
+            names.addAll(beside);
+        }
+        assertEquals(20, names.size());
     }
 
     /** 255 bytes are what file systems allow. */
@@ -68,13 +75,14 @@ class WholeFilesTest {
         long dead = 4_194_305;  // above the largest process id of Linux
         FileTime old = FileTime.from(Instant.now().minusSeconds(3600));
         String own = ".cellgauge-" + ProcessHandle.current().pid() + "-1.part";
-        for (String name : List.of(".cellgauge-" + dead + "-0.part", own, "a.part", ".cellgauge-x-0.part")) {
+        for (String name : List.of(".cellgauge-" + dead + "-0.part", ".cellgauge-" + dead + "-00ff00ff00ff00ff.part",
+                own, "a.part", ".cellgauge-x-0.part")) {
             Files.setLastModifiedTime(Files.writeString(folder.resolve(name), ""), old);
         }
         Files.writeString(folder.resolve(".cellgauge-" + dead + "-1.part"), "just now, by another computer");
         WholeFiles.deleteUnfinished(folder);
-        assertEquals(Stream.of(".cellgauge-" + dead + "-1.part", own, ".cellgauge-x-0.part", "a.part").sorted().toList(),
-                names());
+        assertEquals(Stream.of(".cellgauge-" + dead + "-1.part", own, ".cellgauge-x-0.part", "a.part").sorted()
+                .toList(), names());
     }
 
     @Test

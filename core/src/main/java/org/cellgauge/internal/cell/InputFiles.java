@@ -73,13 +73,25 @@ public final class InputFiles {
      * @throws InputRefusedException if it cannot be read, is larger than allowed or no UTF-8 text
      */
     public static String text(InputStream in, String name, RefusalKind what, int maxBytes) {
-        byte[] bytes;
+        return text(bytes(in, name, what, maxBytes), name, what, maxBytes);
+    }
+
+    /**
+     * The bytes of a stream, as {@link #text(InputStream, String, RefusalKind, int)}.
+     *
+     * @param in the stream, read to its end, or beyond what is allowed, but not closed
+     * @param name the name that messages give it
+     * @param what what it should be, without places
+     * @param maxBytes largest size that such a file can sensibly have, bytes
+     * @return all of it; more bytes than allowed where there are more
+     * @throws InputRefusedException if it cannot be read
+     */
+    public static byte[] bytes(InputStream in, String name, RefusalKind what, int maxBytes) {
         try {
-            bytes = bounded(in, maxBytes);
+            return bounded(in, maxBytes);
         } catch (IOException e) {
             throw unreadable(name, e, what);
         }
-        return text(bytes, name, what, maxBytes);
     }
 
     private static InputRefusedException unreadable(String name, IOException e, RefusalKind what) {

@@ -15,31 +15,29 @@ import org.cellgauge.settings.CheckSettings;
  * {@code from_cmdstan}.
  */
 public final class StanCsv {
-    /** Most lines of a chain: longer ones are thinned, since a file of tens of megabytes serves no one. */
-    public static final int MOST_DRAWS = 10_000;
-
     private StanCsv() {
     }
 
     /**
      * Writes one chain. Angles are within half a turn of their reference direction, which is the same for all chains:
      * draws to both sides of half a turn stay together, beyond pi where need be, so that their mean and deviation are
-     * those of plain numbers. Numbers keep every digit. Of more than {@value #MOST_DRAWS} draws every second, third, …
-     * is written, as Stan thins; the result's figures rest on all of them.
+     * those of plain numbers. Numbers keep every digit. Of more draws than asked for every second, third, … is written,
+     * as Stan thins; the result's figures rest on all of them.
      *
      * @param result what a check found
      * @param chain which chain, from 1
      * @param inputName name of the photo or detections file
      * @param version version of this program
+     * @param mostDraws how many draws are written at most, positive
      * @param out receives the text; not closed
      * @throws IOException if {@code out} throws it
      * @throws IndexOutOfBoundsException if there is no such chain
      */
-    public static void write(CheckResult result, int chain, String inputName, String version, Appendable out)
-            throws IOException {
+    public static void write(CheckResult result, int chain, String inputName, String version, int mostDraws,
+            Appendable out) throws IOException {
         Draws draws = result.draws().get(chain - 1);
         CheckSettings settings = result.settings();
-        int thin = (draws.count() + MOST_DRAWS - 1) / MOST_DRAWS;
+        int thin = thin(draws.count(), mostDraws);
         comment(out, "program = cellgauge");
         comment(out, "program_version = " + version);
         comment(out, "model = " + settings.model().likelihood().word());
@@ -56,6 +54,9 @@ public final class StanCsv {
         comment(out, "  file = " + inputName);
         comment(out, "random");
         comment(out, "  seed = " + settings.sampling().seed());
+        if (thin > 1) {
+            comment(out, "every " + thin + ". draw is written; the figures of the result rest on all");
+        }
         comment(out, "sampler = " + result.samplerUsed().word());
         comment(out, "verdict = " + result.verdict().key());
         QuantityLayout layout = result.layout();
@@ -77,6 +78,17 @@ public final class StanCsv {
         comment(out, "               0 seconds (Sampling)");
         comment(out, "               0 seconds (Total)");
         comment(out, "");
+    }
+
+    /**
+     * How a chain is thinned.
+     *
+     * @param draws how many it has
+     * @param mostDraws how many are written at most, positive
+     * @return every how-manieth is written
+     */
+    public static int thin(int draws, int mostDraws) {
+        return Math.max(1, (int) (((long) draws + mostDraws - 1) / mostDraws));
     }
 
     /** An angle within half a turn of a direction, rad; one that is there as it is in (-pi, pi] keeps its digits. */

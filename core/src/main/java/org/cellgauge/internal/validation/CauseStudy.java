@@ -46,6 +46,7 @@ public final class CauseStudy {
     private static final double LARGEST_EDGE_PX = 3;
     private static final double LARGEST_SHIFT_PX = 300;
     private static final double LARGEST_BEND = 0.3;
+    private static final double LARGEST_OFFSET_MM = 200;
 
     /** What became of the cells; immutable. */
     public static final class Figures {
@@ -115,7 +116,8 @@ public final class CauseStudy {
 
     private final CellSource source;
     private final @Nullable Cause cause;
-    private final double stds;
+    private final double leastStds;
+    private final double mostStds;
     private final boolean apart;
     private final CheckSettings settings;
 
@@ -124,14 +126,17 @@ public final class CauseStudy {
      *
      * @param source cells as they really are, and as they would rightly be stated
      * @param cause what is wrong with each; null: nothing
-     * @param stds least size of a cause that has one, in its standard deviations; sizes are uniform up to twice that
+     * @param leastStds least size of a cause that has one, in its standard deviations
+     * @param mostStds largest such size; sizes are uniform between the two
      * @param apart whether these are of a size that the photo tells from any other one cause
      * @param settings of the check
      */
-    public CauseStudy(CellSource source, @Nullable Cause cause, double stds, boolean apart, CheckSettings settings) {
+    public CauseStudy(CellSource source, @Nullable Cause cause, double leastStds, double mostStds, boolean apart,
+            CheckSettings settings) {
         this.source = source;
         this.cause = cause;
-        this.stds = stds;
+        this.leastStds = leastStds;
+        this.mostStds = mostStds;
         this.apart = apart;
         this.settings = settings;
     }
@@ -297,12 +302,13 @@ public final class CauseStudy {
         if (cause == Cause.REFERENCE_OFF) {
             int axis = random.nextInt(3);
             ReferenceFit fit = asStated.fit(reference.id());
-            double std = fit == null ? Double.NaN : fit.offsetStd()[axis];
-            double[] t = reference.worldFromMarker().translationMm();
-            t[axis] -= sign * stds * std;
-            if (!(stds * std < 200)) {
+            double mm = fit == null ? Double.NaN
+                    : stds(random) * (apart ? fit.apartStd() : fit.offsetStd())[axis];
+            if (!(mm < LARGEST_OFFSET_MM)) {
                 return null;
             }
+            double[] t = reference.worldFromMarker().translationMm();
+            t[axis] -= sign * mm;
             stated.set(m, placed(reference, RigidTransform.of(reference.worldFromMarker().rotation(), t)));
             Wrong wrong = new Wrong(with(cell, stated, cell.camera(), 1), seen);
             wrong.reference = reference.id();
@@ -318,7 +324,7 @@ public final class CauseStudy {
             return null;
         }
         CauseFit fit = fits.get(random.nextInt(fits.size()));
-        double size = sign * stds * (1 + random.nextDouble()) * (apart ? fit.apartStd() : fit.std());
+        double size = sign * stds(random) * (apart ? fit.apartStd() : fit.std());
         if (!(Math.abs(size) < largest())) {
             return null;
         }
@@ -357,6 +363,11 @@ public final class CauseStudy {
         wrong.axis = fit.axis();
         wrong.reference = fit.references().isEmpty() ? -1 : fit.references().get(0);
         return wrong;
+    }
+
+    /** How large a cause is to be, in its standard deviations. */
+    private double stds(RandomGenerator random) {
+        return leastStds + (mostStds - leastStds) * random.nextDouble();
     }
 
     private double largest() {

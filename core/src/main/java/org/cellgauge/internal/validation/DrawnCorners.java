@@ -17,9 +17,13 @@ import org.cellgauge.warning.Refusal;
  */
 public final class DrawnCorners implements DetectionSource {
     private final double pixelStdPx;
+    private final double outlierShare;
+    private final double outlierStds;
 
-    private DrawnCorners(double pixelStdPx) {
+    private DrawnCorners(double pixelStdPx, double outlierShare, double outlierStds) {
         this.pixelStdPx = pixelStdPx;
+        this.outlierShare = outlierShare;
+        this.outlierStds = outlierStds;
     }
 
     /**
@@ -33,7 +37,7 @@ public final class DrawnCorners implements DetectionSource {
         if (!(pixelStdPx > 0 && Double.isFinite(pixelStdPx))) {
             throw new IllegalArgumentException("corner noise must be positive, not " + pixelStdPx);
         }
-        return new DrawnCorners(pixelStdPx);
+        return new DrawnCorners(pixelStdPx, 0, 0);
     }
 
     /**
@@ -42,7 +46,22 @@ public final class DrawnCorners implements DetectionSource {
      * @return the source; it refuses cells that state none
      */
     public static DrawnCorners asStated() {
-        return new DrawnCorners(Double.NaN);
+        return new DrawnCorners(Double.NaN, 0, 0);
+    }
+
+    /**
+     * The same noise with corners that are far off besides, as by a smudge, a finger or a glint.
+     *
+     * @param share chance that a corner is one, 0 to 1
+     * @param stds how far off it is, in standard deviations of the noise, in any direction of the image; not negative
+     * @return the source
+     * @throws IllegalArgumentException if a number is out of range
+     */
+    public DrawnCorners withOutliers(double share, double stds) {
+        if (!(share >= 0 && share <= 1 && stds >= 0 && Double.isFinite(stds))) {
+            throw new IllegalArgumentException("no share of outliers and size: " + share + ", " + stds);
+        }
+        return new DrawnCorners(pixelStdPx, share, stds);
     }
 
     @Override
@@ -62,13 +81,20 @@ public final class DrawnCorners implements DetectionSource {
         return new Detections("simulated", cell.camera().widthPx(), cell.camera().heightPx(), markers);
     }
 
-    private static MarkerObservation observation(SimulatedCell simulated, int id, double std, RandomGenerator random) {
+    private MarkerObservation observation(SimulatedCell simulated, int id, double std, RandomGenerator random) {
         double[] px = simulated.cornersPx(id);
         if (px == null) {
             throw new InputRefusedException("simulated", ValidationRefusal.MARKER_BEHIND_CAMERA);
         }
         for (int i = 0; i < 8; i++) {
             px[i] += std * random.nextGaussian();
+        }
+        for (int k = 0; k < 4 && outlierShare > 0; k++) {
+            double towards = 2 * Math.PI * random.nextDouble();
+            if (random.nextDouble() < outlierShare) {
+                px[2 * k] += outlierStds * std * Math.cos(towards);
+                px[2 * k + 1] += outlierStds * std * Math.sin(towards);
+            }
         }
         return new MarkerObservation(id, px);
     }

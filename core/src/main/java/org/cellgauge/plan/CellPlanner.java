@@ -1,0 +1,53 @@
+package org.cellgauge.plan;
+
+import java.util.List;
+import org.cellgauge.internal.plan.PlanSearch;
+
+/**
+ * Finds what a set-up would reach, and which change of it reaches the target, without a photo.
+ *
+ * <p>Deviations come from the Fisher information of the model of the cell at the true poses: Laplace's approximation,
+ * which chains confirm where placement errors are small beside the distance. Nothing is said about poses that a photo
+ * could confuse, and a reference counts where it is seen whole; whether it is read is left to the photo.
+ */
+public final class CellPlanner {
+    private CellPlanner() {
+    }
+
+    /**
+     * What a photo of a layout would tell.
+     *
+     * @param layout the cell, the camera and the objects
+     * @param options what to reckon with
+     * @return deviations of every object and gripping point
+     */
+    public static Forecast forecast(Layout layout, PlanOptions options) {
+        return new PlanSearch(layout, options).forecast();
+    }
+
+    /**
+     * What a layout would reach and what would reach its target.
+     *
+     * @param layout the cell, the camera and the objects, at least one of them
+     * @param options what to reckon with
+     * @return the plan
+     * @throws IllegalArgumentException if there is no object in the layout
+     */
+    public static Plan plan(Layout layout, PlanOptions options) {
+        if (layout.worldFromObjects().isEmpty()) {
+            throw new IllegalArgumentException("there is no object whose place could be asked for");
+        }
+        return new PlanSearch(layout, options).plan();
+    }
+
+    /**
+     * The largest deviation in each of many layouts, in parallel.
+     *
+     * @param layouts any number
+     * @param options what to reckon with
+     * @return mm, in their order; infinite where an object is not seen
+     */
+    public static double[] worstStdMm(List<Layout> layouts, PlanOptions options) {
+        return layouts.stream().mapToDouble(layout -> forecast(layout, options).worstStdMm()).toArray();
+    }
+}

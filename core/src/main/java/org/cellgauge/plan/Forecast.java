@@ -1,0 +1,86 @@
+package org.cellgauge.plan;
+
+import java.util.List;
+
+/**
+ * What a photo of a layout would tell: deviations of every object and gripping point; immutable.
+ *
+ * @param rows in the order of the cell, the gripping point of an object after its own
+ * @param references ids of the references that would be seen from everywhere the camera may stand
+ * @param unseen ids of objects that would not be seen somewhere, of which nothing is known then
+ */
+public record Forecast(List<Row> rows, List<Integer> references, List<Integer> unseen) {
+    /** What could be asked of {@link Row#axis}. */
+    public static final int AXES = 3;
+
+    /**
+     * A forecast.
+     *
+     * @param rows copied
+     * @param references copied
+     * @param unseen copied
+     */
+    public Forecast {
+        rows = List.copyOf(rows);
+        references = List.copyOf(references);
+        unseen = List.copyOf(unseen);
+    }
+
+    /**
+     * One object's position or gripping point, where it is worst.
+     *
+     * @param object id
+     * @param grip whether it is the gripping point
+     * @param xStdMm standard deviation along world x, mm; infinite where references do not determine the camera pose
+     * @param yStdMm along y
+     * @param zStdMm along z
+     * @param ownStdMm the largest of what the object's own corners leave along an axis, however well the camera's pose
+     *     is known, mm
+     */
+    public record Row(int object, boolean grip, double xStdMm, double yStdMm, double zStdMm, double ownStdMm) {
+        /**
+         * Deviation along an axis.
+         *
+         * @param axis 0, 1 or 2 for x, y, z
+         * @return mm
+         */
+        public double axis(int axis) {
+            return axis == 0 ? xStdMm : axis == 1 ? yStdMm : zStdMm;
+        }
+
+        /**
+         * The largest deviation along an axis.
+         *
+         * @return mm
+         */
+        public double worstStdMm() {
+            return Math.max(xStdMm, Math.max(yStdMm, zStdMm));
+        }
+    }
+
+    /**
+     * The largest deviation of any object and gripping point along any axis: what a target is held against.
+     *
+     * @return mm; infinite where an object is not seen; 0 without objects
+     */
+    public double worstStdMm() {
+        double worst = unseen.isEmpty() ? 0 : Double.POSITIVE_INFINITY;
+        for (Row row : rows) {
+            worst = Math.max(worst, row.worstStdMm());
+        }
+        return worst;
+    }
+
+    /**
+     * What no reference can improve on: the largest deviation that the objects' own corners leave.
+     *
+     * @return mm; infinite where an object is not seen
+     */
+    public double boundStdMm() {
+        double worst = unseen.isEmpty() ? 0 : Double.POSITIVE_INFINITY;
+        for (Row row : rows) {
+            worst = Math.max(worst, row.ownStdMm());
+        }
+        return worst;
+    }
+}
