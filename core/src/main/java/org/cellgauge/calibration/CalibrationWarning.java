@@ -2,7 +2,7 @@ package org.cellgauge.calibration;
 
 import org.cellgauge.warning.WarningKind;
 
-/** What users of a calibration should know, or a part of such a sentence. */
+/** What users of a calibration should know. */
 public enum CalibrationWarning implements WarningKind {
     /** Photos without the target: names. */
     NOT_FOUND("the target was not found in %s"),
@@ -38,40 +38,8 @@ public enum CalibrationWarning implements WarningKind {
     /** A field of view no usual lens has: degrees. */
     ODD_FIELD_OF_VIEW("the field of view comes out as %s degrees, which hardly any lens has: check the target file"),
 
-    // ---- the next photo
-
-    /** The next photo: where in the image, how far, how it is tilted. */
-    NEXT_PHOTO("take one more photo with the target %s, %s, %s"),
-    /** A place: row and column. */
-    AT_PLACE("in the %s %s of the image"),
-    /** The place. */
-    IN_MIDDLE("in the middle of the image"),
-    /** A row. */
-    TOP("upper"),
-    /** A row. */
-    MIDDLE_ROW("middle"),
-    /** A row. */
-    BOTTOM("lower"),
-    /** A column. */
-    LEFT("left"),
-    /** A column. */
-    CENTRE("centre"),
-    /** A column. */
-    RIGHT("right"),
-    /** The distance: mm. */
-    AT_DISTANCE("at about %s mm"),
-    /** A tilt. */
-    FACING("facing the camera"),
-    /** A tilt: degrees, {@link #LEFT_EDGE} and the like. */
-    TILTED("tilted by %s degrees with %s nearer"),
-    /** An edge. */
-    LEFT_EDGE("its left edge"),
-    /** An edge. */
-    RIGHT_EDGE("its right edge"),
-    /** An edge. */
-    UPPER_EDGE("its upper edge"),
-    /** An edge. */
-    LOWER_EDGE("its lower edge");
+    /** What would help most: where in the image, how far, how it is tilted. */
+    NEXT_PHOTO("take one more photo with the target %s, %s, %s");
 
     private final String english;
 
