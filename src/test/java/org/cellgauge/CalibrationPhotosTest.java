@@ -14,7 +14,6 @@ import java.util.stream.Stream;
 import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cli.Main;
 import org.cellgauge.geometry.PinholeCamera;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -23,18 +22,6 @@ import picocli.CommandLine;
 class CalibrationPhotosTest {
     @TempDir
     private Path scratch;
-
-    private static Path folder(String name) {
-        Path from = Path.of(System.getProperty("cellgauge.root", ".")).toAbsolutePath().normalize();
-        for (Path p = from; p != null; p = p.getParent()) {
-            Path folder = p.resolve("shared/data/boofcv").resolve(name);
-            if (Files.isDirectory(folder)) {
-                return folder;
-            }
-        }
-        Assumptions.abort("no shared/data/boofcv/" + name + " beside the checkout");
-        throw new IllegalStateException();
-    }
 
     private PinholeCamera calibrated(String target, List<String> photos, StringWriter out, String... more) {
         Path camera = scratch.resolve("camera.yaml");
@@ -50,7 +37,7 @@ class CalibrationPhotosTest {
     /** The focal lengths published with these photos, by BoofCV with two radial coefficients. */
     @Test
     void chessboardGivesThePublishedFocalLength() throws IOException {
-        Path photos = folder("calibration_sony_chess");
+        Path photos = RealPhotosTest.folder("calibration_sony_chess");
         Path target = Files.writeString(scratch.resolve("target.yaml"),
                 "cellgauge_target: 1\nchessboard: {rows: 7, columns: 5, square_mm: 30}\n");
         StringWriter out = new StringWriter();
@@ -69,7 +56,7 @@ class CalibrationPhotosTest {
      */
     @Test
     void ecoCheckAgreesWithOpenCv() throws IOException {
-        Path photos = folder("calibration_zed_ecocheck");
+        Path photos = RealPhotosTest.folder("calibration_zed_ecocheck");
         List<String> some;
         try (Stream<Path> files = Files.list(photos)) {
             some = files.map(Path::toString).filter(n -> n.endsWith(".jpg")).sorted().toList();

@@ -18,14 +18,14 @@ public enum CalibrationWarning implements WarningKind {
     /** Photos that tell next to nothing: names. */
     ADDS_LITTLE("%s add next to nothing to what the others tell"),
     /** Odd and even photos calibrate to different cameras: ratio, factor of the deviations. */
-    MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: lens model "
-            + "or target are wrong by more than the corners' noise. The stated deviations are widened by %s"),
+    MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: lens "
+            + "model or target are wrong by more than the corners' noise. The stated deviations are widened by %s"),
     /** Odd and even photos differ somewhat: ratio. */
     SOME_MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: "
             + "chance is possible, a small error of lens model or target too"),
     /** Too few photos for the gate: how many it takes. */
-    NOT_CROSS_VALIDATED("too few photos to calibrate odd and even ones apart: nothing tells an error of the lens model; "
-            + "take at least %s"),
+    NOT_CROSS_VALIDATED("too few photos to calibrate odd and even ones apart: nothing tells an error of the lens "
+            + "model; take at least %s"),
     /** Parts of the image without any point: per cent, where the largest is. */
     NOT_COVERED("%s %% of the image were never covered by the target, most of it %s: what is said of these parts is "
             + "extrapolated"),

@@ -55,7 +55,7 @@ class CalibrationTargetReaderTest {
         "{cellgauge_target: 1, chessboard: {rows: 7, columns: 5}} | chessboard.square_mm: is missing",
         "{cellgauge_target: 1, chessboard: {rows: 2, columns: 5, square_mm: 3}} | must be from 3 to 1000",
         "{cellgauge_target: 1, circle_grid: {rows: 7, columns: 5, diameter_mm: 30, spacing_mm: 20}} | touch",
-        "{cellgauge_target: 1, marker_plate: {family: aruco, size_mm: 30, positions_mm: {0: [0, 0]}}} | no marker family",
+        "{cellgauge_target: 1, marker_plate: {family: aruco, size_mm: 3, positions_mm: {}}} | no marker family",
         "{cellgauge_target: 1, cell: {file: none.yaml}} | there is no file"})
     void refusesWithTheRemedy(String text, String words) {
         InputRefusedException refused = assertThrows(InputRefusedException.class, () -> read(text));

@@ -17,7 +17,8 @@ class TargetDetectorTest {
     private static final int RAYS = 4;
     private static final PinholeCamera CAMERA = PinholeCamera.ideal(WIDTH, HEIGHT, 420, 420, WIDTH / 2.0, HEIGHT / 2.0);
     /** A board's y goes up. */
-    private static final RigidTransform CAMERA_FROM_BOARD = RigidTransform.ofEuler(6, -4, 420, Math.PI - 0.35, 0.3, 0.1);
+    private static final RigidTransform CAMERA_FROM_BOARD =
+            RigidTransform.ofEuler(6, -4, 420, Math.PI - 0.35, 0.3, 0.1);
 
     /** The photo of a plane whose dark places are known, in mm of the board's frame. */
     private static GreyImage photo(BiPredicate<Double, Double> dark) {

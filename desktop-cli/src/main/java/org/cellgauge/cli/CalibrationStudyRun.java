@@ -58,7 +58,8 @@ final class CalibrationStudyRun {
         CalibrationStudy.Outcome first = outcomes.get(0);
         for (int k = 0; k < first.names().size(); k++) {
             int at = k;
-            row(table, first.names().get(k), outcomes.stream().map(o -> CheckText.fixed(o.ratios().get(at), 2)).toList());
+            row(table, first.names().get(k),
+                    outcomes.stream().map(o -> CheckText.fixed(o.ratios().get(at), 2)).toList());
         }
         for (int k = 0; k < 9; k++) {
             int at = k;

@@ -47,8 +47,8 @@ class MarkerPlateCalibrationTest {
                     0.7 * (2 * random.nextDouble() - 1));
             Scene.Builder scene = Scene.of(truth, pose.inverse());
             for (Reference marker : plate.markers()) {
-                scene.marker(new SceneMarker(marker.id(), marker.sizeMm(), MarkerPattern.of(plate.family(), marker.id()),
-                        marker.worldFromMarker()));
+                scene.marker(new SceneMarker(marker.id(), marker.sizeMm(),
+                        MarkerPattern.of(plate.family(), marker.id()), marker.worldFromMarker()));
             }
             photos.add(Files.write(folder.resolve("p" + p + ".png"), GreyPng.encode(SceneRenderer.render(scene.build(),
                     new Sensor(0.7, 2, 0, 2.2, 0.1, 0.1), new Well19937c(p)))));

@@ -11,8 +11,8 @@ import org.cellgauge.vision.TargetObservation;
 import org.cellgauge.vision.TargetPoints;
 
 /**
- * Are stated deviations of calibrations right? Calibrations simulated with a known camera: errors of every parameter and
- * of the projection at nine places of the image, over what was stated of them. Corners are drawn, not photos.
+ * Are stated deviations of calibrations right? Calibrations simulated with a known camera: errors of every parameter
+ * and of the projection at nine places of the image, over what was stated of them. Corners are drawn, not photos.
  */
 public final class CalibrationStudy {
     /** A choice of photos, a board and what is modelled of it. */

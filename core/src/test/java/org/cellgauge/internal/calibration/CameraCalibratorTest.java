@@ -8,13 +8,21 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.cellgauge.calibration.Calibration;
 import org.cellgauge.calibration.CalibrationOptions;
 import org.cellgauge.calibration.CalibrationRefusal;
 import org.cellgauge.calibration.CalibrationResult;
 import org.cellgauge.calibration.CalibrationWarning;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.KannalaBrandtLens;
+import org.cellgauge.geometry.Lens;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.vision.TargetObservation;
+import org.cellgauge.vision.TargetPoints;
 import org.junit.jupiter.api.Test;
 
 /** Calibrations of a camera that is known, from corners drawn with noise that is known. */
@@ -56,7 +64,7 @@ class CameraCalibratorTest {
         for (int k = 0; k < index.length; k++) {
             CalibrationResult.Parameter p = result.parameters().get(k);
             assertEquals(truth[index[k]], p.value(), 4 * p.std(), p.name());
-            assertEquals(p.std() * p.std(), result.covariance()[k][k], 1e-9 * p.std() * p.std());
+            assertEquals(p.std() * p.std(), result.covariance().get(k).get(k), 1e-9 * p.std() * p.std());
         }
         assertEquals(NOISE_PX, result.figures().noisePx(), 0.02);
         assertEquals(NOISE_PX * Math.sqrt(2), result.figures().rmsPx(), 0.03);
@@ -70,8 +78,7 @@ class CameraCalibratorTest {
     /** Bent by 0.5 mm over 300 mm across its columns: photos held out tell. */
     @Test
     void findsThatTheBoardIsBent() {
-        CalibrationResult result = Calibration.of(STUDY.points(), STUDY.photos(CalibrationStudy.Scene.BENT, 0),
-                CalibrationOptions.USUAL.withLens("brown-4"));
+        CalibrationResult result = calibrated(STUDY.points(), STUDY.photos(CalibrationStudy.Scene.BENT, 0));
         CalibrationResult.Parameter warp = result.board().get(0);
         assertEquals("warp_1_mm", warp.name());
         assertEquals(0.5, Math.abs(warp.value()), 5 * warp.std());
@@ -129,6 +136,72 @@ class CameraCalibratorTest {
         assertTrue(warns(result, CalibrationWarning.MODEL_ERROR));
         assertEquals(result.figures().crossRatio(), result.widenedBy());
         assertTrue(result.widenedBy() > 2);
+    }
+
+    /** Photos of points through a lens that is known, from all around. */
+    private static List<TargetObservation> seen(TargetPoints points, Lens lens, double[] values, int photos,
+            double distanceMm) {
+        SplittableRandom random = new SplittableRandom(11);
+        double[] xyz = points.xyzMm();
+        List<TargetObservation> out = new ArrayList<>();
+        while (out.size() < photos) {
+            RigidTransform pose = RigidTransform.ofEuler(distanceMm * (random.nextDouble() - 0.5),
+                    distanceMm * (random.nextDouble() - 0.5) / 2, distanceMm * (0.8 + 0.5 * random.nextDouble()),
+                    Math.PI + 1.4 * (random.nextDouble() - 0.5), 1.4 * (random.nextDouble() - 0.5),
+                    2 * (random.nextDouble() - 0.5));
+            double[] uv = new double[2 * points.count()];
+            boolean whole = true;
+            for (int i = 0; i < points.count(); i++) {
+                double[] p = pose.apply(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]);
+                whole &= lens.project(values, p[0], p[1], p[2], uv, 2 * i) && uv[2 * i] > 0 && uv[2 * i] < 1280
+                        && uv[2 * i + 1] > 0 && uv[2 * i + 1] < 720;
+                uv[2 * i] += NOISE_PX * random.nextGaussian();
+                uv[2 * i + 1] += NOISE_PX * random.nextGaussian();
+            }
+            if (whole) {
+                out.add(new TargetObservation("photo " + out.size(), 1280, 720,
+                        IntStream.range(0, points.count()).toArray(), uv));
+            }
+        }
+        return out;
+    }
+
+    private static void assertFound(double[] truth, CalibrationResult result, double mostStdPx) {
+        for (int k = 0; k < 4; k++) {
+            CalibrationResult.Parameter p = result.parameters().get(k);
+            assertEquals(truth[k], p.value(), 4.5 * p.std(), p.name());
+            assertTrue(p.std() < mostStdPx, p.name() + " +- " + p.std());
+        }
+    }
+
+    @Test
+    void findsAFisheye() {
+        double[] truth = new double[KannalaBrandtLens.MODEL.parameterCount()];
+        System.arraycopy(new double[] {420, 421, 648, 355, 0, 0.03, -0.01}, 0, truth, 0, 7);
+        List<TargetObservation> photos = seen(STUDY.points(), KannalaBrandtLens.MODEL, truth, 12, 260);
+        assertFound(truth, Calibration.of(STUDY.points(), photos, CalibrationOptions.USUAL.withLens("fisheye")
+                .withWarp(0).withAspect(CalibrationOptions.Aspect.STATED)), 2);
+    }
+
+    /** Six markers about a cell, two of them raised and turned: no plane holds them. */
+    @Test
+    void findsTheCameraFromReferencesOfACell() {
+        List<TargetPoints.Patch> patches = new ArrayList<>();
+        double[] xyz = new double[72];
+        for (int m = 0; m < 6; m++) {
+            RigidTransform place = RigidTransform.ofEuler(250 * (m % 3 - 1), 150 * (m / 3 * 2 - 1), m % 2 * 120, 0,
+                    m % 2 * 0.4, 0.3 * m);
+            patches.add(new TargetPoints.Patch(place, 4 * m, 4));
+            System.arraycopy(MarkerGeometry.cornersMm(place, 80), 0, xyz, 12 * m, 12);
+        }
+        double[] truth = STUDY.truth();
+        TargetPoints points = new TargetPoints(xyz, patches, true);
+        List<TargetObservation> photos = seen(points, BrownLens.MODEL, truth, 10, 900);
+        assertFound(truth, calibrated(points, photos), 5);
+    }
+
+    private static CalibrationResult calibrated(TargetPoints points, List<TargetObservation> photos) {
+        return Calibration.of(points, photos, CalibrationOptions.USUAL.withLens("brown-4"));
     }
 
     @Test
