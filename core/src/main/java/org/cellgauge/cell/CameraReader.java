@@ -10,7 +10,6 @@ import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.cell.CalibratedCameraText;
 import org.cellgauge.internal.cell.CameraWriter;
-import org.cellgauge.internal.cell.CalibratedCameraText;
 import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.internal.warning.Listing;

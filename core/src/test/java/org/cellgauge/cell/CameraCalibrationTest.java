@@ -18,8 +18,9 @@ import org.junit.jupiter.api.Test;
 class CameraCalibrationTest {
     private static final PinholeCamera CAMERA = PinholeCamera.of(1280, 720, new double[] {581.25, 582.5, 640.1,
         359.7, 0, -0.3, 0.12, 0, 0.001, -0.002});
-    private static final double[][] COVARIANCE = {{0.4, 0.38, 1e-4}, {0.38, 0.41, -2e-4}, {1e-4, -2e-4, 1.7e-6}};
-    private static final String TEXT = CalibratedCameraText.text(CAMERA, new String[] {"fx", "fy", "k1"}, COVARIANCE,
+    private static final List<List<Double>> COVARIANCE = List.of(List.of(0.4, 0.38, 1e-4),
+            List.of(0.38, 0.41, 2e-4), List.of(1e-4, 2e-4, 1.7e-6));
+    private static final String TEXT = CalibratedCameraText.text(CAMERA, List.of("fx", "fy", "k1"), COVARIANCE,
             20, 0.21, 1.3);
 
     private static InputRefusedException refused(String text) {
@@ -31,7 +32,7 @@ class CameraCalibrationTest {
         CameraCalibration read = CameraReader.calibration(TEXT, "camera.yaml");
         assertNotNull(read);
         assertEquals(List.of("fx", "fy", "k1"), read.parameters());
-        assertArrayEquals(new double[] {0.4, 0.38, 1e-4, 0.38, 0.41, -2e-4, 1e-4, -2e-4, 1.7e-6}, read.covariance(), 0);
+        assertArrayEquals(new double[] {0.4, 0.38, 1e-4, 0.38, 0.41, 2e-4, 1e-4, 2e-4, 1.7e-6}, read.covariance(), 0);
         assertEquals(20, read.photos());
         assertArrayEquals(new int[] {PinholeCamera.FX, PinholeCamera.FY, BrownLens.K1}, read.indices(CAMERA.lens()));
         assertArrayEquals(CAMERA.intrinsics(), CameraReader.read(TEXT, "camera.yaml").intrinsics(), 0);
