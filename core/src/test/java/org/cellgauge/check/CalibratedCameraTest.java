@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
-import org.cellgauge.estimate.CellEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.internal.sampling.RandomStreams;
