@@ -100,7 +100,7 @@ public final class SettingTable {
             .where(SettingTable::allUnknown).within(positive(), SettingRefusal.NOT_POSITIVE);
 
     /** Whether the covariance that comes with a camera file counts. */
-    public static final Setting<CalibrationUse> CALIBRATION = Setting.of(Part.MODEL, "calibration",
+    public static final Setting<CalibrationUse> CALIBRATION = Setting.of(Part.MODEL, "calibration_use",
             SettingForm.choice(CalibrationUse.values()), CalibrationUse.UNCERTAIN,
             "Whether intrinsics are as uncertain as the calibration in the camera file says, or count as exact");
 
