@@ -24,9 +24,10 @@ import org.jspecify.annotations.Nullable;
  * <p>A key that BoofCV does not write may stand beside them: {@code tone_curve}, how the camera makes grey values of
  * light ({@code auto}, {@code srgb}, {@code linear} or {@code gamma G}); and {@code cellgauge_calibration}, how well
  * the intrinsics are known ({@code parameters}, {@code covariance}, {@link CameraCalibration}). {@code skew}, the
- * radial coefficients (up to 3) and {@code t1}, {@code t2} are 0 where they are left out. Of a fisheye, {@code symmetric} holds up to 5
- * coefficients of the angle's odd powers; the first is taken into the focal lengths and the skew. Its asymmetric part
- * ({@code radial} and {@code tangent} with their {@code _trig}) is refused where it is not 0.
+ * radial coefficients (up to 3) and {@code t1}, {@code t2} are 0 where they are left out. Of a fisheye,
+ * {@code symmetric} holds up to 5 coefficients of the angle's odd powers; the first is taken into the focal lengths and
+ * the skew. Its asymmetric part ({@code radial} and {@code tangent} with their {@code _trig}) is refused where it is
+ * not 0.
  */
 public final class CameraReader {
     /** Largest camera file that is read, bytes. */
