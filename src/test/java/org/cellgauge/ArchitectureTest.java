@@ -70,7 +70,8 @@ class ArchitectureTest {
     /** Calls that only a reader of files needs. */
     private static final String READING = String.join("|", "java\\.nio\\.file\\.Files\\."
             + "(readAll.*|readString|newInputStream|newByteChannel|newBufferedReader|lines)",
-            "java\\.io\\.File(InputStream|Reader)\\.<init>", "com\\.google\\.gson\\.(JsonParser|stream\\.JsonReader)\\..*",
+            "java\\.io\\.File(InputStream|Reader)\\.<init>",
+            "com\\.google\\.gson\\.(JsonParser|stream\\.JsonReader)\\..*",
             "javax\\.imageio\\.ImageIO\\.getImageReaders.*",
             "org\\.yaml\\.snakeyaml\\.reader\\.StreamReader\\.<init>", "org\\.cellgauge\\.cell\\.YamlValue\\.parse",
             "org\\.cellgauge\\.internal\\.cell\\.InputFiles\\.(text|bytes)");
