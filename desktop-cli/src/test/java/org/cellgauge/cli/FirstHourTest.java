@@ -202,7 +202,7 @@ class FirstHourTest {
         assertTrue(call.err().contains(message), call.err());
     }
 
-    /** Folders like C:/Program Files (x86) and {@code R&D}: what is put in for a path stands between quotes, on every line. */
+    /** Folders like C:/Program Files (x86) and {@code R&D}: what is put in for a path stands between quotes. */
     @Test
     void windowsPathsStandBetweenQuotes() throws IOException {
         Pattern path = Pattern.compile("%(~dp0|lib|java|JAVA_HOME)\\b");
