@@ -98,8 +98,8 @@ class LayoutModelTest {
     }
 
     /**
-     * Worst axis and worst lateral axis of the root mean square over the three objects in the plane, mm, without the noise of
-     * their own corners: converged chains of an independent implementation (method notes, "What the numbers should be",
+     * Worst axis and worst lateral axis of the root mean square over the three objects in the plane, mm, without the noise
+     * of their own corners: converged chains of an independent implementation (method notes, "What the numbers should be",
      * rigid-marker), which have two digits.
      */
     @ParameterizedTest
