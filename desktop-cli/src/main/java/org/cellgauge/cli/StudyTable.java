@@ -169,8 +169,8 @@ final class StudyTable {
             .named("state-pixel-std").where(StudyTable::ofPhotos);
 
     private static final List<Setting<?>> ALL = List.of(SIMULATIONS, SPREAD, PIXEL_STD_PX, OUTLIERS, PHOTOS,
-            RANDOM_LAYOUTS, GRID, CORNERS_ONLY, TONE_CURVE, BLUR_PX, MARKER_PX, EXPOSURE, JPEG_QUALITY, UNSHARP, PRINT_GAIN_MM,
-            GRADIENT, NOISE_GREY, FULL_WELL_ELECTRONS, STATED_PIXEL_STD_PX);
+            RANDOM_LAYOUTS, GRID, CORNERS_ONLY, TONE_CURVE, BLUR_PX, MARKER_PX, EXPOSURE, JPEG_QUALITY, UNSHARP,
+            PRINT_GAIN_MM, GRADIENT, NOISE_GREY, FULL_WELL_ELECTRONS, STATED_PIXEL_STD_PX);
 
     private StudyTable() {
     }
