@@ -86,7 +86,8 @@ public final class ValidateCommand implements Callable<Integer> {
 
     @Option(names = "--cause", paramLabel = "NAME|none|all",
             description = "Counts how often what is wrong with a cell is named, in cells stated or photographed wrong "
-                    + "in that way, by --deviations where it has a size; none: in how many right ones anything is said. No chains are run.")
+                    + "in that way, by --deviations where it has a size; none: in how many right ones anything is "
+                    + "said. No chains are run.")
     private String cause;
 
     @Option(names = "--deviations", paramLabel = "LEAST,MOST",
