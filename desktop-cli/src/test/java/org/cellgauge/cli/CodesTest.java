@@ -15,7 +15,10 @@ import java.util.Map;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.cellgauge.calibration.CalibrationRefusal;
+import org.cellgauge.calibration.CalibrationWarning;
 import org.cellgauge.cell.CellRefusal;
+import org.cellgauge.cell.TargetRefusal;
 import org.cellgauge.desktop.BatchRefusal;
 import org.cellgauge.desktop.BatchWarning;
 import org.cellgauge.desktop.FolderRefusal;
@@ -34,7 +37,7 @@ class CodesTest {
     private static final List<MessageKind[]> KINDS = List.of(CheckWarning.values(), DetectionWarning.values(),
             BatchWarning.values(), CheckRefusal.values(), CellRefusal.values(), DetectionsRefusal.values(),
             ImageRefusal.values(), FolderRefusal.values(), ResultRefusal.values(), BatchRefusal.values(),
-            MachineRefusal.values());
+            MachineRefusal.values(), CalibrationWarning.values(), CalibrationRefusal.values(), TargetRefusal.values());
 
     @Test
     void noTwoMessagesShareACode() {
