@@ -41,7 +41,7 @@ class RealPhotosTest {
     @TempDir
     private Path scratch;
 
-    private static Path folder(String name) {
+    static Path folder(String name) {
         Path from = Path.of(System.getProperty("cellgauge.root", ".")).toAbsolutePath().normalize();
         for (Path p = from; p != null; p = p.getParent()) {
             Path folder = p.resolve("shared/data/boofcv").resolve(name);

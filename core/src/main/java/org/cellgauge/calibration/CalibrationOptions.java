@@ -13,6 +13,8 @@ public record CalibrationOptions(String lens, int warp, Aspect aspect, double di
     public static final String AUTO = "auto";
     /** As the photos allow. */
     public static final int BY_PHOTOS = -1;
+    /** Most coefficients of a warp. */
+    public static final int MOST_WARP = 5;
     /** What is usual. */
     public static final CalibrationOptions USUAL = new CalibrationOptions(AUTO, BY_PHOTOS, Aspect.BY_PHOTOS, 0);
 
@@ -24,6 +26,20 @@ public record CalibrationOptions(String lens, int warp, Aspect aspect, double di
         UNKNOWN,
         /** Unknown where the target was turned about the camera's axis from photo to photo. */
         BY_PHOTOS
+    }
+
+    /**
+     * Options.
+     *
+     * @throws IllegalArgumentException if there is no such lens or warp, or the distance is negative
+     */
+    public CalibrationOptions {
+        if (!lens.equals(AUTO) && !Calibration.lenses().contains(lens)) {
+            throw new IllegalArgumentException("no lens model: " + lens);
+        }
+        if (warp < BY_PHOTOS || warp > MOST_WARP || !(distanceMm >= 0)) {
+            throw new IllegalArgumentException("no warp of " + warp + " coefficients at " + distanceMm + " mm");
+        }
     }
 
     /**

@@ -6,8 +6,8 @@ import org.cellgauge.warning.RefusalKind;
 public enum CalibrationRefusal implements RefusalKind {
     /** Too few photos show the target: how many do, how many were given, how many it takes. */
     TOO_FEW_PHOTOS("the target was found in %s of %s photos, and a calibration takes at least %s; take more with the "
-            + "target sharp and wholly in the image, tilted by 30 to 45 degrees to all sides, and check that the target "
-            + "file describes it"),
+            + "target sharp and wholly in the image, tilted by 30 to 45 degrees to all sides, and check that the "
+            + "target file describes it"),
     /** Photos of several sizes: name, width, height, name, width, height. */
     SIZES_DIFFER("%s has %s x %s px and %s has %s x %s px; calibrate on photos of one size, the one the camera will be "
             + "used at"),

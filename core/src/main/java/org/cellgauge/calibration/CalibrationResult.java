@@ -8,13 +8,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * A calibrated camera and all that tells how far it can be relied on; immutable.
  *
- * <p>Deviations are those of Laplace's approximation with the noise that the corners themselves show; where odd and even
- * photos contradict each other they are widened by {@link #widenedBy()}.
+ * <p>Deviations are those of Laplace's approximation with the noise that the corners themselves show; where odd and
+ * even photos contradict each other they are widened by {@link #widenedBy()}.
  *
  * @param camera the camera
  * @param lens name of the lens model among {@link Calibration#lenses()}
  * @param parameters the unknowns of the lens
- * @param covariance their joint covariance, in their order, widened as said
+ * @param covariance their joint covariance, row by row in their order, widened as said
  * @param widenedBy factor of all deviations, at least 1
  * @param board unknowns of the board
  * @param figures figures of all photos together
@@ -28,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  * @param inQuestion whether so much had to be left out that no figure can be trusted
  */
 public record CalibrationResult(PinholeCamera camera, String lens, List<Parameter> parameters,
-        double[][] covariance, double widenedBy, List<Parameter> board, Figures figures, List<Photo> photos,
+        List<List<Double>> covariance, double widenedBy, List<Parameter> board, Figures figures, List<Photo> photos,
         List<Residual> residuals, List<Place> places, int placesPerRow, List<LensTrial> ladder,
         List<Warning> warnings, @Nullable Warning nextPhoto, boolean inQuestion) {
     /**
@@ -76,8 +76,8 @@ public record CalibrationResult(PinholeCamera camera, String lens, List<Paramete
      *
      * @param u px
      * @param v px
-     * @param stdPx deviation of the projection there in the direction where it is largest, px: what a turn of the camera
-     *     cannot make good, since poses are estimated with every photo
+     * @param stdPx deviation of the projection there in the direction where it is largest, px: what a turn of the
+     *     camera cannot make good, since poses are estimated with every photo
      * @param crossPx difference of the calibrations from odd and from even photos, px, likewise; NaN where there are
      *     none
      * @param crossRatio that difference over its own stated deviation; NaN where there is none
@@ -104,8 +104,8 @@ public record CalibrationResult(PinholeCamera camera, String lens, List<Paramete
      * @param noisePx deviation of a coordinate, degrees of freedom taken into account, px
      * @param iterationsMs time of the adjustment, ms
      * @param coveredShare share of the image that the target covered in some photo
-     * @param horizontalDeg field of view between the middles of the left and the right edge, degrees; NaN where the lens
-     *     model ends before
+     * @param horizontalDeg field of view between the middles of the left and the right edge, degrees; NaN where the
+     *     lens model ends before
      * @param verticalDeg likewise from top to bottom
      * @param distanceMm distance at which deviations are stated in mm
      * @param crossRatio difference of odd and even photos over its stated deviation; NaN where there are too few photos
@@ -114,33 +114,15 @@ public record CalibrationResult(PinholeCamera camera, String lens, List<Paramete
             double coveredShare, double horizontalDeg, double verticalDeg, double distanceMm, double crossRatio) {
     }
 
-    /** Copies lists and covariance. */
+    /** Copies lists. */
     public CalibrationResult {
         parameters = List.copyOf(parameters);
-        covariance = copy(covariance);
+        covariance = covariance.stream().map(List::copyOf).toList();
         board = List.copyOf(board);
         photos = List.copyOf(photos);
         residuals = List.copyOf(residuals);
         places = List.copyOf(places);
         ladder = List.copyOf(ladder);
         warnings = List.copyOf(warnings);
-    }
-
-    /**
-     * Joint covariance of the parameters.
-     *
-     * @return a copy
-     */
-    @Override
-    public double[][] covariance() {
-        return copy(covariance);
-    }
-
-    private static double[][] copy(double[][] matrix) {
-        double[][] out = new double[matrix.length][];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = matrix[i].clone();
-        }
-        return out;
     }
 }

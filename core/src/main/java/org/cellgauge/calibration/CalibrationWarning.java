@@ -2,7 +2,7 @@ package org.cellgauge.calibration;
 
 import org.cellgauge.warning.WarningKind;
 
-/** What users of a calibration should know, or a part of such a sentence. */
+/** What users of a calibration should know. */
 public enum CalibrationWarning implements WarningKind {
     /** Photos without the target: names. */
     NOT_FOUND("the target was not found in %s"),
@@ -18,14 +18,14 @@ public enum CalibrationWarning implements WarningKind {
     /** Photos that tell next to nothing: names. */
     ADDS_LITTLE("%s add next to nothing to what the others tell"),
     /** Odd and even photos calibrate to different cameras: ratio, factor of the deviations. */
-    MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: lens model "
-            + "or target are wrong by more than the corners' noise. The stated deviations are widened by %s"),
+    MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: lens "
+            + "model or target are wrong by more than the corners' noise. The stated deviations are widened by %s"),
     /** Odd and even photos differ somewhat: ratio. */
     SOME_MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: "
             + "chance is possible, a small error of lens model or target too"),
     /** Too few photos for the gate: how many it takes. */
-    NOT_CROSS_VALIDATED("too few photos to calibrate odd and even ones apart: nothing tells an error of the lens model; "
-            + "take at least %s"),
+    NOT_CROSS_VALIDATED("too few photos to calibrate odd and even ones apart: nothing tells an error of the lens "
+            + "model; take at least %s"),
     /** Parts of the image without any point: per cent, where the largest is. */
     NOT_COVERED("%s %% of the image were never covered by the target, most of it %s: what is said of these parts is "
             + "extrapolated"),
@@ -38,40 +38,8 @@ public enum CalibrationWarning implements WarningKind {
     /** A field of view no usual lens has: degrees. */
     ODD_FIELD_OF_VIEW("the field of view comes out as %s degrees, which hardly any lens has: check the target file"),
 
-    // ---- the next photo
-
-    /** The next photo: where in the image, how far, how it is tilted. */
-    NEXT_PHOTO("take one more photo with the target %s, %s, %s"),
-    /** A place: row and column. */
-    AT_PLACE("in the %s %s of the image"),
-    /** The place. */
-    IN_MIDDLE("in the middle of the image"),
-    /** A row. */
-    TOP("upper"),
-    /** A row. */
-    MIDDLE_ROW("middle"),
-    /** A row. */
-    BOTTOM("lower"),
-    /** A column. */
-    LEFT("left"),
-    /** A column. */
-    CENTRE("centre"),
-    /** A column. */
-    RIGHT("right"),
-    /** The distance: mm. */
-    AT_DISTANCE("at about %s mm"),
-    /** A tilt. */
-    FACING("facing the camera"),
-    /** A tilt: degrees, {@link #LEFT_EDGE} and the like. */
-    TILTED("tilted by %s degrees with %s nearer"),
-    /** An edge. */
-    LEFT_EDGE("its left edge"),
-    /** An edge. */
-    RIGHT_EDGE("its right edge"),
-    /** An edge. */
-    UPPER_EDGE("its upper edge"),
-    /** An edge. */
-    LOWER_EDGE("its lower edge");
+    /** What would help most: where in the image, how far, how it is tilted. */
+    NEXT_PHOTO("take one more photo with the target %s, %s, %s");
 
     private final String english;
 

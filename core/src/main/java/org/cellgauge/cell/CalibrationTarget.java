@@ -2,7 +2,7 @@ package org.cellgauge.cell;
 
 import java.util.List;
 
-/** What stands in the photos of a calibration; immutable. Read from a target file by {@link CalibrationTargetReader}. */
+/** What stands in the photos of a calibration; immutable. {@link CalibrationTargetReader} reads it from a file. */
 public sealed interface CalibrationTarget {
     /**
      * The name of its kind, the key that states it in a target file.

@@ -8,6 +8,7 @@ import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.cell.CameraWriter;
+import org.cellgauge.internal.cell.CalibratedCameraText;
 import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.internal.warning.Listing;
@@ -138,8 +139,9 @@ public final class CameraReader {
         }
         file.refuseUnknown(fisheye
                 ? Arrays.asList("model", "pinhole", SYMMETRIC, "radial", "radial_trig", "tangent", "tangent_trig",
-                        "version", TONE_CURVE)
-                : Arrays.asList("model", "pinhole", "radial_tangential", "version", TONE_CURVE));
+                        "version", TONE_CURVE, CalibratedCameraText.KEY)
+                : Arrays.asList("model", "pinhole", "radial_tangential", "version", TONE_CURVE,
+                        CalibratedCameraText.KEY));
         toneCurve(file.optional(TONE_CURVE));
         YamlValue version = file.optional("version");
         if (version != null) {

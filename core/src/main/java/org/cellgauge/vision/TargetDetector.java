@@ -1,7 +1,5 @@
 package org.cellgauge.vision;
 
-import boofcv.abst.fiducial.calib.CalibrationDetectorCircleHexagonalGrid;
-import boofcv.abst.fiducial.calib.CalibrationDetectorCircleRegularGrid;
 import boofcv.abst.fiducial.calib.ConfigECoCheckDetector;
 import boofcv.abst.fiducial.calib.ConfigECoCheckMarkers;
 import boofcv.abst.fiducial.calib.ConfigGridDimen;
@@ -75,10 +73,10 @@ public final class TargetDetector {
     private static DetectSingleFiducialCalibration boofDetector(CalibrationTarget.Grid grid) {
         switch (grid.pattern()) {
             case CIRCLE_GRID:
-                return new CalibrationDetectorCircleRegularGrid(null,
+                return FactoryFiducialCalibration.circleRegularGrid(null,
                         new ConfigGridDimen(grid.rows(), grid.columns(), grid.sizeMm(), grid.spacingMm()));
             case HEXAGONAL_CIRCLE_GRID:
-                return new CalibrationDetectorCircleHexagonalGrid(null,
+                return FactoryFiducialCalibration.circleHexagonalGrid(null,
                         new ConfigGridDimen(grid.rows(), grid.columns(), grid.sizeMm(), grid.spacingMm()));
             default:
                 return FactoryFiducialCalibration.chessboardX(null,

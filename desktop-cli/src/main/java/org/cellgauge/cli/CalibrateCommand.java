@@ -58,8 +58,6 @@ import picocli.CommandLine.Spec;
             "Exit codes: 0 calibrated, 1 internal error, 2 usage, 3 input refused or not writable, 5 in question: too",
             "many corners had to be left out."})
 public final class CalibrateCommand implements Callable<Integer> {
-    private static final int MOST_WARP = 5;
-
     @Spec
     private CommandSpec spec;
 
@@ -82,13 +80,14 @@ public final class CalibrateCommand implements Callable<Integer> {
     private boolean json;
 
     @Option(names = "--lens", paramLabel = "MODEL", defaultValue = CalibrationOptions.AUTO,
-            description = "auto, radial-1, radial-2, brown-4 (with p1, p2), brown-5 (with k3) or fisheye (${DEFAULT-VALUE}: "
-                    + "radial-2, or a richer one where it explains photos better that were held out).")
+            description = "auto, radial-1, radial-2, brown-4 (with p1, p2), brown-5 (with k3) or fisheye "
+                    + "(${DEFAULT-VALUE}: radial-2, or a richer one where it explains photos better that were held "
+                    + "out).")
     private String lens;
 
     @Option(names = "--warp", paramLabel = "N", defaultValue = "auto",
-            description = "Coefficients of the board's own warp, 0 to 5 (${DEFAULT-VALUE}: 2 where photos that were held "
-                    + "out are better explained so).")
+            description = "Coefficients of the board's own warp, 0 to 5 (${DEFAULT-VALUE}: 2 where photos that were "
+                    + "held out are better explained so).")
     private String warp;
 
     @Option(names = "--aspect", paramLabel = "WORD", defaultValue = "auto",
@@ -131,7 +130,7 @@ public final class CalibrateCommand implements Callable<Integer> {
         int coefficients = CalibrationOptions.BY_PHOTOS;
         if (!warp.equals("auto")) {
             coefficients = warp.matches("\\d") ? Integer.parseInt(warp) : -1;
-            if (coefficients < 0 || coefficients > MOST_WARP) {
+            if (coefficients < 0 || coefficients > CalibrationOptions.MOST_WARP) {
                 throw new ParameterException(spec.commandLine(), "--warp: must be auto or from 0 to 5, not " + warp);
             }
         }

@@ -45,6 +45,7 @@ import picocli.CommandLine.Spec;
             "  cellgauge validate --random-layouts --simulations 400",
             "  cellgauge validate --cell cell.yaml --outliers 0.05,20",
             "  cellgauge validate --random-layouts --cause all --simulations 300",
+            "  cellgauge validate --calibration --simulations 400",
             ""},
         footer = {"",
             "Angles are in degrees, as in the cell file, unless they end in 'rad'.",
@@ -59,6 +60,8 @@ public final class ValidateCommand implements Callable<Integer> {
     /** Share of simulations without a figure beyond which coverage of the others says little. */
     private static final double MOST_WITHOUT_FIGURE = 0.05;
     private static final int REPORTS = 10;
+    /** Noise of corners where none is given: that of a sharp photo as cameras compress it, px. */
+    private static final double CALIBRATION_STD_PX = 0.2;
     /** Options besides settings on which figures depend. */
     private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only", "--cause", "--alone",
             "--deviations");
@@ -70,7 +73,7 @@ public final class ValidateCommand implements Callable<Integer> {
     private Main main;
 
     @Option(names = "--cell", paramLabel = "CELL",
-            description = "The cell file. Needed, but for --random-layouts.")
+            description = "The cell file. Needed, but for --random-layouts and --calibration.")
     private Path cellFile;
 
     @Option(names = "--object", paramLabel = "ID=X,Y,Z[,PSI,THETA,PHI]",
@@ -98,6 +101,11 @@ public final class ValidateCommand implements Callable<Integer> {
             description = "With --cause: deviations are those of a cause that is known to be the only one possible.")
     private boolean alone;
 
+    @Option(names = "--calibration",
+            description = "Simulates calibrations in place of cells: errors of every parameter and of the projection, "
+                    + "over the deviations stated of them, for good and poor photos and for a bent board.")
+    private boolean calibration;
+
     @Option(names = "--json", description = "Prints all counts and ranks as JSON in place of the tables.")
     private boolean json;
 
@@ -117,6 +125,9 @@ public final class ValidateCommand implements Callable<Integer> {
         check = CheckOptions.settings(spec.commandLine(), CheckOptions.OfValidate.USUAL);
         study = options.settings(spec.commandLine());
         boolean randomLayouts = study.get(StudyTable.RANDOM_LAYOUTS);
+        if (calibration) {
+            return calibrations();
+        }
         if (cellFile == null && !randomLayouts) {
             throw new ParameterException(spec.commandLine(), "Missing required option: '--cell=CELL'");
         }
@@ -159,6 +170,15 @@ public final class ValidateCommand implements Callable<Integer> {
         } catch (IOException e) {
             return main.report(e, ExitCodes.INTERNAL_ERROR, spec.commandLine());
         }
+    }
+
+    private int calibrations() {
+        if (cellFile != null || study.photos()) {
+            throw new ParameterException(spec.commandLine(), "--calibration draws corners of a board: leave out "
+                    + (cellFile != null ? "--cell" : "--photos"));
+        }
+        return CalibrationStudyRun.run(spec.commandLine(), study.get(StudyTable.PIXEL_STD_PX).orElse(CALIBRATION_STD_PX),
+                study.simulations(), check.sampling().seed(), json, done -> { });
     }
 
     private int causes(CellSource cells) {

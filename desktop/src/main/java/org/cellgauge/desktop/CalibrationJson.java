@@ -28,7 +28,7 @@ public final class CalibrationJson {
      */
     public static String cameraFile(CalibrationResult result) {
         return CalibratedCameraText.text(result.camera(),
-                result.parameters().stream().map(p -> bare(p.name())).toArray(String[]::new), result.covariance(),
+                result.parameters().stream().map(p -> bare(p.name())).toList(), result.covariance(),
                 result.photos().size(), result.figures().rmsPx(), result.widenedBy());
     }
 

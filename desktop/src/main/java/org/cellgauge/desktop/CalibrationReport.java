@@ -45,7 +45,9 @@ public final class CalibrationReport {
 
     private String page() {
         out.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                + "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+                + "style-src 'unsafe-inline'\">\n"
+                + "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
                 + "<title>Camera calibration</title>\n<style>").append(HtmlReport.STYLE)
                 .append("svg.plot .left-out{stroke:var(--fail);fill:none}svg.plot .cell{stroke:var(--line)}")
                 .append("</style>\n</head>\n<body>\n<h1>Camera calibration</h1>\n");

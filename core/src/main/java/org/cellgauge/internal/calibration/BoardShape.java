@@ -5,14 +5,12 @@ import org.cellgauge.vision.TargetPoints;
 /**
  * What a target really looks like: its nominal points, how it is bent, and by how much it is stretched in y.
  *
- * <p>A bent board stands out of its plane by {@code z = w1 (1 - x²) + w2 (1 - y²) + w3 xy + w4 x (1 - x²) + w5 y (1 -
- * y²)}, x and y from -1 to 1 over the points: mrcal's parabolas (D. Kogan's documentation of its optimisation), a twist
- * and a curvature that changes along the board. Turns and shifts of the whole board are none of these, so that poses
- * take nothing from them.
+ * <p>A bent board stands out of its plane by {@code z = w1 (1 - x²) + w2 (1 - y²) + w3 xy + w4 x (1 - x²)
+ * + w5 y (1 - y²)}, x and y from -1 to 1 over the points: mrcal's parabolas (D. Kogan, its documentation), a
+ * twist and a curvature that changes along the board. Turns and shifts of the whole board are none of these, so that
+ * poses take nothing from them.
  */
 final class BoardShape {
-    /** Most coefficients of a warp. */
-    static final int MOST_WARP = 5;
     /** A board is bent by about a hundredth of its size at most: proper, and far wider than what is found. */
     private static final double WARP_PRIOR_SHARE = 0.01;
     /** How much printers stretch in one direction. */

@@ -300,15 +300,17 @@ public final class CameraCalibrator {
         double distance = options.distanceMm() > 0 ? options.distanceMm()
                 : photos.stream().mapToDouble(CalibrationResult.Photo::distanceMm).average().orElse(0);
         int lensUnknowns = fit.choice.unknowns();
-        double[][] exported = new double[lensUnknowns][lensUnknowns];
+        List<List<Double>> exported = new ArrayList<>();
         List<CalibrationResult.Parameter> parameters = new ArrayList<>();
         for (int a = 0; a < lensUnknowns; a++) {
+            List<Double> row = new ArrayList<>();
             for (int b = 0; b < lensUnknowns; b++) {
-                exported[a][b] = widened * widened * covariance[a * fit.globals + b];
+                row.add(widened * widened * covariance[a * fit.globals + b]);
             }
+            exported.add(row);
             int index = fit.choice.parameter(a);
             parameters.add(new CalibrationResult.Parameter(fit.choice.lens().parameterNames().get(index),
-                    fit.values[index], Math.sqrt(exported[a][a])));
+                    fit.values[index], Math.sqrt(row.get(a))));
         }
         List<CalibrationResult.Parameter> board = new ArrayList<>();
         for (int k = 0; k < fit.board.unknowns(); k++) {

@@ -14,10 +14,10 @@ import org.jspecify.annotations.Nullable;
  * surest over the image.
  */
 final class NextPhoto {
-    private static final CalibrationWarning[] ROW_NAMES = {CalibrationWarning.TOP, CalibrationWarning.MIDDLE_ROW,
-        CalibrationWarning.BOTTOM};
-    private static final CalibrationWarning[] COLUMN_NAMES = {CalibrationWarning.LEFT, CalibrationWarning.CENTRE,
-        CalibrationWarning.RIGHT};
+    private static final PhotoPhrase[] ROW_NAMES = {PhotoPhrase.TOP, PhotoPhrase.MIDDLE_ROW,
+        PhotoPhrase.BOTTOM};
+    private static final PhotoPhrase[] COLUMN_NAMES = {PhotoPhrase.LEFT, PhotoPhrase.CENTRE,
+        PhotoPhrase.RIGHT};
     private static final double TILT_DEG = 40;
     /** Shares of the image's smaller side that the target takes. */
     private static final double[] SHARES = {0.8, 0.5, 0.3};
@@ -55,7 +55,7 @@ final class NextPhoto {
                     if (variance < best) {
                         best = variance;
                         words = Warning.of(CalibrationWarning.NEXT_PHOTO, place(place), Warning.of(
-                                CalibrationWarning.AT_DISTANCE, Decimal.of(distance, 0)), tilted(tilt));
+                                PhotoPhrase.AT_DISTANCE, Decimal.of(distance, 0)), tilted(tilt));
                     }
                 }
             }
@@ -64,20 +64,20 @@ final class NextPhoto {
     }
 
     private static Warning place(int place) {
-        return place == 4 ? Warning.of(CalibrationWarning.IN_MIDDLE)
+        return place == 4 ? Warning.of(PhotoPhrase.IN_MIDDLE)
                 : ofNinth(place);
     }
 
     /** A ninth of the image in words. */
     static Warning ofNinth(int place) {
-        return Warning.of(CalibrationWarning.AT_PLACE, ROW_NAMES[place / 3], COLUMN_NAMES[place % 3]);
+        return Warning.of(PhotoPhrase.AT_PLACE, ROW_NAMES[place / 3], COLUMN_NAMES[place % 3]);
     }
 
     private static Warning tilted(int tilt) {
-        CalibrationWarning[] edges = {CalibrationWarning.FACING, CalibrationWarning.LEFT_EDGE,
-            CalibrationWarning.RIGHT_EDGE, CalibrationWarning.UPPER_EDGE, CalibrationWarning.LOWER_EDGE};
-        return tilt == 0 ? Warning.of(CalibrationWarning.FACING)
-                : Warning.of(CalibrationWarning.TILTED, (int) TILT_DEG, edges[tilt]);
+        PhotoPhrase[] edges = {PhotoPhrase.FACING, PhotoPhrase.LEFT_EDGE,
+            PhotoPhrase.RIGHT_EDGE, PhotoPhrase.UPPER_EDGE, PhotoPhrase.LOWER_EDGE};
+        return tilt == 0 ? Warning.of(PhotoPhrase.FACING)
+                : Warning.of(PhotoPhrase.TILTED, (int) TILT_DEG, edges[tilt]);
     }
 
     /** Middle of the target and half its largest side, mm. */

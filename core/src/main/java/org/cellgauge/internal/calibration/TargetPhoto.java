@@ -5,7 +5,7 @@ import org.cellgauge.internal.geometry.Rotations;
 import org.cellgauge.vision.TargetObservation;
 import org.jspecify.annotations.Nullable;
 
-/** One photo of a target as the adjustment works on it: what was seen, what still counts, the pose and its equations. */
+/** One photo of a target as the adjustment works on it: what was seen, what still counts, pose and equations. */
 final class TargetPhoto {
     final String name;
     final int count;

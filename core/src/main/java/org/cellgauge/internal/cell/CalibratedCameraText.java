@@ -1,5 +1,6 @@
 package org.cellgauge.internal.cell;
 
+import java.util.List;
 import java.util.Locale;
 import org.cellgauge.geometry.PinholeCamera;
 
@@ -18,24 +19,24 @@ public final class CalibratedCameraText {
      *
      * @param camera the camera
      * @param parameters names of the unknowns, without units: {@code fx}, {@code k1}
-     * @param covariance their joint covariance
+     * @param covariance their joint covariance, row by row
      * @param photos how many it rests on
      * @param rmsPx root mean square reprojection error, px
      * @param widenedBy factor of the deviations, at least 1
      * @return YAML, ended by a line feed
      */
-    public static String text(PinholeCamera camera, String[] parameters, double[][] covariance, int photos,
+    public static String text(PinholeCamera camera, List<String> parameters, List<List<Double>> covariance, int photos,
             double rmsPx, double widenedBy) {
         StringBuilder out = new StringBuilder(CameraWriter.text(camera));
         out.append(KEY).append(":\n  parameters: [").append(String.join(", ", parameters)).append("]\n  std: [");
-        for (int i = 0; i < parameters.length; i++) {
-            out.append(i == 0 ? "" : ", ").append(CameraWriter.number(Math.sqrt(covariance[i][i])));
+        for (int i = 0; i < parameters.size(); i++) {
+            out.append(i == 0 ? "" : ", ").append(CameraWriter.number(Math.sqrt(covariance.get(i).get(i))));
         }
         out.append("]\n  covariance:\n");
-        for (double[] row : covariance) {
+        for (List<Double> row : covariance) {
             out.append("  - [");
-            for (int j = 0; j < row.length; j++) {
-                out.append(j == 0 ? "" : ", ").append(CameraWriter.number(row[j]));
+            for (int j = 0; j < row.size(); j++) {
+                out.append(j == 0 ? "" : ", ").append(CameraWriter.number(row.get(j)));
             }
             out.append("]\n");
         }

@@ -1,0 +1,220 @@
+package org.cellgauge.internal.calibration;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.internal.geometry.Rotations;
+import org.cellgauge.vision.TargetObservation;
+import org.cellgauge.vision.TargetPoints;
+
+/**
+ * Are stated deviations of calibrations right? Calibrations simulated with a known camera: errors of every parameter
+ * and of the projection at nine places of the image, over what was stated of them. Corners are drawn, not photos.
+ */
+public final class CalibrationStudy {
+    /** A choice of photos, a board and what is modelled of it. */
+    public enum Scene {
+        /** 20 photos all over the image, tilted by 15 to 45 degrees to all sides, near and far. */
+        GOOD("good photos", 20, false, 0, 0),
+        /** 8 photos in the middle of the image, tilted by at most 20 degrees, from one distance. */
+        POOR("poor photos", 8, true, 0, 0),
+        /** The good photos of a board that is bent by 0.5 mm over 300 mm, taken for flat. */
+        BENT_TAKEN_FOR_FLAT("bent, taken for flat", 20, false, 0.5, 0),
+        /** The same with two coefficients of warp unknown. */
+        BENT("bent, warp unknown", 20, false, 0.5, 2);
+
+        private final String words;
+        private final int photos;
+        private final boolean poor;
+        private final double warpMm;
+        private final int modelled;
+
+        Scene(String words, int photos, boolean poor, double warpMm, int modelled) {
+            this.words = words;
+            this.photos = photos;
+            this.poor = poor;
+            this.warpMm = warpMm;
+            this.modelled = modelled;
+        }
+
+        /**
+         * The scene in a few words.
+         *
+         * @return as headers of tables have it
+         */
+        public String words() {
+            return words;
+        }
+    }
+
+    /**
+     * What came of one scene.
+     *
+     * @param names of the parameters
+     * @param ratios root mean square error of each over root mean square stated deviation
+     * @param places the same of the projection at nine places, row by row
+     * @param meanStdPx stated deviation of the projection, mean over the nine places, px
+     * @param beyondTwo share of calibrations whose odd and even photos differ by more than 2 deviations
+     * @param failed calibrations without a covariance
+     */
+    public record Outcome(List<String> names, List<Double> ratios, List<Double> places, double meanStdPx,
+            double beyondTwo, int failed) {
+    }
+
+    private static final int WIDTH = 1280;
+    private static final int HEIGHT = 720;
+    private static final int ROWS = 8;
+    private static final int COLUMNS = 11;
+    private static final double SQUARE_MM = 30;
+    private static final double FOCAL_PX = 900;
+    private static final int[] PLACE_COLUMNS = {1, ProjectionMap.COLUMNS / 2, ProjectionMap.COLUMNS - 2};
+    private static final int[] PLACE_ROWS = {1, ProjectionMap.ROWS / 2, ProjectionMap.ROWS - 2};
+
+    private final TargetPoints points;
+    private final LensChoice choice = LensChoice.ladder().get(2);
+    private final double[] truth;
+    private final double noisePx;
+    private final long seed;
+
+    /**
+     * A study.
+     *
+     * @param noisePx deviation of a corner's coordinate, px
+     * @param seed of all that is drawn
+     */
+    public CalibrationStudy(double noisePx, long seed) {
+        this.noisePx = noisePx;
+        this.seed = seed;
+        double[] xy = new double[2 * ROWS * COLUMNS];
+        for (int i = 0; i < ROWS * COLUMNS; i++) {
+            xy[2 * i] = (i % COLUMNS - (COLUMNS - 1) / 2.0) * SQUARE_MM;
+            xy[2 * i + 1] = (i / COLUMNS - (ROWS - 1) / 2.0) * SQUARE_MM;
+        }
+        points = TargetPoints.flat(xy);
+        truth = new double[] {FOCAL_PX, FOCAL_PX + 2, WIDTH / 2.0 + 9, HEIGHT / 2.0 - 6, 0, -0.2, 0.08, 0, 5e-4, -3e-4};
+    }
+
+    /**
+     * Simulates calibrations.
+     *
+     * @param scene which
+     * @param simulations how many
+     * @param progress told how many are done
+     * @return errors over deviations
+     */
+    public Outcome run(Scene scene, int simulations, IntConsumer progress) {
+        int unknowns = choice.unknowns();
+        double[] errors = new double[unknowns];
+        double[] variances = new double[unknowns];
+        double[] placeErrors = new double[9];
+        double[] placeVariances = new double[9];
+        int beyond = 0;
+        int failed = 0;
+        for (int s = 0; s < simulations; s++) {
+            CalibrationFit fit = CalibrationFit.of(choice, points, photos(scene, s), scene.modelled, false);
+            double[] covariance = fit.covariance;
+            progress.accept(s + 1);
+            if (covariance == null) {
+                failed++;
+                continue;
+            }
+            for (int k = 0; k < unknowns; k++) {
+                double error = fit.values[choice.parameter(k)] - truth[choice.parameter(k)];
+                errors[k] += error * error;
+                variances[k] += covariance[k * (fit.globals + 1)];
+            }
+            ProjectionMap map = new ProjectionMap(choice, fit.values, WIDTH, HEIGHT,
+                    new Coverage(fit.photos, WIDTH, HEIGHT));
+            double[] shifts = map.difference(fit.values, truth);
+            for (int k = 0; k < 9; k++) {
+                int place = PLACE_ROWS[k / 3] * ProjectionMap.COLUMNS + PLACE_COLUMNS[k % 3];
+                placeErrors[k] += shifts[2 * place] * shifts[2 * place] + shifts[2 * place + 1] * shifts[2 * place + 1];
+                double[] c = map.covariance(place, covariance, fit.globals);
+                placeVariances[k] += c[0] + c[2];
+            }
+            CrossValidation cross = CrossValidation.of(fit, map, half(scene, 0), half(scene, 1));
+            beyond += cross.ratio() > 2 ? 1 : 0;
+        }
+        List<String> names = new ArrayList<>();
+        List<Double> ratios = new ArrayList<>();
+        for (int k = 0; k < unknowns; k++) {
+            names.add(BrownLens.MODEL.parameterNames().get(choice.parameter(k)));
+            ratios.add(Math.sqrt(errors[k] / variances[k]));
+        }
+        List<Double> places = new ArrayList<>();
+        double std = 0;
+        for (int k = 0; k < 9; k++) {
+            places.add(Math.sqrt(placeErrors[k] / placeVariances[k]));
+            std += Math.sqrt(placeVariances[k] / 2 / (simulations - failed)) / 9;
+        }
+        return new Outcome(names, ratios, places, std, (double) beyond / simulations, failed);
+    }
+
+    private static List<Integer> half(Scene scene, int parity) {
+        return IntStream.range(0, scene.photos).filter(i -> i % 2 == parity).boxed().toList();
+    }
+
+    TargetPoints points() {
+        return points;
+    }
+
+    /** The camera's true values. */
+    double[] truth() {
+        return truth.clone();
+    }
+
+    /** The photos of one simulated calibration. */
+    List<TargetObservation> photos(Scene scene, int simulation) {
+        SplittableRandom random = new SplittableRandom(seed * 1_000_003 + scene.ordinal() * 100_003L + simulation);
+        List<TargetObservation> photos = new ArrayList<>();
+        for (int p = 0; p < scene.photos; p++) {
+            photos.add(photo(scene, random, "photo " + p));
+        }
+        return photos;
+    }
+
+    private TargetObservation photo(Scene scene, SplittableRandom random, String name) {
+        double[] uv = new double[2 * points.count()];
+        double[] rotation = new double[9];
+        while (true) {
+            double tilt = Math.toRadians(scene.poor ? 20 * random.nextDouble() : 15 + 30 * random.nextDouble());
+            double axis = 2 * Math.PI * random.nextDouble();
+            double[] tilted = new double[9];
+            double[] turned = new double[9];
+            Rotations.exp(tilt * Math.cos(axis), tilt * Math.sin(axis), 0, tilted);
+            Rotations.exp(0, 0, Math.toRadians(scene.poor ? 20 : 90) * (2 * random.nextDouble() - 1), turned);
+            TargetPhoto.multiply(tilted, turned, rotation);
+            double z = scene.poor ? 700 * (0.97 + 0.06 * random.nextDouble()) : 350 + 600 * random.nextDouble();
+            double reach = scene.poor ? 0.1 : 0.45;
+            double[] t = {z * reach * WIDTH / FOCAL_PX * (2 * random.nextDouble() - 1),
+                z * reach * HEIGHT / FOCAL_PX * (2 * random.nextDouble() - 1), z};
+            if (project(scene, rotation, t, uv)) {
+                break;
+            }
+        }
+        for (int i = 0; i < uv.length; i++) {
+            uv[i] += noisePx * random.nextGaussian();
+        }
+        return new TargetObservation(name, WIDTH, HEIGHT, IntStream.range(0, points.count()).toArray(), uv);
+    }
+
+    /** Images of all corners; false unless all are in the image. */
+    private boolean project(Scene scene, double[] r, double[] t, double[] uv) {
+        double[] xyz = points.xyzMm();
+        for (int i = 0; i < points.count(); i++) {
+            double x = xyz[3 * i];
+            double y = xyz[3 * i + 1];
+            double across = 2 * x / ((COLUMNS - 1) * SQUARE_MM);
+            double z = scene.warpMm * (1 - across * across);
+            if (!BrownLens.MODEL.project(truth, r[0] * x + r[1] * y + r[2] * z + t[0],
+                    r[3] * x + r[4] * y + r[5] * z + t[1], r[6] * x + r[7] * y + r[8] * z + t[2], uv, 2 * i)
+                    || uv[2 * i] < 0 || uv[2 * i] > WIDTH || uv[2 * i + 1] < 0 || uv[2 * i + 1] > HEIGHT) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,239 @@
+package org.cellgauge.internal.calibration;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.cellgauge.calibration.Calibration;
+import org.cellgauge.calibration.CalibrationOptions;
+import org.cellgauge.calibration.CalibrationRefusal;
+import org.cellgauge.calibration.CalibrationResult;
+import org.cellgauge.calibration.CalibrationWarning;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.KannalaBrandtLens;
+import org.cellgauge.geometry.Lens;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
+import org.cellgauge.vision.TargetObservation;
+import org.cellgauge.vision.TargetPoints;
+import org.junit.jupiter.api.Test;
+
+/** Calibrations of a camera that is known, from corners drawn with noise that is known. */
+class CameraCalibratorTest {
+    private static final double NOISE_PX = 0.2;
+    private static final CalibrationStudy STUDY = new CalibrationStudy(NOISE_PX, 5);
+
+    private static boolean warns(CalibrationResult result, CalibrationWarning kind) {
+        return result.warnings().stream().anyMatch(w -> w.kind() == kind);
+    }
+
+    private static CalibrationResult calibrate(List<TargetObservation> photos) {
+        return Calibration.of(STUDY.points(), photos, CalibrationOptions.USUAL.withLens("brown-4").withWarp(0)
+                .withAspect(CalibrationOptions.Aspect.STATED));
+    }
+
+    private static TargetObservation changed(TargetObservation photo, double[] uv) {
+        return new TargetObservation(photo.name(), photo.widthPx(), photo.heightPx(), photo.points(), uv);
+    }
+
+    /** 16 calibrations: rms errors vary by a sixth; deviations wrong by the half would be seen. */
+    @Test
+    void errorsAreAsLargeAsStated() {
+        CalibrationStudy.Outcome outcome = STUDY.run(CalibrationStudy.Scene.GOOD, 16, done -> { });
+        outcome.ratios().forEach(r -> assertEquals(1, r, 0.5));
+        outcome.places().forEach(r -> assertEquals(1, r, 0.5));
+        CalibrationStudy.Outcome bent = STUDY.run(CalibrationStudy.Scene.BENT_TAKEN_FOR_FLAT, 4, done -> { });
+        assertTrue(bent.ratios().get(0) > 3, "a bent board that is taken for flat: " + bent.ratios());
+    }
+
+    @Test
+    void findsCameraNoiseAndLens() {
+        CalibrationResult result = calibrate(STUDY.photos(CalibrationStudy.Scene.GOOD, 0));
+        double[] truth = STUDY.truth();
+        assertEquals("brown-4", result.lens());
+        assertEquals(List.of("fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2", "p1", "p2"),
+                result.parameters().stream().map(CalibrationResult.Parameter::name).toList());
+        int[] index = {0, 1, 2, 3, 5, 6, 8, 9};
+        for (int k = 0; k < index.length; k++) {
+            CalibrationResult.Parameter p = result.parameters().get(k);
+            assertEquals(truth[index[k]], p.value(), 4 * p.std(), p.name());
+            assertEquals(p.std() * p.std(), result.covariance().get(k).get(k), 1e-9 * p.std() * p.std());
+        }
+        assertEquals(NOISE_PX, result.figures().noisePx(), 0.02);
+        assertEquals(NOISE_PX * Math.sqrt(2), result.figures().rmsPx(), 0.03);
+        assertEquals(0, result.figures().outliers());
+        assertTrue(result.figures().crossRatio() < 2);
+        assertFalse(result.inQuestion());
+        // 2 atan(640 / 900) and the pull of the lens' barrel distortion, by hand: r (1 - 0.2 r² + 0.08 r⁴) = 0.711
+        assertEquals(76.5, result.figures().horizontalDeg(), 0.5);
+    }
+
+    /** Bent by 0.5 mm over 300 mm across its columns: photos held out tell. */
+    @Test
+    void findsThatTheBoardIsBent() {
+        CalibrationResult result = calibrated(STUDY.points(), STUDY.photos(CalibrationStudy.Scene.BENT, 0));
+        CalibrationResult.Parameter warp = result.board().get(0);
+        assertEquals("warp_1_mm", warp.name());
+        assertEquals(0.5, Math.abs(warp.value()), 5 * warp.std());
+        assertTrue(warp.std() < 0.05, "std " + warp.std());
+        CalibrationResult.Parameter focal = result.parameters().get(0);
+        assertEquals(STUDY.truth()[0], focal.value(), 4 * focal.std());
+    }
+
+    @Test
+    void leavesOutCornersThatAreFarOff() {
+        List<TargetObservation> photos = new ArrayList<>(STUDY.photos(CalibrationStudy.Scene.GOOD, 1));
+        double[] uv = photos.get(3).uvPx();
+        uv[10] += 4;
+        uv[21] -= 3;
+        photos.set(3, changed(photos.get(3), uv));
+        CalibrationResult result = calibrate(photos);
+        assertEquals(2, result.residuals().stream()
+                .filter(r -> r.photo() == 3 && r.outlier() && Math.hypot(r.du(), r.dv()) > 2).count());
+        assertTrue(result.figures().outliers() <= 6, result.figures().outliers() + " left out");
+        assertTrue(warns(result, CalibrationWarning.OUTLIERS));
+        assertFalse(result.inQuestion());
+    }
+
+    /** A third of one photo in ten moved: more than 3 in 100 corners. */
+    @Test
+    void isInQuestionWhereTooMuchIsLeftOut() {
+        List<TargetObservation> photos = new ArrayList<>(STUDY.photos(CalibrationStudy.Scene.GOOD, 2));
+        for (int p = 0; p < 3; p++) {
+            double[] uv = photos.get(p).uvPx();
+            for (int i = 0; i < uv.length / 3; i++) {
+                uv[i] += 6 + i % 5;
+            }
+            photos.set(p, changed(photos.get(p), uv));
+        }
+        CalibrationResult result = calibrate(photos);
+        assertTrue(result.inQuestion());
+        assertTrue(warns(result, CalibrationWarning.IN_QUESTION));
+        assertEquals(List.of("photo 0", "photo 1", "photo 2"), result.photos().stream()
+                .filter(CalibrationResult.Photo::contradicts).map(CalibrationResult.Photo::name).toList());
+    }
+
+    /** Every other photo at another zoom: two cameras in one. */
+    @Test
+    void oddAndEvenPhotosTellAModelError() {
+        List<TargetObservation> photos = new ArrayList<>(STUDY.photos(CalibrationStudy.Scene.GOOD, 3));
+        for (int p = 1; p < photos.size(); p += 2) {
+            double[] uv = photos.get(p).uvPx();
+            for (int i = 0; i < uv.length; i += 2) {
+                double x = (uv[i] - 640) / 640;
+                uv[i] += 0.8 * x * x * x;
+            }
+            photos.set(p, changed(photos.get(p), uv));
+        }
+        CalibrationResult result = calibrate(photos);
+        assertTrue(warns(result, CalibrationWarning.MODEL_ERROR));
+        assertEquals(result.figures().crossRatio(), result.widenedBy());
+        assertTrue(result.widenedBy() > 2);
+    }
+
+    /** Photos of points through a lens that is known, from all around. */
+    private static List<TargetObservation> seen(TargetPoints points, Lens lens, double[] values, int photos,
+            double distanceMm) {
+        SplittableRandom random = new SplittableRandom(11);
+        double[] xyz = points.xyzMm();
+        List<TargetObservation> out = new ArrayList<>();
+        while (out.size() < photos) {
+            RigidTransform pose = RigidTransform.ofEuler(distanceMm * (random.nextDouble() - 0.5),
+                    distanceMm * (random.nextDouble() - 0.5) / 2, distanceMm * (0.8 + 0.5 * random.nextDouble()),
+                    Math.PI + 1.4 * (random.nextDouble() - 0.5), 1.4 * (random.nextDouble() - 0.5),
+                    2 * (random.nextDouble() - 0.5));
+            double[] uv = new double[2 * points.count()];
+            boolean whole = true;
+            for (int i = 0; i < points.count(); i++) {
+                double[] p = pose.apply(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]);
+                whole &= lens.project(values, p[0], p[1], p[2], uv, 2 * i) && uv[2 * i] > 0 && uv[2 * i] < 1280
+                        && uv[2 * i + 1] > 0 && uv[2 * i + 1] < 720;
+                uv[2 * i] += NOISE_PX * random.nextGaussian();
+                uv[2 * i + 1] += NOISE_PX * random.nextGaussian();
+            }
+            if (whole) {
+                out.add(new TargetObservation("photo " + out.size(), 1280, 720,
+                        IntStream.range(0, points.count()).toArray(), uv));
+            }
+        }
+        return out;
+    }
+
+    private static void assertFound(double[] truth, CalibrationResult result, double mostStdPx) {
+        for (int k = 0; k < 4; k++) {
+            CalibrationResult.Parameter p = result.parameters().get(k);
+            assertEquals(truth[k], p.value(), 4.5 * p.std(), p.name());
+            assertTrue(p.std() < mostStdPx, p.name() + " +- " + p.std());
+        }
+    }
+
+    @Test
+    void findsAFisheye() {
+        double[] truth = new double[KannalaBrandtLens.MODEL.parameterCount()];
+        System.arraycopy(new double[] {420, 421, 648, 355, 0, 0.03, -0.01}, 0, truth, 0, 7);
+        List<TargetObservation> photos = seen(STUDY.points(), KannalaBrandtLens.MODEL, truth, 12, 260);
+        assertFound(truth, Calibration.of(STUDY.points(), photos, CalibrationOptions.USUAL.withLens("fisheye")
+                .withWarp(0).withAspect(CalibrationOptions.Aspect.STATED)), 2);
+    }
+
+    /** Six markers about a cell, two of them raised and turned: no plane holds them. */
+    @Test
+    void findsTheCameraFromReferencesOfACell() {
+        List<TargetPoints.Patch> patches = new ArrayList<>();
+        double[] xyz = new double[72];
+        for (int m = 0; m < 6; m++) {
+            RigidTransform place = RigidTransform.ofEuler(250 * (m % 3 - 1), 150 * (m / 3 * 2 - 1), m % 2 * 120, 0,
+                    m % 2 * 0.4, 0.3 * m);
+            patches.add(new TargetPoints.Patch(place, 4 * m, 4));
+            System.arraycopy(MarkerGeometry.cornersMm(place, 80), 0, xyz, 12 * m, 12);
+        }
+        double[] truth = STUDY.truth();
+        TargetPoints points = new TargetPoints(xyz, patches, true);
+        List<TargetObservation> photos = seen(points, BrownLens.MODEL, truth, 10, 900);
+        assertFound(truth, calibrated(points, photos), 5);
+    }
+
+    private static CalibrationResult calibrated(TargetPoints points, List<TargetObservation> photos) {
+        return Calibration.of(points, photos, CalibrationOptions.USUAL.withLens("brown-4"));
+    }
+
+    @Test
+    void saysWhatToPhotographWhereThereIsTooLittle() {
+        List<TargetObservation> photos = STUDY.photos(CalibrationStudy.Scene.GOOD, 4);
+        InputRefusedException few = assertThrows(InputRefusedException.class, () -> calibrate(photos.subList(0, 2)));
+        assertEquals(CalibrationRefusal.TOO_FEW_PHOTOS, few.refusal().kind());
+        // one photo eight times over tells no focal length
+        TargetObservation one = STUDY.photos(CalibrationStudy.Scene.POOR, 0).get(0);
+        double[] facing = one.uvPx();
+        double[] xyz = STUDY.points().xyzMm();
+        for (int i = 0; i < one.count(); i++) {
+            facing[2 * i] = 640 + xyz[3 * i];
+            facing[2 * i + 1] = 360 + xyz[3 * i + 1];
+        }
+        List<TargetObservation> same = new ArrayList<>();
+        for (int p = 0; p < 8; p++) {
+            double[] uv = facing.clone();
+            for (int i = 0; i < uv.length; i++) {
+                uv[i] += 0.05 * Math.sin(17 * i + p);
+            }
+            same.add(changed(one, uv));
+        }
+        InputRefusedException flat = assertThrows(InputRefusedException.class, () -> calibrate(same));
+        assertTrue(List.of(CalibrationRefusal.FOCAL_UNKNOWN, CalibrationRefusal.FOCAL_TOO_UNSURE)
+                .contains(flat.refusal().kind()), flat.getMessage());
+        TargetObservation small = new TargetObservation("small.png", 640, 360, photos.get(0).points(),
+                Arrays.stream(photos.get(0).uvPx()).map(v -> v / 2).toArray());
+        List<TargetObservation> mixed = new ArrayList<>(photos);
+        mixed.add(small);
+        InputRefusedException sizes = assertThrows(InputRefusedException.class, () -> calibrate(mixed));
+        assertEquals(CalibrationRefusal.SIZES_DIFFER, sizes.refusal().kind());
+        assertTrue(sizes.getMessage().contains("small.png"), sizes.getMessage());
+    }
+}
