@@ -52,7 +52,8 @@ public class StepBenchmark {
         thesisMixture = new MetropolisChain(
                 new CameraPosterior(euler, new CornerCubeLikelihood(scene.view, 0.5),
                         RotationPrior.FLAT_IN_EULER_ANGLES, IntrinsicsPrior.KNOWN, null),
-                ThesisMixture.proposals(StateLayout.of(1, IntrinsicsPrior.KNOWN, 0)), euler.encode(mode.state()),
+                ThesisMixture.proposals(StateLayout.of(1, IntrinsicsPrior.KNOWN, 0),
+                        IntrinsicsPrior.KNOWN), euler.encode(mode.state()),
                 RandomStreams.of(4));
     }
 

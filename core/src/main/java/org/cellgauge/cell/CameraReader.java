@@ -1,6 +1,7 @@
 package org.cellgauge.cell;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.geometry.BrownLens;
@@ -21,8 +22,9 @@ import org.jspecify.annotations.Nullable;
  * and {@code kannala_brandt} (a fisheye); the same keys may stand in a cell file.
  *
  * <p>A key that BoofCV does not write may stand beside them: {@code tone_curve}, how the camera makes grey values of
- * light ({@code auto}, {@code srgb}, {@code linear} or {@code gamma G}). {@code skew}, the radial coefficients (up to
- * 3) and {@code t1}, {@code t2} are 0 where they are left out. Of a fisheye, {@code symmetric} holds up to 5
+ * light ({@code auto}, {@code srgb}, {@code linear} or {@code gamma G}); and {@code cellgauge_calibration}, how well
+ * the intrinsics are known ({@code parameters}, {@code covariance}, {@link CameraCalibration}). {@code skew}, the
+ * radial coefficients (up to 3) and {@code t1}, {@code t2} are 0 where they are left out. Of a fisheye, {@code symmetric} holds up to 5
  * coefficients of the angle's odd powers; the first is taken into the focal lengths and the skew. Its asymmetric part
  * ({@code radial} and {@code tangent} with their {@code _trig}) is refused where it is not 0.
  */
@@ -44,6 +46,7 @@ public final class CameraReader {
     private static final int BORDER_SIDES = 4;
     /** Largest coefficient of a fisheye, measured in the first one: far beyond any lens, and finite. */
     private static final int MAX_COEFFICIENT = 1_000_000;
+    private static final String COVARIANCE_EXAMPLE = "{parameters: [fx, fy], covariance: [[4, 3.9], [3.9, 4]]}";
     private static final String SYMMETRIC = "symmetric";
     private static final String SYMMETRIC_EXAMPLE = "symmetric: [1, k1, k2, k3, k4]";
     /** No marker can be read in an image that is narrower, px. */
@@ -94,6 +97,61 @@ public final class CameraReader {
      */
     public static @Nullable ToneCurve toneCurve(String text, String displayName) {
         return toneCurveOf(parse(text, displayName));
+    }
+
+    /**
+     * What a camera file's text says of how well its intrinsics are known.
+     *
+     * @param text YAML
+     * @param displayName the name that messages give it
+     * @return what the calibration leaves open, or null where the file does not say
+     * @throws InputRefusedException if that or the camera is faulty
+     */
+    public static @Nullable CameraCalibration calibration(String text, String displayName) {
+        YamlValue top = parse(text, displayName);
+        return calibrationOf(top, of(top).lens());
+    }
+
+    /** What a mapping with a calibration file's keys says of the covariance of its intrinsics; null where nothing. */
+    static @Nullable CameraCalibration calibrationOf(YamlValue camera, Lens lens) {
+        YamlValue block = camera.mapping(EXAMPLE).optional(CalibratedCameraText.KEY);
+        if (block == null) {
+            return null;
+        }
+        // figures of the calibration that a check needs not stand there as well
+        YamlMapping stated = block.mapping(COVARIANCE_EXAMPLE);
+        List<String> names = new ArrayList<>();
+        for (YamlValue value : stated.required("parameters", "parameters: [fx, fy]").items()) {
+            String name = value.text("fx");
+            if (CameraCalibration.index(lens, name) < 0 || names.contains(name)) {
+                List<String> known = new ArrayList<>();
+                lens.parameterNames().forEach(p -> known.add(CameraCalibration.name(p)));
+                throw value.refused(CellRefusal.CALIBRATED_PARAMETER, name, Listing.comma(known));
+            }
+            names.add(name);
+        }
+        YamlValue matrix = stated.required("covariance", "covariance: [[4, 3.9], [3.9, 4]]");
+        List<YamlValue> rows = matrix.items();
+        int n = names.size();
+        if (rows.size() != n) {
+            throw matrix.refused(CellRefusal.NO_COVARIANCE, n);
+        }
+        double[] covariance = new double[n * n];
+        for (int i = 0; i < n; i++) {
+            List<YamlValue> row = rows.get(i).items();
+            if (row.size() != n) {
+                throw rows.get(i).refused(CellRefusal.NO_COVARIANCE, n);
+            }
+            for (int j = 0; j < n; j++) {
+                covariance[n * i + j] = row.get(j).number(CellPhrase.VARIANCE);
+            }
+        }
+        if (!CameraCalibration.isCovariance(covariance, n)) {
+            throw matrix.refused(CellRefusal.NO_COVARIANCE, n);
+        }
+        YamlValue photos = stated.optional("photos");
+        return new CameraCalibration(names, covariance,
+                photos == null ? 0 : photos.whole(0, Integer.MAX_VALUE, CellPhrase.PHOTOS_OF_CALIBRATION));
     }
 
     /** The value at the top of a camera file. */

@@ -17,6 +17,7 @@ public final class Cell {
     private final OptionalDouble pixelStdPx;
     private final OptionalDouble targetStdMm;
     private final @Nullable ToneCurve toneCurve;
+    private final @Nullable CameraCalibration calibration;
     private final PrintPrecision prints;
 
     /**
@@ -51,12 +52,12 @@ public final class Cell {
      */
     public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints) {
-        this(camera, family, references, objects, pixelStdPx, targetStdMm, prints, null);
+        this(camera, family, references, objects, pixelStdPx, targetStdMm, prints, null, null);
     }
 
     private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints,
-            @Nullable ToneCurve toneCurve) {
+            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
@@ -76,6 +77,7 @@ public final class Cell {
         this.pixelStdPx = pixelStdPx;
         this.targetStdMm = targetStdMm;
         this.toneCurve = toneCurve;
+        this.calibration = calibration;
         this.prints = prints;
     }
 
@@ -86,13 +88,14 @@ public final class Cell {
     }
 
     /**
-     * The same cell seen by another camera.
+     * The same cell seen by another camera, which counts as exact: what is known of the calibration of this one says
+     * nothing of that of another.
      *
      * @param other intrinsics and image size
      * @return a new cell
      */
     public Cell withCamera(PinholeCamera other) {
-        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve);
+        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, null);
     }
 
     /**
@@ -103,7 +106,7 @@ public final class Cell {
      * @throws IllegalArgumentException if there is none, or an id stands twice in the cell then
      */
     public Cell withReferences(List<Reference> others) {
-        return new Cell(camera, family, others, objects, pixelStdPx, targetStdMm, prints, toneCurve);
+        return new Cell(camera, family, others, objects, pixelStdPx, targetStdMm, prints, toneCurve, calibration);
     }
 
     /**
@@ -114,7 +117,7 @@ public final class Cell {
      * @throws IllegalArgumentException if an id stands twice in the cell then
      */
     public Cell withObjects(List<ObjectMarker> others) {
-        return new Cell(camera, family, references, others, pixelStdPx, targetStdMm, prints, toneCurve);
+        return new Cell(camera, family, references, others, pixelStdPx, targetStdMm, prints, toneCurve, calibration);
     }
 
     /**
@@ -125,7 +128,7 @@ public final class Cell {
      * @throws IllegalArgumentException if the target is not positive
      */
     public Cell withTarget(OptionalDouble stdMm) {
-        return new Cell(camera, family, references, objects, pixelStdPx, stdMm, prints, toneCurve);
+        return new Cell(camera, family, references, objects, pixelStdPx, stdMm, prints, toneCurve, calibration);
     }
 
     /**
@@ -136,7 +139,7 @@ public final class Cell {
      * @throws IllegalArgumentException if the deviation is not positive
      */
     public Cell withPixelStdPx(OptionalDouble px) {
-        return new Cell(camera, family, references, objects, px, targetStdMm, prints, toneCurve);
+        return new Cell(camera, family, references, objects, px, targetStdMm, prints, toneCurve, calibration);
     }
 
     /**
@@ -146,7 +149,30 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withToneCurve(@Nullable ToneCurve stated) {
-        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, stated);
+        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, stated, calibration);
+    }
+
+    /**
+     * The same cell with another statement about how well its camera's intrinsics are known.
+     *
+     * @param stated what its calibration leaves open; null where the intrinsics count as exact
+     * @return a new cell
+     * @throws IllegalArgumentException if the camera's lens has no parameter of one of its names
+     */
+    public Cell withCalibration(@Nullable CameraCalibration stated) {
+        if (stated != null) {
+            stated.indices(camera.lens());
+        }
+        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, stated);
+    }
+
+    /**
+     * How well the camera's intrinsics are known.
+     *
+     * @return what their calibration leaves open; null where they count as exact
+     */
+    public @Nullable CameraCalibration calibration() {
+        return calibration;
     }
 
     /**

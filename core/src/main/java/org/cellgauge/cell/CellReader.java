@@ -58,6 +58,7 @@ public final class CellReader {
 
     private @Nullable YamlValue generalSize;
     private @Nullable ToneCurve cameraToneCurve;
+    private @Nullable CameraCalibration calibration;
 
     private CellReader() {
     }
@@ -191,7 +192,8 @@ public final class CellReader {
         }
         YamlValue toneCurve = file.optional(CameraReader.TONE_CURVE);
         return new Cell(camera, family, references, objects, pixelStdPx, target, prints(markers))
-                .withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve));
+                .withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve))
+                .withCalibration(calibration);
     }
 
     private static PrintPrecision prints(YamlMapping markers) {
@@ -221,6 +223,7 @@ public final class CellReader {
         YamlValue top = value.isMapping() ? value : cameraFile.read(value, value.text(CellPhrase.CAMERA));
         PinholeCamera camera = CameraReader.of(top);
         cameraToneCurve = CameraReader.toneCurveOf(top);
+        calibration = CameraReader.calibrationOf(top, camera.lens());
         return camera;
     }
 

@@ -114,6 +114,11 @@ public enum CellRefusal implements RefusalKind {
     DISTORTION_CONTRADICTS_MODEL("lens distortion contradicts model: pinhole; write model: %s or delete this block"),
     /** Too many radial coefficients: how many. */
     TOO_MANY_COEFFICIENTS("expected at most 3 coefficients, got %s; calibrate with 2 or 3 radial coefficients"),
+    /** A calibration's parameter that the lens has not, or that stands twice: its name, those of the lens. */
+    CALIBRATED_PARAMETER("\"%s\" is no parameter of this lens or stands twice; its parameters are %s"),
+    /** What is no covariance: how many parameters it is of. */
+    NO_COVARIANCE("this is no covariance of %s parameters: it needs a row and a column for each, must be symmetric and "
+            + "positive definite; leave out what is known exactly, or calibrate again"),
     /** The asymmetric part of a fisheye. */
     ASYMMETRIC_LENS("the asymmetric part of this lens model cannot be used; calibrate with the symmetric coefficients "
             + "alone"),

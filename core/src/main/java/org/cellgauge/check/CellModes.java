@@ -190,7 +190,7 @@ final class CellModes {
 
         CellModes found() {
             ReferenceView view = ReferenceView.of(cell.references(), errors);
-            CameraFit camera = withNoise(cameraFit(view, IntrinsicsPrior.stated(cell.camera(), settings.model())));
+            CameraFit camera = withNoise(cameraFit(view, IntrinsicsPrior.stated(cell, settings.model())));
             CameraState atMode = camera.mode().state();
             List<ObjectFit> objects = new ArrayList<>();
             List<Integer> missing = new ArrayList<>();

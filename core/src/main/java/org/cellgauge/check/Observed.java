@@ -16,7 +16,6 @@ import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.NoiseFit;
 import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.settings.ObjectNoise;
 import org.cellgauge.vision.Detections;
@@ -93,8 +92,8 @@ final class Observed {
                 && settings.model().objectNoise() == ObjectNoise.NONE) {
             return NoiseFit.untested();
         }
-        return settings.model().estimate() == Estimate.FOCAL
-                ? NoiseFit.ofUnknownFocal(cell, errors, IntrinsicsPrior.stated(cell.camera(), settings.model()))
+        IntrinsicsPrior prior = IntrinsicsPrior.stated(cell, settings.model());
+        return prior.count() > 0 ? NoiseFit.ofUnknownIntrinsics(cell, errors, prior)
                 : NoiseFit.of(cell, errors, cell.camera());
     }
 

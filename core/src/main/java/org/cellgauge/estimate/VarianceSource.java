@@ -14,6 +14,8 @@ public final class VarianceSource {
     public static final VarianceSource FLATNESS_OF_PRINTS = of(Kind.FLATNESS_OF_PRINTS);
     /** Unknown intrinsics. */
     public static final VarianceSource INTRINSICS = of(Kind.INTRINSICS);
+    /** Intrinsics as well as a calibration knows them. */
+    public static final VarianceSource CALIBRATION = of(Kind.CALIBRATION);
     /** Edges that all lie too far in the dark or the light. */
     public static final VarianceSource EDGES = of(Kind.EDGES);
     /** Markers printed too large or too small. */
@@ -33,6 +35,8 @@ public final class VarianceSource {
         FLATNESS_OF_PRINTS("flatness of prints", "prints that are not flat"),
         /** Unknown intrinsics. */
         INTRINSICS("intrinsics", "the unknown intrinsics"),
+        /** Intrinsics as well as a calibration knows them. */
+        CALIBRATION("calibration", "the calibration of the camera"),
         /** Edges that all lie too far in the dark or the light. */
         EDGES("edges of the photo", "where the edges of the photo lie"),
         /** Markers printed too large or too small. */

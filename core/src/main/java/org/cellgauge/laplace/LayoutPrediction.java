@@ -99,7 +99,7 @@ public final class LayoutPrediction {
         PosePrior posePrior = settings.model().posePriorAllowed() && PosePrior.isNeededFor(view.size())
                 ? PosePrior.weak(CameraState.of(view.cameraFromSet(worldFromCamera), cell.camera())) : null;
         CameraFit fit = new CameraFit(cell.camera(), settings, view,
-                IntrinsicsPrior.stated(cell.camera(), settings.model()), posePrior, errors, 0);
+                IntrinsicsPrior.stated(cell, settings.model()), posePrior, errors, 0);
         PoseMode mode = fit.finder(view).at(Collections.singletonList(worldFromCamera));
         if (mode == null) {
             return null;

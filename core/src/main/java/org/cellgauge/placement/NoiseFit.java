@@ -92,7 +92,7 @@ public final class NoiseFit {
     }
 
     /**
-     * The same with unknown focal lengths: those within three deviations of what is known of them that make markers the
+     * The same with unknown intrinsics: those within three deviations of what is known of them that make markers the
      * most square. Corners that some focal length explains are no sign of noise; that one is fitted makes the test a
      * little too lenient.
      *
@@ -101,7 +101,7 @@ public final class NoiseFit {
      * @param prior of the unknown intrinsics
      * @return the test
      */
-    public static NoiseFit ofUnknownFocal(Cell cell, CornerErrors errors, IntrinsicsPrior prior) {
+    public static NoiseFit ofUnknownIntrinsics(Cell cell, CornerErrors errors, IntrinsicsPrior prior) {
         if (errors.added() != null) {
             return of(cell, errors, cell.camera());
         }

@@ -1,11 +1,13 @@
 package org.cellgauge.settings;
 
-/** Which intrinsics are sampled along with the pose. */
+/** Which intrinsics are estimated along with the pose, with priors that are wider than any calibration. */
 public enum Estimate implements Word {
-    /** All intrinsics are taken as the camera file has them: the default. */
+    /** None: they are as well known as the camera file says, exactly where it says nothing of that: the default. */
     NONE("none"),
     /** Focal lengths fx and fy are unknown. */
-    FOCAL("focal");
+    FOCAL("focal"),
+    /** Focal lengths, principal point and the first two coefficients of the lens's radial polynomial are unknown. */
+    INTRINSICS("intrinsics");
 
     private final String word;
 

@@ -85,6 +85,25 @@ public final class SettingTable {
             .where(SettingTable::focalUnknown)
             .within(share -> share > 0, SettingRefusal.NOT_ABOVE_NOTHING);
 
+    /** Standard deviation of the prior of each coordinate of the principal point. */
+    public static final Setting<Double> PRINCIPAL_PRIOR_STD_PX = Setting.of(Part.MODEL, "principal_prior_std_px",
+            SettingForm.number("PX"), 20.0,
+            "Where all intrinsics are estimated: standard deviation of what is known of each coordinate of the "
+                    + "principal point beforehand, about the camera file's, px")
+            .in("px").where(SettingTable::allUnknown).within(positive(), SettingRefusal.NOT_POSITIVE_IN, "px");
+
+    /** Standard deviation of the prior of the first two radial coefficients. */
+    public static final Setting<Double> RADIAL_PRIOR_STD = Setting.of(Part.MODEL, "radial_prior_std",
+            SettingForm.number("STD"), 0.1,
+            "Where all intrinsics are estimated: standard deviation of what is known of the radial coefficients k1 and "
+                    + "k2 beforehand, about the camera file's")
+            .where(SettingTable::allUnknown).within(positive(), SettingRefusal.NOT_POSITIVE);
+
+    /** Whether the covariance that comes with a camera file counts. */
+    public static final Setting<CalibrationUse> CALIBRATION = Setting.of(Part.MODEL, "calibration_use",
+            SettingForm.choice(CalibrationUse.values()), CalibrationUse.UNCERTAIN,
+            "Whether intrinsics are as uncertain as the calibration in the camera file says, or count as exact");
+
     /** First estimate of the camera pose. */
     public static final Setting<InitialEstimate> INITIAL = Setting.of(Part.SAMPLING, "initial",
             SettingForm.choice(InitialEstimate.values()), InitialEstimate.PNP, "First estimate of the camera pose");
@@ -125,7 +144,8 @@ public final class SettingTable {
             .usually("all cores").withoutEffectOnFigures().within(n -> n >= 1, SettingRefusal.TOO_SMALL, 1);
 
     private static final List<Setting<?>> ALL = List.of(MODEL, KAPPA, SAMPLER, CHAINS, ITERATIONS, PRECISION,
-            MAX_ITERATIONS, WARMUP, SEED, ESTIMATE, FOCAL_PRIOR_STD_PX, ASPECT_PRIOR_STD, INITIAL, START, OBJECT_NOISE,
+            MAX_ITERATIONS, WARMUP, SEED, ESTIMATE, FOCAL_PRIOR_STD_PX, ASPECT_PRIOR_STD,
+            PRINCIPAL_PRIOR_STD_PX, RADIAL_PRIOR_STD, CALIBRATION, INITIAL, START, OBJECT_NOISE,
             ROTATION_PRIOR, POSE_PRIOR_ALLOWED, TARGET_STD_MM, THREADS);
 
     private SettingTable() {
@@ -149,6 +169,10 @@ public final class SettingTable {
     }
 
     private static boolean focalUnknown(SettingSource settings) {
-        return settings.get(ESTIMATE) == Estimate.FOCAL;
+        return settings.get(ESTIMATE) != Estimate.NONE;
+    }
+
+    private static boolean allUnknown(SettingSource settings) {
+        return settings.get(ESTIMATE) == Estimate.INTRINSICS;
     }
 }

@@ -91,7 +91,7 @@ class NoiseFitTest {
             Cell cell = scene.camera(ThesisScene.CAMERA).cell();
             CornerErrors errors = CornerErrors.of(cell, seen);
             failedAsStated += NoiseFit.of(cell, errors, cell.camera()).holds() ? 0 : 1;
-            failed += NoiseFit.ofUnknownFocal(cell, errors, prior).holds() ? 0 : 1;
+            failed += NoiseFit.ofUnknownIntrinsics(cell, errors, prior).holds() ? 0 : 1;
         }
         assertTrue(failedAsStated > cells / 2, failedAsStated + " fail through the lens of the file");
         assertTrue(failed <= 1, failed + " of " + cells + " fail");

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.estimate.ObjectEstimate;
@@ -175,7 +176,8 @@ class ReasonTest {
         ThesisScene scene = ThesisScene.inPlane(2);
         Cell all = scene.cell();
         Cell cell = new Cell(all.camera(), all.family(), all.references(), all.objects(), all.pixelStdPx(),
-                all.targetStdMm(), new PrintPrecision(0.1, 0.1, 0.05));
+                all.targetStdMm(), new PrintPrecision(0.1, 0.1, 0.05))
+                .withCalibration(new CameraCalibration(List.of("cx", "cy"), new double[] {1, 0.2, 0.2, 1}, 20));
         Detections corners = scene.detections(0.3, RandomStreams.of(1), 5, 0.01);
         Detections photo = new Detections("scene", corners.widthPx(), corners.heightPx(), corners.markers(), List.of(),
                 new PhotoLight(ToneCurve.SRGB, true, 0.7, 1, 100, 0.1));

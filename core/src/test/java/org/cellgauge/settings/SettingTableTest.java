@@ -50,7 +50,7 @@ class SettingTableTest {
     private static CheckSettings changed(Setting<?> row) {
         CheckSettings.Builder builder = CheckSettings.builder();
         if (!row.appliesTo(USUAL)) {
-            builder.estimate(Estimate.FOCAL);
+            builder.estimate(Estimate.INTRINSICS);
         }
         row.read(other(row), builder);
         return builder.build();

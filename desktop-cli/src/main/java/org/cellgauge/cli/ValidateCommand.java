@@ -23,7 +23,9 @@ import org.cellgauge.internal.validation.TruthPrior;
 import org.cellgauge.internal.validation.Validation;
 import org.cellgauge.internal.validation.ValidationResult;
 import org.cellgauge.internal.validation.ValidationSettings;
+import org.cellgauge.settings.CalibrationUse;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.SettingTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -238,7 +240,9 @@ public final class ValidateCommand implements Callable<Integer> {
         NumberPair spread = study.get(StudyTable.SPREAD);
         try {
             return new TruthPrior(cell, nominal, spread.first(), Math.toRadians(spread.second()),
-                    IntrinsicsPrior.stated(cell.camera(), check.model()));
+                    // true cameras differ from the calibrated one as it says, whatever the check makes of that
+                    IntrinsicsPrior.stated(cell, check.toBuilder()
+                            .set(SettingTable.CALIBRATION, CalibrationUse.UNCERTAIN).build().model()));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), "--spread: " + e.getMessage());
         }

@@ -98,7 +98,8 @@ class RepeatingCommandTest {
     void theCommandFindsTheSameAgain(Setting<?> setting) {
         boolean ofLength = Set.of(SettingTable.ITERATIONS, SettingTable.PRECISION, SettingTable.MAX_ITERATIONS)
                 .contains(setting);
-        CheckSettings before = setting.appliesTo(USUAL) ? USUAL : USUAL.toBuilder().estimate(Estimate.FOCAL).build();
+        CheckSettings before = setting.appliesTo(USUAL) ? USUAL
+                : USUAL.toBuilder().estimate(Estimate.INTRINSICS).build();
         // neither waits for the usual precision
         String few = setting == SettingTable.PRECISION ? " --max-iterations 300"
                 : setting == SettingTable.MAX_ITERATIONS ? " --precision 0.9" : ofLength ? "" : FEW;

@@ -31,6 +31,9 @@ public final class CheckText {
     private static final double NEGLIGIBLE_SHARE = 0.005;
     private static final int MOST_GAINS = 3;
 
+    private static final String EXACT_CAMERA = "Camera: its intrinsics are taken as exact; with a camera file of "
+            + "cellgauge calibrate their uncertainty is in the figures";
+
     private CheckText() {
     }
 
@@ -103,6 +106,9 @@ public final class CheckText {
         }
         for (String line : noiseLines(view).split("\n")) {
             text.append(wrap(line, "        "));
+        }
+        if (view.intrinsics().isEmpty()) {
+            text.append(wrap(EXACT_CAMERA, "        "));
         }
         if (!view.warnings().isEmpty()) {
             text.append("\nWarnings\n");

@@ -126,6 +126,10 @@ final class RefusalStrings {
                 return R.string.refusal_cell_distortion_contradicts_model;
             case TOO_MANY_COEFFICIENTS:
                 return R.string.refusal_cell_too_many_coefficients;
+            case CALIBRATED_PARAMETER:
+                return R.string.refusal_cell_calibrated_parameter;
+            case NO_COVARIANCE:
+                return R.string.refusal_cell_no_covariance;
             case ASYMMETRIC_LENS:
                 return R.string.refusal_cell_asymmetric_lens;
             case SYMMETRIC_COEFFICIENTS:
@@ -262,6 +266,10 @@ final class RefusalStrings {
                 return R.string.refusal_part_pixel_std;
             case CAMERA_KEYS:
                 return R.string.refusal_part_camera_keys;
+            case VARIANCE:
+                return R.string.refusal_part_variance;
+            case PHOTOS_OF_CALIBRATION:
+                return R.string.refusal_part_photos_of_calibration;
             case COEFFICIENT_OF_ANGLE:
                 return R.string.refusal_part_coefficient_of_angle;
             case SYMMETRIC:

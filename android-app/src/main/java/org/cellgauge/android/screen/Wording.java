@@ -272,6 +272,8 @@ final class Wording {
                 return get(R.string.source_flatness);
             case INTRINSICS:
                 return get(R.string.source_intrinsics);
+            case CALIBRATION:
+                return get(R.string.source_calibration);
             case EDGES:
                 return get(R.string.source_edges);
             case SIZE_OF_PRINTS:

@@ -101,6 +101,10 @@ public enum CellPhrase implements RefusalKind {
     SYMMETRIC("a symmetric coefficient"),
     /** A coefficient of another part. */
     COEFFICIENT("a coefficient, mostly 0"),
+    /** An entry of a covariance. */
+    VARIANCE("a variance or covariance of two parameters"),
+    /** Photos of a calibration. */
+    PHOTOS_OF_CALIBRATION("the number of photos that it rests on"),
     /** The version of BoofCV's format. */
     BOOFCV_VERSION("version: 0, or calibrate with a BoofCV of that version"),
     /** A tone curve. */

@@ -26,7 +26,8 @@ final class ThesisCameraSampler implements CameraSampler {
                     start = posterior.chart().encode(state);
                 }
                 return new CameraChain(new MetropolisChain(posterior,
-                        ThesisMixture.proposals(posterior.chart().layout()), start, chainRandom),
+                        ThesisMixture.proposals(posterior.chart().layout(), target.fit.intrinsicsPrior), start,
+                        chainRandom),
                         posterior.chart(), () -> { });
             }
 

@@ -37,6 +37,9 @@ import org.jspecify.annotations.Nullable;
  */
 public final class LinearModel {
     private static final double NEXT_TO_NOTHING = 1e-9;
+    /** Unknown intrinsics, those that are estimated and those that a calibration leaves open. */
+    private static final List<VarianceSource> OF_INTRINSICS = List.of(VarianceSource.INTRINSICS,
+            VarianceSource.CALIBRATION);
     private static final List<VarianceSource> SHARED_BY_MARKERS = Collections.unmodifiableList(
             Arrays.asList(VarianceSource.EDGES, VarianceSource.SIZE_OF_PRINTS));
 
@@ -152,6 +155,17 @@ public final class LinearModel {
             }
         }
         return out;
+    }
+
+    /** The first unknown intrinsic that the budget gives to a source. */
+    private int firstOf(VarianceSource source) {
+        return source.equals(VarianceSource.CALIBRATION) ? camera.intrinsicsPrior.estimatedCount() : 0;
+    }
+
+    /** The end of these. */
+    private int endOf(VarianceSource source) {
+        return source.equals(VarianceSource.CALIBRATION) ? camera.intrinsicsPrior.count()
+                : camera.intrinsicsPrior.estimatedCount();
     }
 
     /** What the budget calls one of the unknowns that markers of a photo share. */
@@ -325,15 +339,19 @@ public final class LinearModel {
             left.put(VarianceSource.CORNER_NOISE_OF_OBJECT, exactCorners);
             StateLayout layout = mode.layout();
             int shared = layout.shared();
-            if (layout.intrinsicsCount() > 0) {
+            for (VarianceSource source : OF_INTRINSICS) {
+                int from = firstOf(source);
+                int to = endOf(source);
                 double[] prior = new double[columns * columns];
                 int first = layout.intrinsics();
-                for (int f = 0; f < layout.intrinsicsCount(); f++) {
-                    for (int g = 0; g < layout.intrinsicsCount(); g++) {
+                for (int f = from; f < to; f++) {
+                    for (int g = from; g < to; g++) {
                         prior[(first + f) * columns + first + g] = camera.intrinsicsPrior.information(f, g);
                     }
                 }
-                variances.put(VarianceSource.INTRINSICS, priorPart(a, prior));
+                if (to > from) {
+                    variances.put(source, priorPart(a, prior));
+                }
             }
             for (VarianceSource source : SHARED_BY_MARKERS) {
                 double[] prior = new double[columns * columns];
@@ -434,8 +452,12 @@ public final class LinearModel {
         }
         int shared = mode.layout().shared();
         boolean[] known = new boolean[columns];
-        Arrays.fill(known, mode.layout().intrinsics(), shared, true);
-        putKnown(out, VarianceSource.INTRINSICS, information, known);
+        int intrinsics = mode.layout().intrinsics();
+        for (VarianceSource source : OF_INTRINSICS) {
+            Arrays.fill(known, false);
+            Arrays.fill(known, intrinsics + firstOf(source), intrinsics + endOf(source), true);
+            putKnown(out, source, information, known);
+        }
         for (VarianceSource source : SHARED_BY_MARKERS) {
             for (int f = 0; f < columns; f++) {
                 known[f] = f >= shared && sourceOf(errors, f - shared).equals(source);

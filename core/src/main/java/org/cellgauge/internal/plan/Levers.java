@@ -23,6 +23,7 @@ import org.cellgauge.plan.Change;
 import org.cellgauge.plan.ChangeKind;
 import org.cellgauge.plan.Layout;
 import org.cellgauge.plan.PlanOptions;
+import org.cellgauge.settings.Estimate;
 import org.cellgauge.warning.Warning;
 import org.jspecify.annotations.Nullable;
 
@@ -91,7 +92,7 @@ final class Levers {
 
     LayoutModel model(Layout changed, boolean calibrated) {
         return new LayoutModel(changed, forecast, calibrated ? IntrinsicsPrior.KNOWN
-                : IntrinsicsPrior.stated(changed.cell().camera(), options.settings().model()));
+                : IntrinsicsPrior.stated(changed.cell(), options.settings().model()));
     }
 
     private static Cell replaced(Cell cell, Reference by) {
@@ -418,12 +419,14 @@ final class Levers {
                         options.cost(ChangeKind.LONGER_LENS)),
                 all -> seen(all.with(all.cell().withCamera(all.cell().camera().withFocal(
                         factor * all.cell().camera().get(PinholeCamera.FX),
-                        factor * all.cell().camera().get(PinholeCamera.FY))))), false));
+                        factor * all.cell().camera().get(PinholeCamera.FY)))
+                        .withCalibration(all.cell().calibration()))), false));
         steps.add(new Step("pixels", new Change(Warning.of(ChangeKind.MORE_PIXELS, 2 * lens.widthPx(),
                 2 * lens.heightPx()), options.cost(ChangeKind.MORE_PIXELS)),
                 all -> all.with(all.cell().withCamera(all.cell().camera().resized(2 * all.cell().camera().widthPx(),
-                        2 * all.cell().camera().heightPx()))), false));
-        if (IntrinsicsPrior.stated(lens, options.settings().model()).count() > 0) {
+                        2 * all.cell().camera().heightPx()))
+                        .withCalibration(all.cell().calibration())), false));
+        if (options.settings().model().estimate() != Estimate.NONE) {
             steps.add(new Step("calibration", new Change(Warning.of(ChangeKind.CALIBRATE),
                     options.cost(ChangeKind.CALIBRATE)), all -> all, true));
         }

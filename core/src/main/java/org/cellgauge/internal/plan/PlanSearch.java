@@ -46,7 +46,7 @@ public final class PlanSearch {
      */
     public Forecast forecast() {
         return new LayoutModel(layout, new CornerForecast(options.toneCurve(), options.blurPx(), options.noiseGrey()),
-                IntrinsicsPrior.stated(layout.cell().camera(), options.settings().model())).forecast();
+                IntrinsicsPrior.stated(layout.cell(), options.settings().model())).forecast();
     }
 
     /**

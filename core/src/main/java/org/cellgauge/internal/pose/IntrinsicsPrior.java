@@ -1,9 +1,17 @@
 package org.cellgauge.internal.pose;
 
+import java.util.Arrays;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.cellgauge.cell.CameraCalibration;
+import org.cellgauge.cell.Cell;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Cholesky;
+import org.cellgauge.internal.geometry.Lenses;
+import org.cellgauge.settings.CalibrationUse;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.ModelSettings;
+import org.cellgauge.settings.SettingTable;
 
 /**
  * Which intrinsics are unknown and what is known of them beforehand: a Gaussian; immutable.
@@ -18,21 +26,25 @@ import org.cellgauge.settings.ModelSettings;
 public final class IntrinsicsPrior {
     /** All intrinsics are known. */
     public static final IntrinsicsPrior KNOWN = new IntrinsicsPrior(new int[0], new double[0], new double[0],
-            new double[0], new double[0]);
+            new double[0], new double[0], 0);
 
     private final int[] indices;
     private final double[] means;
     private final double[] stds;
     private final double[] slopes;
     private final double[] ownStds;
+    private final int estimated;
 
     /**
      * A prior.
      *
      * @param slopes by how much unknown i follows those before it, count x count row by row, lower triangle
      * @param ownStds deviation of each given those before it
+     * @param estimated how many are estimated, beginning with the first
      */
-    private IntrinsicsPrior(int[] indices, double[] means, double[] stds, double[] slopes, double[] ownStds) {
+    private IntrinsicsPrior(int[] indices, double[] means, double[] stds, double[] slopes, double[] ownStds,
+            int estimated) {
+        this.estimated = estimated;
         this.indices = indices;
         this.means = means;
         this.stds = stds;
@@ -41,18 +53,100 @@ public final class IntrinsicsPrior {
     }
 
     /**
-     * What is known beforehand of a camera's intrinsics.
+     * What is known beforehand of the intrinsics of a cell's camera: what settings say of those that are estimated;
+     * what the calibration says of all others, apart from these.
      *
-     * @param camera as the camera file has it
-     * @param model which are unknown, and how well they are known
+     * @param cell gives the values of the camera file, and how well its calibration knows them
+     * @param model which are estimated, and how well they are known
      * @return the prior
      */
-    public static IntrinsicsPrior stated(PinholeCamera camera, ModelSettings model) {
-        if (model.estimate() != Estimate.FOCAL) {
+    public static IntrinsicsPrior stated(Cell cell, ModelSettings model) {
+        IntrinsicsPrior estimated = estimated(cell.camera(), model);
+        CameraCalibration calibration = cell.calibration();
+        if (calibration == null || model.get(SettingTable.CALIBRATION) == CalibrationUse.EXACT) {
+            return estimated;
+        }
+        int[] calibrated = calibration.indices(cell.camera().lens());
+        int[] others = IntStream.range(0, calibrated.length)
+                .filter(i -> Arrays.stream(estimated.indices).noneMatch(index -> index == calibrated[i])).toArray();
+        if (others.length == 0) {
+            return estimated;
+        }
+        double[] all = calibration.covariance();
+        int n = others.length;
+        double[] covariance = new double[n * n];
+        for (int i = 0; i < n; i++) {
+            for (int k = 0; k < n; k++) {
+                covariance[n * i + k] = all[calibrated.length * others[i] + others[k]];
+            }
+        }
+        IntrinsicsPrior known = joint(cell.camera(), Arrays.stream(others).map(i -> calibrated[i]).toArray(),
+                covariance);
+        return estimated.and(known, estimated.count());
+    }
+
+    /** The prior of those that settings call unknown. */
+    private static IntrinsicsPrior estimated(PinholeCamera camera, ModelSettings model) {
+        if (model.estimate() == Estimate.NONE) {
             return KNOWN;
         }
-        return Double.isInfinite(model.aspectPriorStd()) ? focal(camera, model.focalPriorStdPx())
+        IntrinsicsPrior focal = Double.isInfinite(model.aspectPriorStd()) ? focal(camera, model.focalPriorStdPx())
                 : focalAndAspect(camera, model.focalPriorStdPx(), model.aspectPriorStd());
+        if (model.estimate() == Estimate.FOCAL) {
+            return focal;
+        }
+        double principal = model.get(SettingTable.PRINCIPAL_PRIOR_STD_PX);
+        double radial = model.get(SettingTable.RADIAL_PRIOR_STD);
+        return focal.and(of(camera, new int[] {PinholeCamera.CX, PinholeCamera.CY, Lenses.FIRST_RADIAL,
+            Lenses.FIRST_RADIAL + 1}, new double[] {principal, principal, radial, radial}), 6);
+    }
+
+    /**
+     * This prior and that of other intrinsics, each independent of the other.
+     *
+     * @param ofBoth how many of them are estimated, beginning with the first
+     */
+    private IntrinsicsPrior and(IntrinsicsPrior other, int ofBoth) {
+        int mine = count();
+        int all = mine + other.count();
+        double[] joined = new double[all * all];
+        for (int i = 0; i < all; i++) {
+            for (int k = 0; k < i; k++) {
+                if (i < mine) {
+                    joined[all * i + k] = slopes[mine * i + k];
+                } else if (k >= mine) {
+                    joined[all * i + k] = other.slopes[other.count() * (i - mine) + k - mine];
+                }
+            }
+        }
+        return new IntrinsicsPrior(
+                IntStream.concat(Arrays.stream(indices), Arrays.stream(other.indices)).toArray(),
+                joined(means, other.means), joined(stds, other.stds), joined, joined(ownStds, other.ownStds),
+                ofBoth);
+    }
+
+    private static double[] joined(double[] first, double[] second) {
+        return DoubleStream.concat(Arrays.stream(first), Arrays.stream(second)).toArray();
+    }
+
+    /**
+     * How many unknowns are estimated, beginning with the first: those after them are as well known as a calibration
+     * says, and independent of these.
+     *
+     * @return 0 to count
+     */
+    public int estimatedCount() {
+        return estimated;
+    }
+
+    /**
+     * Whether an intrinsic is unknown.
+     *
+     * @param index index of {@link PinholeCamera}
+     * @return false if it is exact
+     */
+    public boolean has(int index) {
+        return Arrays.stream(indices).anyMatch(i -> i == index);
     }
 
     /**
@@ -89,7 +183,7 @@ public final class IntrinsicsPrior {
                 new double[] {stdPx, ofAspect});
         return new IntrinsicsPrior(apart.indices, apart.means,
                 new double[] {stdPx, Math.hypot(byFocal * stdPx, ofAspect)}, new double[] {0, 0, byFocal, 0},
-                apart.ownStds);
+                apart.ownStds, 2);
     }
 
     /**
@@ -110,7 +204,7 @@ public final class IntrinsicsPrior {
             }
         }
         return new IntrinsicsPrior(indices.clone(), means, stds.clone(), new double[indices.length * indices.length],
-                stds.clone());
+                stds.clone(), indices.length);
     }
 
     /**
@@ -143,7 +237,7 @@ public final class IntrinsicsPrior {
                 slopes[n * i + k] = -whitening[n * i + k] * ownStds[i];
             }
         }
-        return new IntrinsicsPrior(indices.clone(), means, stds, slopes, ownStds);
+        return new IntrinsicsPrior(indices.clone(), means, stds, slopes, ownStds, n);
     }
 
     /**

@@ -12,13 +12,13 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.Rotations;
 import org.cellgauge.internal.pose.CameraState;
+import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.posterior.CameraPosterior;
 import org.cellgauge.internal.statistics.CoverageRegion;
 import org.cellgauge.internal.statistics.RankHistogram;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.Quantity;
 import org.cellgauge.sampling.Quantity.Axis;
-import org.cellgauge.settings.Estimate;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -189,11 +189,19 @@ final class CellPart {
         PinholeCamera stated = result.cell().camera();
         PinholeCamera[] lenses = new PinholeCamera[n];
         Arrays.fill(lenses, stated);
-        if (result.settings().model().estimate() == Estimate.FOCAL) {
-            double[] fx = column(result, FOCAL.get(0));
-            double[] fy = column(result, FOCAL.get(1));
+        IntrinsicsPrior unknown = IntrinsicsPrior.stated(result.cell(), result.settings().model());
+        if (unknown.count() > 0) {
+            double[][] values = new double[unknown.count()][];
+            for (int k = 0; k < values.length; k++) {
+                values[k] = column(result,
+                        Quantity.intrinsic(stated.lens().parameterNames().get(unknown.index(k))));
+            }
             for (int i = 0; i < n; i++) {
-                lenses[i] = stated.withFocal(fx[i], fy[i]);
+                double[] intrinsics = stated.intrinsics();
+                for (int k = 0; k < values.length; k++) {
+                    intrinsics[unknown.index(k)] = values[k][i];
+                }
+                lenses[i] = stated.withIntrinsics(intrinsics);
             }
         }
         return lenses;

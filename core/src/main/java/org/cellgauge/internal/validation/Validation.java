@@ -8,6 +8,8 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.statistics.RankHistogram;
 import org.cellgauge.settings.CheckSettings;
@@ -66,7 +68,8 @@ public final class Validation {
     private Validation(TruthPrior prior, ValidationSettings settings) {
         this.prior = prior;
         this.settings = settings;
-        parts = CellPart.of(prior.cell(), prior.intrinsicsPrior().count() > 0);
+        IntrinsicsPrior unknown = IntrinsicsPrior.stated(prior.cell(), settings.check().model());
+        parts = CellPart.of(prior.cell(), unknown.has(PinholeCamera.FX) && unknown.has(PinholeCamera.FY));
     }
 
     /** What became of one simulated cell. */

@@ -78,7 +78,7 @@ class LayoutModelTest {
         LayoutPrediction expected = LayoutPrediction.of(cell, scene.worldFromCamera(), scene.objects(),
                 kind.settings());
         LayoutModel model = new LayoutModel(layout(cell, scene.worldFromCamera(), scene.objects()),
-                CornerForecast.USUAL, IntrinsicsPrior.stated(cell.camera(), kind.settings().model()));
+                CornerForecast.USUAL, IntrinsicsPrior.stated(cell, kind.settings().model()));
         Forecast forecast = model.forecast();
         assertEquals(4, forecast.rows().size());
         // squares of objects tell a little of prints and lens, too, which the approximation of the camera leaves out

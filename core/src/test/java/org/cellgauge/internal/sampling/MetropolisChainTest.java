@@ -18,8 +18,9 @@ import org.cellgauge.statistics.ChainDiagnostics;
 import org.junit.jupiter.api.Test;
 
 class MetropolisChainTest {
-    private static final StateLayout FOCAL = StateLayout.of(1,
-            IntrinsicsPrior.focal(PinholeCamera.ideal(640, 480, 500, 500, 320, 240), 50), 0);
+    private static final IntrinsicsPrior FOCAL_PRIOR =
+            IntrinsicsPrior.focal(PinholeCamera.ideal(640, 480, 500, 500, 320, 240), 50);
+    private static final StateLayout FOCAL = StateLayout.of(1, FOCAL_PRIOR, 0);
     private static LogDensity density(int dimension, ToDoubleFunction<double[]> log) {
         return new LogDensity() {
             @Override
@@ -186,7 +187,8 @@ class MetropolisChainTest {
             evaluations[0]++;
             return normal(8).at(x);
         });
-        MetropolisChain chain = new MetropolisChain(counting, ThesisMixture.proposals(FOCAL), new double[8],
+        MetropolisChain chain = new MetropolisChain(counting, ThesisMixture.proposals(FOCAL, FOCAL_PRIOR),
+                new double[8],
                 RandomStreams.of(47));
         int steps = 5000;
         int accepted = 0;

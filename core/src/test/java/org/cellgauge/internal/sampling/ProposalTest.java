@@ -18,8 +18,9 @@ import org.ejml.simple.SimpleMatrix;
 import org.junit.jupiter.api.Test;
 
 class ProposalTest {
-    private static final StateLayout FOCAL = StateLayout.of(1,
-            IntrinsicsPrior.focal(PinholeCamera.ideal(640, 480, 500, 500, 320, 240), 50), 0);
+    private static final IntrinsicsPrior FOCAL_PRIOR =
+            IntrinsicsPrior.focal(PinholeCamera.ideal(640, 480, 500, 500, 320, 240), 50);
+    private static final StateLayout FOCAL = StateLayout.of(1, FOCAL_PRIOR, 0);
     private static final double[] SCALE_A = {4, 1, 0.5, 1, 2, -0.3, 0.5, -0.3, 0.25};
     private static final double[] SCALE_B = {0.5, 0, 0.1, 0, 1, 0, 0.1, 0, 3};
     private static final double[] MEAN_A = {1, -2, 30};
@@ -170,7 +171,8 @@ class ProposalTest {
 
     @Test
     void thesisMixtureHasItsFiveNamedSteps() {
-        assertEquals(4, ThesisMixture.proposals(StateLayout.of(1, IntrinsicsPrior.KNOWN, 0)).size());
+        assertEquals(4, ThesisMixture.proposals(StateLayout.of(1, IntrinsicsPrior.KNOWN, 0),
+                IntrinsicsPrior.KNOWN).size());
         List<String> names = new ArrayList<>();
         double[] from = {418, 106, 1070, 3, 3, 3, 581, 581};
         double[][] stds = {{0, 0, 0, 0.1, 0.1, 0.1, 0, 0}, {10, 10, 10, 0, 0, 0, 0, 0}, {1, 1, 1, 0, 0, 0, 0, 0},
@@ -178,7 +180,7 @@ class ProposalTest {
         RandomGenerator random = RandomStreams.of(7);
         int n = 5000;
         int which = 0;
-        for (Proposal proposal : ThesisMixture.proposals(FOCAL)) {
+        for (Proposal proposal : ThesisMixture.proposals(FOCAL, FOCAL_PRIOR)) {
             names.add(proposal.name());
             double[] squares = new double[8];
             double[] to = new double[8];

@@ -1,0 +1,69 @@
+package org.cellgauge.cell;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.cell.CalibratedCameraText;
+import org.cellgauge.internal.cell.CameraWriter;
+import org.junit.jupiter.api.Test;
+
+/** Camera files that say how well their intrinsics are known. */
+class CameraCalibrationTest {
+    private static final PinholeCamera CAMERA = PinholeCamera.of(1280, 720, new double[] {581.25, 582.5, 640.1,
+        359.7, 0, -0.3, 0.12, 0, 0.001, -0.002});
+    private static final List<List<Double>> COVARIANCE = List.of(List.of(0.4, 0.38, 1e-4),
+            List.of(0.38, 0.41, 2e-4), List.of(1e-4, 2e-4, 1.7e-6));
+    private static final String TEXT = CalibratedCameraText.text(CAMERA, List.of("fx", "fy", "k1"), COVARIANCE,
+            20, 0.21, 1.3);
+
+    private static InputRefusedException refused(String text) {
+        return assertThrows(InputRefusedException.class, () -> CameraReader.calibration(text, "camera.yaml"));
+    }
+
+    @Test
+    void fileComesBackAsItWasWritten() {
+        CameraCalibration read = CameraReader.calibration(TEXT, "camera.yaml");
+        assertNotNull(read);
+        assertEquals(List.of("fx", "fy", "k1"), read.parameters());
+        assertArrayEquals(new double[] {0.4, 0.38, 1e-4, 0.38, 0.41, 2e-4, 1e-4, 2e-4, 1.7e-6}, read.covariance(), 0);
+        assertEquals(20, read.photos());
+        assertArrayEquals(new int[] {PinholeCamera.FX, PinholeCamera.FY, BrownLens.K1}, read.indices(CAMERA.lens()));
+        assertArrayEquals(CAMERA.intrinsics(), CameraReader.read(TEXT, "camera.yaml").intrinsics(), 0);
+        assertNull(CameraReader.calibration(CameraWriter.text(CAMERA), "camera.yaml"));
+    }
+
+    @Test
+    void cellTakesTheCalibrationOfItsCamera() {
+        String cell = "cellgauge: 1\ncamera: camera.yaml\nmarkers: {family: square-binary, size_mm: 47}\n"
+                + "placement: {std_mm: [1, 1, 1], std_deg: 0.5}\npixel_std_px: 0.3\n"
+                + "references:\n  944: {position_mm: [0, 0, 0], rotation_deg: [0, 0, 0]}\n";
+        Cell read = CellReader.read(cell, "cell.yaml", name -> TEXT);
+        assertEquals(CameraReader.calibration(TEXT, "camera.yaml"), read.calibration());
+        assertEquals(read.calibration(), read.withPixelStdPx(java.util.OptionalDouble.of(1)).calibration());
+        assertNull(read.withCamera(CAMERA).calibration(), "another camera's calibration is another one");
+    }
+
+    @Test
+    void whatIsNoCovarianceIsRefusedWithItsPlace() {
+        // a row too few, an entry too few, not symmetric, no variance, correlated by more than 1
+        String[] broken = {TEXT.replaceFirst("(?m)^  - \\[0.4.*\n", ""), TEXT.replace("0.38, 0.41, ", "0.41, "),
+            TEXT.replace("[0.4, 0.38", "[0.4, 0.3"), TEXT.replace("[0.4, ", "[0, "), TEXT.replace("0.38", "0.48")};
+        for (String text : broken) {
+            InputRefusedException e = refused(text);
+            assertEquals(CellRefusal.NO_COVARIANCE, e.refusal().kind());
+            assertTrue(e.getMessage().contains("cellgauge_calibration.covariance"), e.getMessage());
+        }
+        InputRefusedException foreign = refused(TEXT.replace("fy, k1]", "fy, k9]"));
+        assertEquals(CellRefusal.CALIBRATED_PARAMETER, foreign.refusal().kind());
+        assertTrue(foreign.getMessage().contains("fx, fy, cx, cy, skew, k1"), foreign.getMessage());
+        assertEquals(CellRefusal.CALIBRATED_PARAMETER, refused(TEXT.replace("fy, k1]", "fy, fy]")).refusal().kind());
+        assertEquals(CellRefusal.MISSING, refused(TEXT.replace("covariance:", "covariants:")).refusal().kind());
+    }
+}
