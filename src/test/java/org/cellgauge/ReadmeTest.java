@@ -10,14 +10,9 @@ import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.cellgauge.cli.Main;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -79,36 +74,14 @@ class ReadmeTest {
     @ParameterizedTest
     @MethodSource("snippets")
     void snippetsOfTheDocumentsRun(String snippet) throws IOException, InterruptedException {
-        String python = System.getenv().getOrDefault("CELLGAUGE_PYTHON", "python3");
-        String imports = snippet.lines().filter(line -> line.startsWith("import ")).collect(Collectors.joining("\n"));
-        Assumptions.assumeTrue(run(python, imports, "imports").code() == 0, "no such modules for " + python);
-        Ran ran = run(python, snippet.replace("cellgauge-out/", folder + "/"), "snippet");
+        Python.Ran ran = Python.run(snippet.replace("cellgauge-out/", folder + "/"), folder);
         assertEquals(0, ran.code(), ran.printed());
         assertTrue(ran.printed().contains("camera_x_mm"), ran.printed());
     }
 
     static List<String> snippets() throws IOException {
-        List<String> found = new ArrayList<>();
-        Matcher blocks = Pattern.compile("(?s)```python\n(.*?)```").matcher(
-                Files.readString(ROOT.resolve("docs/files.md")));
-        while (blocks.find()) {
-            found.add(blocks.group(1));
-        }
+        List<String> found = Python.snippets(ROOT.resolve("docs/files.md"));
         assertEquals(2, found.size(), "snippets in the document");
         return found;
-    }
-
-    private record Ran(int code, String printed) {
-    }
-
-    private static Ran run(String python, String program, String name) throws IOException, InterruptedException {
-        Path printed = folder.resolve(name + ".out");
-        try {
-            Process process = new ProcessBuilder(python, "-c", program).redirectErrorStream(true)
-                    .redirectOutput(printed.toFile()).start();
-            return new Ran(process.waitFor(), Files.readString(printed));
-        } catch (IOException e) {
-            return new Ran(-1, "no Python: " + e.getMessage());
-        }
     }
 }

@@ -16,6 +16,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import org.cellgauge.cell.Cell;
@@ -59,6 +60,26 @@ final class Scenes {
         String camera = Files.readString(folder.resolve("camera.yaml")).replaceAll("(?m)^#.*\n", "")
                 .replaceAll("(?m)^", "  ").stripTrailing();
         return Files.readString(folder.resolve("cell.yaml")).replace("camera: camera.yaml", "camera:\n" + camera);
+    }
+
+    /** The same cell with references that a calibration may rest on. */
+    static String surveyed(Path root) throws IOException {
+        return cellWithCamera(root, "lifted-4").replaceFirst("(?m)^placement:.*",
+                "placement: {std_mm: [0.1, 0.1, 0.1], std_deg: 0.05}");
+    }
+
+    /** A target file of each kind; one rests on a cell file beside it. */
+    static List<byte[]> targets(String cellFile) {
+        Stream<String> ofBoofCv = Stream.of("CIRCLE_HEX\n  grid: {numRows: 8, numCols: 10, shapeSize: 20,"
+                + " shapeDistance: 40}\n", "ECOCHECK\n  ecocheck: {markerShapes: [{numRows: 10, numCols: 7,"
+                + " squareSize: 30}]}\n").map(kind -> "boofcv.alg.fiducial.calib.ConfigCalibrationTarget:\n  type: "
+                + kind);
+        Stream<String> own = Stream.of("ecocheck: {rows: 10, columns: 7, square_mm: 30}",
+                "hexagonal_circle_grid: {rows: 8, columns: 10, diameter_mm: 20, spacing_mm: 40}",
+                "charuco: {rows: 8, columns: 11, square_mm: 24, marker_mm: 18, family: aruco-mip-36h12}",
+                "marker_plate: {family: apriltag-36h11, size_mm: 40, positions_mm: {0: [0, 0], 1: [60, 0]}}",
+                "cell: {file: " + cellFile + "}").map(kind -> "cellgauge_target: 1\n" + kind + "\n");
+        return Stream.concat(own, ofBoofCv).map(text -> text.getBytes(StandardCharsets.UTF_8)).toList();
     }
 
     static Cell cell(Path root, String scene) throws IOException {

@@ -1,12 +1,14 @@
 package org.cellgauge.fuzz;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.cellgauge.cell.CalibrationTargetReader;
 import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
@@ -64,6 +66,30 @@ public enum Target {
         void read(byte[] input) {
             String text = InputFiles.text(input, "a.yaml", CellPhrase.CAMERA_FILE, CameraReader.MAX_BYTES);
             CameraReader.read(text, "a.yaml");
+        }
+    },
+
+    /** Files of calibration targets. */
+    TARGET("cell.CalibrationTargetReader") {
+        private Path file;
+
+        @Override
+        List<byte[]> corpus(Path root) throws IOException {
+            file = Files.createTempFile("cellgauge-fuzz", ".yaml");
+            file.toFile().deleteOnExit();
+            Files.writeString(file.resolveSibling(file.getFileName() + ".cell"), Scenes.surveyed(root));
+            file.resolveSibling(file.getFileName() + ".cell").toFile().deleteOnExit();
+            return Scenes.targets(file.getFileName() + ".cell");
+        }
+
+        @Override
+        void read(byte[] input) {
+            try {
+                Files.write(file, input);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+            CalibrationTargetReader.read(file);
         }
     },
 

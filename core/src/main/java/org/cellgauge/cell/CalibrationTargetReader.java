@@ -1,6 +1,7 @@
 package org.cellgauge.cell;
 
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -46,6 +47,7 @@ public final class CalibrationTargetReader {
     private static final List<String> TARGETS = Arrays.asList(Pattern.CHESSBOARD.key(), Pattern.ECOCHECK.key(),
             Pattern.CIRCLE_GRID.key(), Pattern.HEXAGONAL_CIRCLE_GRID.key(), CHARUCO, MARKER_PLATE, CELL);
     private static final int MAX_COUNT = 1000;
+    private static final String CENTRE = "[x, y] of its centre in mm";
     /** A surveyed reference is known at least so well, mm. */
     private static final double SURVEYED_STD_MM = 1;
     /** Places of no marker do not count: any will do. */
@@ -103,7 +105,8 @@ public final class CalibrationTargetReader {
     }
 
     private static double length(YamlMapping keys, String key) {
-        return keys.required(key, key + ": 30").positive(TargetRefusal.LENGTH);
+        YamlValue value = keys.required(key, key + ": 30");
+        return CellReader.bounded(value, value.positive(TargetRefusal.LENGTH), TargetRefusal.LENGTH);
     }
 
     private static Grid grid(YamlValue value, String kind) {
@@ -186,8 +189,9 @@ public final class CalibrationTargetReader {
         for (Map.Entry<String, YamlValue> entry : positions.values().entrySet()) {
             int id = entry.getKey().matches("\\d{1,6}") ? Integer.parseInt(entry.getKey()) : -1;
             requireId(entry.getValue(), family, id);
-            double[] at = entry.getValue().numbers(2, "[x, y] of its centre in mm");
-            markers.add(marker(id, size, at[0], at[1]));
+            double[] at = entry.getValue().numbers(2, CENTRE);
+            markers.add(marker(id, size, CellReader.bounded(entry.getValue(), at[0], CENTRE),
+                    CellReader.bounded(entry.getValue(), at[1], CENTRE)));
         }
         return new Markers(MARKER_PLATE, family, markers, true);
     }
@@ -195,7 +199,13 @@ public final class CalibrationTargetReader {
     private static Markers surveyed(YamlValue value, Path targetFile) {
         YamlMapping keys = value.mapping("{file: cell.yaml}", "file");
         YamlValue name = keys.required("file", "file: cell.yaml");
-        Path file = targetFile.resolveSibling(name.text("cell.yaml"));
+        String stated = name.text("cell.yaml");
+        Path file;
+        try {
+            file = targetFile.resolveSibling(stated);
+        } catch (InvalidPathException e) {
+            throw name.refused(TargetRefusal.NO_CELL_FILE, stated);
+        }
         if (!Files.exists(file)) {
             throw name.refused(TargetRefusal.NO_CELL_FILE, file.toString());
         }
@@ -225,9 +235,12 @@ public final class CalibrationTargetReader {
             case "CIRCLE_HEX":
                 return boofGrid(keys, Pattern.HEXAGONAL_CIRCLE_GRID);
             case "ECOCHECK":
-                List<YamlValue> shapes = keys.required("ecocheck", "ecocheck:")
-                        .mapping("markerShapes: and the shape of one marker")
-                        .required("markerShapes", "markerShapes:").items();
+                YamlMapping eco = keys.required("ecocheck", "ecocheck:")
+                        .mapping("markerShapes: and the shape of one marker");
+                List<YamlValue> shapes = eco.required("markerShapes", "markerShapes:").items();
+                if (shapes.isEmpty()) {
+                    throw eco.missing("markerShapes", CellRefusal.MISSING, "markerShapes: and the shape of one marker");
+                }
                 YamlMapping shape = shapes.get(0).mapping("{numRows: 10, numCols: 7, squareSize: 30}");
                 double square = length(shape, "squareSize");
                 return new Grid(Pattern.ECOCHECK, count(shape, "numRows", 3), count(shape, "numCols", 3), square,

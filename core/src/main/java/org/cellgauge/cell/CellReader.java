@@ -275,7 +275,8 @@ public final class CellReader {
         return bounded(value, size, CellPhrase.MARKER_SIZE);
     }
 
-    private static double bounded(YamlValue value, double lengthMm, Object remedy) {
+    /** A length that is no more than a kilometre, so that sums of many stay finite. */
+    static double bounded(YamlValue value, double lengthMm, Object remedy) {
         if (!(Math.abs(lengthMm) <= MAX_LENGTH_MM)) {
             throw value.refused(CellRefusal.TOO_LONG, CameraReader.plain(lengthMm), remedy);
         }

@@ -3,6 +3,7 @@ package org.cellgauge.check;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.estimate.ModeEstimate;
@@ -103,18 +104,20 @@ final class Estimates {
             return Collections.singletonList(new ModeEstimate(1, all));
         }
         int label = quantities.layout.indexOf(which);
+        int[] read = IntStream.of(groups.euler, groups.tangent)
+                .flatMap(g -> IntStream.of(quantities.layout.groups().get(g))).distinct().toArray();
         double[] values = new double[quantities.layout.size()];
         List<RunningSummary> split = new ArrayList<>();
         for (int k = 0; k < count; k++) {
-            split.add(new RunningSummary(quantities.layout));
+            split.add(RunningSummary.ofGroups(quantities.layout, groups.euler, groups.tangent));
         }
         long total = 0;
         for (Draws chain : draws) {
             for (int i = 0; i < chain.count(); i++) {
-                for (int q = 0; q < values.length; q++) {
+                for (int q : read) {
                     values[q] = chain.get(q, i);
                 }
-                split.get((int) values[label]).add(values);
+                split.get((int) chain.get(label, i)).add(values);
                 total++;
             }
         }

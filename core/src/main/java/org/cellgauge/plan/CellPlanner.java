@@ -1,6 +1,5 @@
 package org.cellgauge.plan;
 
-import java.util.List;
 import org.cellgauge.internal.plan.PlanSearch;
 
 /**
@@ -38,16 +37,5 @@ public final class CellPlanner {
             throw new IllegalArgumentException("there is no object whose place could be asked for");
         }
         return new PlanSearch(layout, options).plan();
-    }
-
-    /**
-     * The largest deviation in each of many layouts, in parallel.
-     *
-     * @param layouts any number
-     * @param options what to reckon with
-     * @return mm, in their order; infinite where an object is not seen
-     */
-    public static double[] worstStdMm(List<Layout> layouts, PlanOptions options) {
-        return layouts.stream().mapToDouble(layout -> forecast(layout, options).worstStdMm()).toArray();
     }
 }

@@ -61,6 +61,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * at most 1.01, with 0.05 at least 1.07.
      */
     private static final double WHITEST_OVER_MARGIN = 1.06;
+    /**
+     * Standard deviation of what such a margin moves all sides by, px for a white that is twice as bright: with margins of
+     * 0.05 and 0.02 of sides of 25 px whites are 1.1 and 1.5 times as bright, and sides lie 0.05 and 0.13 px outwards.
+     */
+    private static final double DOUBT_BY_MARGIN_PX = 1;
+    private static final double MOST_DOUBT_PX = 0.3;
     /** Costs faint markers, whose black is more than 0.6 times as bright as their white; 80 those above 0.5. */
     private static final int USUAL_PERCENT = 85;
     /** Where markers are missing. */
@@ -532,7 +538,21 @@ public final class BoofMarkerDetector implements MarkerDetector {
             return null;
         }
         MarkerObservation observation = marker.observation(id, light.noiseOfSides(marker));
+        if (whiteOverMargin > WHITEST_OVER_MARGIN) {
+            observation = withSidesInDoubt(observation,
+                    Math.min(MOST_DOUBT_PX, DOUBT_BY_MARGIN_PX * (whiteOverMargin - 1)));
+        }
         return new Candidate(observation, residual.impliedStdPx(observation.cornersPx()), true);
+    }
+
+    /** The same corners if all sides may lie elsewhere by the same, which the inner edges do not see. */
+    private static MarkerObservation withSidesInDoubt(MarkerObservation of, double stdPx) {
+        double[] covariance = Objects.requireNonNull(of.covariancePx2(), "corners of a fit have one");
+        double[] byShift = EdgeShift.ofCorners(of.cornersPx());
+        for (int i = 0; i < 64; i++) {
+            covariance[i] += stdPx * stdPx * byShift[i / 8] * byShift[i % 8];
+        }
+        return new MarkerObservation(of.id(), of.cornersPx(), covariance, of.edgeShift());
     }
 
     private int listedId(boolean[] white) {

@@ -40,7 +40,7 @@ public enum DetectionWarning implements WarningKind {
             + "heavily; print them darker, or take away what dulls them"),
     /** The margin is not seen white: id, by how much the code's white is brighter, percent. */
     MARGIN_TOO_THIN("marker %s: its white margin is too thin to be measured (the white of its code is %s %% brighter), "
-            + "and its corners may be off by more than is stated; print it with a margin of a fifth of its side"),
+            + "so that where its sides lie is in doubt; print it with a margin of a fifth of its side"),
     /** A shadow or a reflection lies on a marker: id, change of the light on its white, percent. */
     LIGHT_UNEVEN("marker %s: the light on its white changes by %s %% from one side to another; light it evenly, "
             + "without shadows and reflections"),

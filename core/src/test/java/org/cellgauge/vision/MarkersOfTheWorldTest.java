@@ -182,6 +182,25 @@ class MarkersOfTheWorldTest {
                 square(100.3, 80.2, 26), 20, 220, margin).image(), "square-binary", 944);
         assertEquals(named, found.warnings().stream().anyMatch(w -> w.kind() == DetectionWarning.MARGIN_TOO_THIN),
                 found.warnings().toString());
+        // how far all sides lie outwards, and what is stated of that
+        MarkerObservation seen = found.find(944);
+        double[] corners = seen.cornersPx();
+        double[] covariance = seen.covariancePx2();
+        double[] inwards = EdgeShift.ofCorners(corners);
+        double shift = 0;
+        double variance = 0;
+        double length = 0;
+        for (int i = 0; i < 8; i++) {
+            shift += inwards[i] * (corners[i] - square(100.3, 80.2, 26)[i]);
+            length += inwards[i] * inwards[i];
+            for (int j = 0; j < 8; j++) {
+                variance += inwards[i] * covariance[8 * i + j] * inwards[j];
+            }
+        }
+        shift /= length;
+        double std = Math.sqrt(variance) / length;
+        assertTrue(Math.abs(shift) < 3 * std, shift + " px, stated " + std);
+        assertEquals(named, std > 0.1, std + " px");
     }
 
     @Test

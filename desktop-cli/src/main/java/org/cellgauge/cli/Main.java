@@ -175,7 +175,9 @@ public final class Main implements Callable<Integer> {
             err.println("Internal error: " + BatchCheck.inShort(e)
                     + (debug ? "" : ". Run it again with --debug for the stack trace, and please report it."));
         } else {
-            err.println(MachineRefusal.behind(e).map(CommandWords::of).orElseGet(() -> CommandWords.of(e)));
+            // one that is told of an input names it
+            err.println(e instanceof InputRefusedException ? CommandWords.of(e)
+                    : MachineRefusal.behind(e).map(CommandWords::of).orElseGet(() -> CommandWords.of(e)));
         }
         if (debug) {
             e.printStackTrace(err);

@@ -4,6 +4,7 @@ import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import org.cellgauge.cell.CameraReader;
@@ -77,7 +78,12 @@ final class StandardInput {
 
     private static Cell cell(String text) {
         return CellReader.read(text, WORD.toString(), name -> {
-            Path camera = Path.of(name);
+            Path camera;
+            try {
+                camera = Path.of(name);
+            } catch (InvalidPathException e) {
+                throw (IOException) new FileNotFoundException(name).initCause(e);
+            }
             if (!Files.exists(camera)) {
                 throw new FileNotFoundException(name);
             }

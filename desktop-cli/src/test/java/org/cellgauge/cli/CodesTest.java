@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -67,5 +69,23 @@ class CodesTest {
             }
         }
         assertEquals(Set.of(), gone);
+    }
+
+    /** What docs/troubleshooting.md quotes in its first column is said by some message. */
+    @Test
+    void whatTroubleshootingQuotesIsSaid() throws IOException {
+        List<String> patterns = new ArrayList<>();
+        KINDS.forEach(kinds -> Arrays.stream(kinds).forEach(kind -> patterns.add(kind.english())));
+        Matcher quoted = Pattern.compile("\"([^\"|]+)\"").matcher("");
+        int count = 0;
+        for (String line : Files.readAllLines(Path.of(System.getProperty("cellgauge.root", ".."), "docs",
+                "troubleshooting.md"))) {
+            quoted.reset(line.startsWith("| \"") ? line.substring(0, line.indexOf(" | ", 2)) : "");
+            while (quoted.find()) {
+                assertTrue(patterns.stream().anyMatch(p -> p.contains(quoted.group(1))), quoted.group(1));
+                count++;
+            }
+        }
+        assertTrue(count > 40, count + " quotations");
     }
 }

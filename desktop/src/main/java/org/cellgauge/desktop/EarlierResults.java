@@ -1,7 +1,7 @@
 package org.cellgauge.desktop;
 
-import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -22,9 +22,9 @@ import org.cellgauge.warning.RefusalKind;
 
 /** What earlier runs left in a folder of the same inputs, cell and settings. */
 final class EarlierResults {
-    private static final Pattern THIN = Pattern.compile("# *thin = (\\d{1,9})\\b.*");
+    private static final Pattern THIN = Pattern.compile("(?m)^# *thin = (\\d{1,9})\\b");
     /** The line on thinning is among the first of a file of draws. */
-    private static final int LINES_OF_HEAD = 20;
+    private static final int BYTES_OF_HEAD = 4096;
 
     private final ResultFolder folder;
     private final CellView cell;
@@ -122,16 +122,9 @@ final class EarlierResults {
 
     /** Every how-manieth draw a file has; 0 where it is none. */
     private static int thin(Path file) {
-        try (BufferedReader lines = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
-            String line = lines.readLine();
-            for (int i = 0; line != null && i < LINES_OF_HEAD; i++) {
-                Matcher thin = THIN.matcher(line);
-                if (thin.matches()) {
-                    return Integer.parseInt(thin.group(1));
-                }
-                line = lines.readLine();
-            }
-            return 0;
+        try (InputStream in = Files.newInputStream(file)) {
+            Matcher thin = THIN.matcher(new String(in.readNBytes(BYTES_OF_HEAD), StandardCharsets.ISO_8859_1));
+            return thin.find() ? Integer.parseInt(thin.group(1)) : 0;
         } catch (IOException e) {
             return 0;
         }

@@ -1,7 +1,6 @@
 package org.cellgauge.desktop;
 
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
@@ -17,7 +16,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import javax.imageio.ImageIO;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
@@ -160,7 +158,7 @@ final class InputWork {
                 unwritable = e;
             } catch (StoppedException e) {
                 throw e;
-            } catch (RuntimeException | OutOfMemoryError e) {
+            } catch (RuntimeException | Error e) {
                 // one photo must not cost the others their results
                 Optional<Refusal> limit = MachineRefusal.behind(e);
                 if (limit.isPresent()) {
@@ -168,7 +166,8 @@ final class InputWork {
                             limit.get().withPlace(Place.of(input.file().toString())), e)));
                 } else {
                     failed(InputOutcome.Kind.INTERNAL_ERROR, new InputOutcome.Failure("internal-error",
-                            BatchCheck.inShort(e), null, (RuntimeException) e));
+                            BatchCheck.inShort(e), null,
+                            e instanceof RuntimeException error ? error : new IllegalStateException(e)));
                 }
             }
         }
@@ -206,16 +205,23 @@ final class InputWork {
             if (!record.equals(stored.record())) {
                 plan.folder().writeHeld(Map.of(input.name() + ResultFolder.RESULT, text(ResultJson.of(computed))));
             }
-            byte[] jpeg;
-            try {
-                jpeg = Pictures.jpeg(ImageIO.read(new ByteArrayInputStream(Files.readAllBytes(
-                        plan.folder().file(input.name() + ResultFolder.OVERLAY)))), plan.reportWidthPx());
-            } catch (IOException | RuntimeException e) {
-                // not the picture that was written
-                return withFiles(computed, found(read), null);
+            byte[] jpeg = ofStoredPicture();
+            if (jpeg == null) {
+                return withFiles(computed, found == null ? found(read) : found, null);
             }
             stage("files");
             return new Result(computed, true, 0, jpeg);
+        }
+
+        /** The picture for the report, of the overlay in the folder; null where that is not what was written. */
+        private byte[] ofStoredPicture() {
+            try {
+                Optional<BufferedImage> stored = Pictures.read(ImageFiles.bytes(plan.folder().file(input.name()
+                        + ResultFolder.OVERLAY)), cell.camera().widthPx(), cell.camera().heightPx());
+                return stored.isEmpty() ? null : Pictures.jpeg(stored.get(), plan.reportWidthPx());
+            } catch (IOException | RuntimeException e) {
+                return null;
+            }
         }
 
         /** Paints and writes a result; sampled is null where its draws are not to be touched. */

@@ -3,12 +3,16 @@ package org.cellgauge.desktop;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.util.Optional;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
+import javax.imageio.stream.MemoryCacheImageInputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Pictures as files: encoding and scaling. */
@@ -28,6 +32,26 @@ public final class Pictures {
             }
         }
         return bytes.toByteArray();
+    }
+
+    /**
+     * A picture of ours read back.
+     *
+     * @param png what {@link #png} gave
+     * @param widthPx its width, px
+     * @param heightPx its height, px
+     * @return the picture; empty where it is none of this size: that is not decoded
+     * @throws IOException if it is damaged
+     */
+    static Optional<BufferedImage> read(byte[] png, int widthPx, int heightPx) throws IOException {
+        ImageReader reader = ImageFormat.PNG.reader();
+        try (MemoryCacheImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(png))) {
+            reader.setInput(in);
+            return reader.getWidth(0) == widthPx && reader.getHeight(0) == heightPx ? Optional.of(reader.read(0))
+                    : Optional.empty();
+        } finally {
+            reader.dispose();
+        }
     }
 
     /** A picture as JPEG, scaled down to a width where it is wider. */

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Laplace's approximation at each mode as a t mixture in the centred chart about the heaviest, then tuned. */
 public final class TunedMixture {
-    private static final int DRAWS_PER_ROUND = 2000;
+    private static final int DRAWS_PER_ROUND = 1000;
     private static final int START_TRIES = 1000;
 
     private TunedMixture() {

@@ -1,7 +1,10 @@
 package org.cellgauge.internal.pose;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.settings.Estimate;
@@ -10,11 +13,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * Perspective-n-point over all references at once: candidates of EPnP and of each reference alone, each refined by
  * least squares with equal weights; the one that most references agree with, then the one with the smallest error,
- * wins.
+ * wins. Of many references those alone are refined that agree best with a part of the others, so that the time grows
+ * with their number and not with its square.
  */
 final class PnpInitialPose implements InitialPose {
     /** A corner farther off than this from where a candidate puts it counts as this far off: a foreign marker, px. */
     private static final double OUTLIER_PX = 30;
+    /** Candidates of one reference that are refined, and references by which they are chosen where there are more. */
+    private static final int MOST_REFINED = 16;
 
     @Override
     public @Nullable RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
@@ -23,12 +29,7 @@ final class PnpInitialPose implements InitialPose {
         if (joint != null) {
             candidates.add(joint);
         }
-        for (int m = 0; m < view.size(); m++) {
-            RigidTransform alone = AverageInitialPose.ofOneReference(view, m, camera);
-            if (alone != null) {
-                candidates.add(view.cameraFromSet(alone));
-            }
-        }
+        candidates.addAll(ofSingleReferences(view, camera));
         RigidTransform best = null;
         double bestCost = Double.POSITIVE_INFINITY;
         for (RigidTransform candidate : candidates) {
@@ -40,6 +41,28 @@ final class PnpInitialPose implements InitialPose {
             }
         }
         return best == null ? null : view.worldFromCamera(best);
+    }
+
+    /** The poses of the references one by one; of many those that most of some references all over the set agree with. */
+    private static List<RigidTransform> ofSingleReferences(ReferenceView view, PinholeCamera camera) {
+        List<RigidTransform> alone = new ArrayList<>();
+        for (int m = 0; m < view.size(); m++) {
+            RigidTransform worldFromCamera = AverageInitialPose.ofOneReference(view, m, camera);
+            if (worldFromCamera != null) {
+                alone.add(view.cameraFromSet(worldFromCamera));
+            }
+        }
+        if (alone.size() <= MOST_REFINED) {
+            return alone;
+        }
+        double[] costs = new double[alone.size()];
+        for (int c = 0; c < costs.length; c++) {
+            for (int i = 0; i < MOST_REFINED; i++) {
+                costs[c] += truncatedCost(view, camera, alone.get(c), i * view.size() / MOST_REFINED);
+            }
+        }
+        return IntStream.range(0, costs.length).boxed().sorted(Comparator.comparingDouble(c -> costs[c]))
+                .limit(MOST_REFINED).map(alone::get).collect(Collectors.toList());
     }
 
     /** A candidate refined alike, and how far it leaves corners off, px². */

@@ -21,22 +21,27 @@ import org.jspecify.annotations.Nullable;
 public final class ImportanceTuning {
     private static final int ROUNDS = 6;
     private static final double LEAST_EFFICIENCY_PER_ROUND = 0.1;
-    /** Share of what a Gaussian target gives at which the rounds end. */
-    private static final double GOOD_SHARE = 0.985;
+    /**
+     * Share of what a Gaussian target gives at which a mixture will do: a chain needs a twentieth more steps than from
+     * one that fits, some hundred, and one more round takes more evaluations than that. Where it stays below, the tails
+     * are searched.
+     */
+    private static final double GOOD_SHARE = 0.95;
     /** Factor by which a round must better the efficiency to count as progress. */
-    private static final double GAIN = 1.01;
-    /** Rounds without progress at which a fair fit ends; a poor one goes on, since its tails may yet be met. */
-    private static final int MOST_IDLE_ROUNDS = 2;
-    private static final double FAIR_SHARE = 0.93;
+    private static final double GAIN = 1.02;
     private static final double SMALLEST_WEIGHT = 1e-3;
-    /** Share of what a Gaussian target gives below which a component per mode is not enough. */
-    private static final double ENOUGH_SHARE = 0.95;
+    /**
+     * Share of what a Gaussian target gives below which a component per mode is not enough: above it more of them cost
+     * more evaluations than they save a run steps, and rounds end where one brings nothing; below it they go on, since
+     * tails may yet be met.
+     */
+    private static final double ENOUGH_SHARE = 0.8;
     private static final int SPREAD_COMPONENTS = 8;
     private static final double SPREAD_SCALE = 0.4;
     private static final int SPREAD_ROUNDS = 10;
     private static final int SPREAD_DRAWS_FACTOR = 3;
-    private static final int WALK_WARMUP = 3000;
-    private static final int WALK_STEPS = 12_000;
+    private static final int WALK_WARMUP = 1000;
+    private static final int WALK_STEPS = 6000;
     private static final int WALK_THINNING = 4;
     /** Power of the target that the search of the tails walks over: below 1, so that it comes to them often. */
     private static final double TEMPER = 0.6;
@@ -70,19 +75,46 @@ public final class ImportanceTuning {
     public static ImportanceTuning tune(LogDensity density, StudentTMixture start, int drawsPerRound,
             RandomGenerator random) {
         Scaled counted = new Scaled(density, 1);
-        ImportanceTuning plain = iterate(counted, start, drawsPerRound, ROUNDS, random);
-        if (plain.efficiency > ENOUGH_SHARE * efficiencyOfGaussian(density.dimension())) {
-            return new ImportanceTuning(plain.proposal, plain.efficiency, counted.evaluations);
+        double ofGaussian = efficiencyOfGaussian(density.dimension());
+        Round plain = iterate(counted, start, drawsPerRound, ROUNDS, ofGaussian, random);
+        if (plain.efficiency > GOOD_SHARE * ofGaussian) {
+            return new ImportanceTuning(plain.mixture, plain.efficiency, counted.evaluations);
         }
-        // a bent or heavy-tailed target is covered by several components side by side, started where the weight is
-        int draws = SPREAD_DRAWS_FACTOR * drawsPerRound;
-        StudentTMixture spread = spread(counted, plain.proposal, drawsPerRound, random);
-        ImportanceTuning rich = iterate(counted, spread, draws, SPREAD_ROUNDS, random);
-        StudentTMixture best = rich.efficiency > plain.efficiency ? rich.proposal : plain.proposal;
-        StudentTMixture covering = withTails(counted, best, start.components(), draws, random);
-        double[] logWeights = new double[draws];
-        weigh(counted, covering, new double[draws][density.dimension()], null, logWeights, random);
-        return new ImportanceTuning(covering, efficiency(logWeights, 1), counted.evaluations);
+        Round best = plain;
+        if (plain.efficiency <= ENOUGH_SHARE * ofGaussian) {
+            // a bent or heavy-tailed target is covered by several components side by side, started where the weight is
+            Round rich = iterate(counted, spread(plain, random), SPREAD_DRAWS_FACTOR * drawsPerRound, SPREAD_ROUNDS,
+                    ofGaussian, random);
+            best = rich.efficiency > plain.efficiency ? rich : plain;
+        }
+        StudentTMixture covering = withTails(counted, best, start.components(), random);
+        double efficiency = covering == best.mixture ? best.efficiency
+                : new Round(counted, covering, best.logWeights.length, random).efficiency;
+        return new ImportanceTuning(covering, efficiency, counted.evaluations);
+    }
+
+    /** Draws of a mixture, weighted by target over mixture. */
+    private static final class Round {
+        final StudentTMixture mixture;
+        final double[][] draws;
+        /** Share of each component in the mixture's density at each draw. */
+        final double[][] shares;
+        final double[] logWeights;
+        final double efficiency;
+
+        Round(LogDensity density, StudentTMixture mixture, int count, RandomGenerator random) {
+            this.mixture = mixture;
+            draws = new double[count][density.dimension()];
+            shares = new double[count][mixture.components()];
+            logWeights = new double[count];
+            for (int i = 0; i < count; i++) {
+                mixture.draw(draws[i], random);
+                double logTarget = density.at(draws[i]);
+                logWeights[i] = logTarget - mixture.logDensity(draws[i]);
+                mixture.responsibilities(shares[i]);
+            }
+            efficiency = efficiency(logWeights, 1);
+        }
     }
 
     /** A power of a density, with a count of how often it was evaluated. */
@@ -120,8 +152,9 @@ public final class ImportanceTuning {
         double n = dimension;
         double logConstant = Math.log(2) + n / 2 * Math.log(Math.PI) - Gamma.logGamma(n / 2) - n * Math.log(2 * Math.PI)
                 - Gamma.logGamma((nu + n) / 2) + Gamma.logGamma(nu / 2) + n / 2 * Math.log(nu * Math.PI);
-        double sum = 0;
-        double step = 0.01;
+        // the trapezium rule; it counts half of what the integrand is at 0, which is not 0 on a line
+        double step = 0.1;
+        double sum = n == 1 ? step / 2 * Math.exp(logConstant) : 0;
         for (double r = step; r < Math.sqrt(n) + 10; r += step) {
             sum += step * Math.exp(logConstant + (n - 1) * Math.log(r) - r * r + (nu + n) / 2 * Math.log1p(r * r / nu));
         }
@@ -133,8 +166,8 @@ public final class ImportanceTuning {
      * points about it (Raftery and Bao, "Estimating and projecting trends in HIV/AIDS generalized epidemics using
      * incremental mixture importance sampling", Biometrics 2010, with a walk in place of importance draws).
      */
-    private static StudentTMixture withTails(LogDensity density, StudentTMixture mixture, int modes, int draws,
-            RandomGenerator random) {
+    private static StudentTMixture withTails(LogDensity density, Round fitted, int modes, RandomGenerator random) {
+        StudentTMixture mixture = fitted.mixture;
         int n = density.dimension();
         int perWalk = WALK_STEPS / WALK_THINNING;
         double[][] points = new double[modes * perWalk][];
@@ -158,9 +191,7 @@ public final class ImportanceTuning {
                 }
             }
         }
-        double[] logWeights = new double[draws];
-        weigh(density, mixture, new double[draws][n], null, logWeights, random);
-        double limit = logMean(logWeights) + THIN;
+        double limit = logMean(fitted.logWeights) + THIN;
         StudentTMixture covering = mixture;
         double[] logMixture = new double[points.length];
         for (int i = 0; i < points.length; i++) {
@@ -266,57 +297,30 @@ public final class ImportanceTuning {
         return distances;
     }
 
-    private static ImportanceTuning iterate(LogDensity density, StudentTMixture start, int drawsPerRound, int rounds,
-            RandomGenerator random) {
-        int n = density.dimension();
-        StudentTMixture mixture = start;
-        StudentTMixture best = start;
-        double bestEfficiency = -1;
-        int idle = 0;
-        double good = GOOD_SHARE * efficiencyOfGaussian(n);
-        double[][] draws = new double[drawsPerRound][n];
-        double[][] shares = new double[drawsPerRound][start.components()];
-        double[] logWeights = new double[drawsPerRound];
-        for (int round = 0; round <= rounds; round++) {
-            weigh(density, mixture, draws, shares, logWeights, random);
-            double efficiency = efficiency(logWeights, 1);
-            idle = efficiency > GAIN * bestEfficiency ? 0 : Math.min(idle + 1, MOST_IDLE_ROUNDS);
-            if (efficiency > bestEfficiency) {
-                bestEfficiency = efficiency;
-                best = mixture;
-            }
-            if (round == rounds || efficiency > good || (idle == MOST_IDLE_ROUNDS && efficiency > FAIR_SHARE * good)) {
-                break;
-            }
+    /** The round of the best mixture met. */
+    private static Round iterate(LogDensity density, StudentTMixture start, int drawsPerRound, int rounds,
+            double ofGaussian, RandomGenerator random) {
+        Round round = new Round(density, start, drawsPerRound, random);
+        Round best = round;
+        boolean idle = false;
+        for (int i = 0; i < rounds && best.efficiency <= GOOD_SHARE * ofGaussian
+                && !(idle && best.efficiency > ENOUGH_SHARE * ofGaussian); i++) {
             double power = 1;
-            while (power > 1e-3 && efficiency(logWeights, power) < LEAST_EFFICIENCY_PER_ROUND) {
+            while (power > 1e-3 && efficiency(round.logWeights, power) < LEAST_EFFICIENCY_PER_ROUND) {
                 power *= 0.7;
             }
-            mixture = refit(mixture, draws, shares, normalised(logWeights, power), n);
+            round = new Round(density, refit(round, normalised(round.logWeights, power)), drawsPerRound, random);
+            idle = round.efficiency <= GAIN * best.efficiency;
+            best = round.efficiency > best.efficiency ? round : best;
         }
-        return new ImportanceTuning(best, Math.max(bestEfficiency, 0), 0);
-    }
-
-    private static void weigh(LogDensity density, StudentTMixture mixture, double[][] draws,
-            double @Nullable [][] shares, double[] logWeights, RandomGenerator random) {
-        for (int i = 0; i < draws.length; i++) {
-            mixture.draw(draws[i], random);
-            double logTarget = density.at(draws[i]);
-            logWeights[i] = logTarget - mixture.logDensity(draws[i]);
-            if (shares != null) {
-                mixture.responsibilities(shares[i]);
-            }
-        }
+        return best;
     }
 
     /** Several components at draws picked by their weight, each with a part of the target's spread. */
-    private static StudentTMixture spread(LogDensity density, StudentTMixture mixture, int drawsPerRound,
-            RandomGenerator random) {
-        int n = density.dimension();
-        double[][] draws = new double[drawsPerRound][n];
-        double[] logWeights = new double[drawsPerRound];
-        weigh(density, mixture, draws, null, logWeights, random);
-        double[] weights = normalised(logWeights, 1);
+    private static StudentTMixture spread(Round round, RandomGenerator random) {
+        StudentTMixture mixture = round.mixture;
+        double[][] draws = round.draws;
+        double[] weights = normalised(round.logWeights, 1);
         int components = mixture.components() + SPREAD_COMPONENTS;
         double[][] means = new double[components][];
         double[][] covariances = new double[components][];
@@ -334,9 +338,7 @@ public final class ImportanceTuning {
                 u -= weights[pick++];
             }
             int parent = 0;
-            double[] shares = new double[mixture.components()];
-            mixture.logDensity(draws[pick]);
-            mixture.responsibilities(shares);
+            double[] shares = round.shares[pick];
             for (int c = 1; c < shares.length; c++) {
                 parent = shares[c] > shares[parent] ? c : parent;
             }
@@ -350,8 +352,11 @@ public final class ImportanceTuning {
         return new StudentTMixture(means, covariances, componentWeights);
     }
 
-    private static StudentTMixture refit(StudentTMixture mixture, double[][] draws, double[][] shares,
-            double[] weights, int n) {
+    private static StudentTMixture refit(Round round, double[] weights) {
+        StudentTMixture mixture = round.mixture;
+        double[][] draws = round.draws;
+        double[][] shares = round.shares;
+        int n = draws[0].length;
         int components = mixture.components();
         double[][] means = new double[components][n];
         double[][] covariances = new double[components][n * n];

@@ -1,5 +1,6 @@
 package org.cellgauge.internal.sampling;
 
+import java.util.stream.IntStream;
 import org.cellgauge.internal.statistics.Angles;
 import org.cellgauge.internal.statistics.CircularMoments;
 import org.cellgauge.internal.statistics.RunningMoments;
@@ -12,39 +13,61 @@ import org.jspecify.annotations.Nullable;
  */
 public final class RunningSummary {
     private final QuantityLayout layout;
+    /** Groups that are summarised, and the angles among their quantities. */
+    private final int[] groups;
+    private final int[] angles;
     private final RunningMoments[] moments;
     private final @Nullable CircularMoments[] directions;
     private final double[][] scratch;
     private long count;
 
     /**
-     * An empty summary.
+     * An empty summary of all groups.
      *
      * @param layout quantities of a draw
      */
     public RunningSummary(QuantityLayout layout) {
+        this(layout, IntStream.range(0, layout.groups().size()).toArray(), true);
+    }
+
+    /**
+     * An empty summary of some groups: a draw takes as long as these have quantities, however many a cell has.
+     *
+     * @param layout quantities of a draw
+     * @param groups indices in the layout; of others nothing may be asked
+     * @return a new summary
+     */
+    public static RunningSummary ofGroups(QuantityLayout layout, int... groups) {
+        return new RunningSummary(layout, groups.clone(), false);
+    }
+
+    private RunningSummary(QuantityLayout layout, int[] groups, boolean all) {
         this.layout = layout;
+        this.groups = groups;
         scratch = new double[layout.groups().size()][];
         moments = new RunningMoments[scratch.length];
-        for (int g = 0; g < scratch.length; g++) {
+        IntStream quantities = all ? IntStream.range(0, layout.size())
+                : IntStream.of(groups).flatMap(g -> IntStream.of(layout.groups().get(g))).distinct();
+        angles = quantities.filter(layout::isAngle).toArray();
+        for (int g : groups) {
             int size = layout.groups().get(g).length;
             moments[g] = new RunningMoments(size);
             scratch[g] = new double[size];
         }
         directions = new CircularMoments[layout.size()];
-        for (int i = 0; i < directions.length; i++) {
-            directions[i] = layout.isAngle(i) ? new CircularMoments() : null;
+        for (int q : angles) {
+            directions[q] = new CircularMoments();
         }
     }
 
     /**
      * Adds a draw.
      *
-     * @param quantities one value per quantity of the layout
+     * @param quantities one value per quantity of the layout; what no group summarises is not read
      */
     public void add(double[] quantities) {
         count++;
-        for (int g = 0; g < moments.length; g++) {
+        for (int g : groups) {
             int[] indices = layout.groups().get(g);
             double[] values = scratch[g];
             for (int i = 0; i < indices.length; i++) {
@@ -56,27 +79,23 @@ public final class RunningSummary {
             }
             moments[g].add(values);
         }
-        for (int i = 0; i < directions.length; i++) {
-            if (directions[i] != null) {
-                directions[i].add(quantities[i]);
-            }
+        for (int q : angles) {
+            directions[q].add(quantities[q]);
         }
     }
 
     /**
-     * Takes in all draws of another summary of the same layout.
+     * Takes in all draws of another summary of the same layout and groups.
      *
      * @param other left as it is
      */
     public void merge(RunningSummary other) {
         count += other.count;
-        for (int g = 0; g < moments.length; g++) {
+        for (int g : groups) {
             moments[g].merge(other.moments[g]);
         }
-        for (int i = 0; i < directions.length; i++) {
-            if (directions[i] != null) {
-                directions[i].merge(other.directions[i]);
-            }
+        for (int q : angles) {
+            directions[q].merge(other.directions[q]);
         }
     }
 
@@ -130,7 +149,7 @@ public final class RunningSummary {
      * Directional moments of an angle.
      *
      * @param index position of the angle
-     * @return a copy, or null for what is no angle
+     * @return a copy, or null for what is no angle of a group
      */
     public @Nullable CircularMoments direction(int index) {
         CircularMoments own = directions[index];
