@@ -70,18 +70,19 @@ class ArchitectureTest {
     /** Calls that only a reader of files needs. */
     private static final String READING = String.join("|", "java\\.nio\\.file\\.Files\\."
             + "(readAll.*|readString|newInputStream|newByteChannel|newBufferedReader|lines)",
-            "java\\.io\\.File(InputStream|Reader)\\.<init>", "com\\.google\\.gson\\.(JsonParser|stream\\.JsonReader)\\..*",
+            "java\\.io\\.File(InputStream|Reader)\\.<init>",
+            "com\\.google\\.gson\\.(JsonParser|stream\\.JsonReader)\\..*",
             "javax\\.imageio\\.ImageIO\\.getImageReaders.*",
             "org\\.yaml\\.snakeyaml\\.reader\\.StreamReader\\.<init>", "org\\.cellgauge\\.cell\\.YamlValue\\.parse",
             "org\\.cellgauge\\.internal\\.cell\\.InputFiles\\.(text|bytes)");
     /**
      * Hand on what others take apart: the bytes of any file, values of any YAML, standard input, what a cell's hash is
      * of; a picture that was just made. A table of numbers that {@code validate} goes on with, which it wrote. And of
-     * earlier runs the attributes of a lock and one number at the head of a file of draws.
+     * earlier runs one number at the head of a file of draws.
      */
     private static final List<String> NO_READERS = List.of("internal.cell.InputFiles", "cell.YamlValue",
-            "cli.StandardInput", "desktop.CellFile", "desktop.EarlierResults", "desktop.FolderLock",
-            "desktop.render.GreyJpeg", "cli.CoverageStudyRun");
+            "cli.StandardInput", "desktop.CellFile", "desktop.EarlierResults", "desktop.render.GreyJpeg",
+            "cli.CoverageStudyRun");
 
     private static JavaClasses product;
     private static JavaClasses core;

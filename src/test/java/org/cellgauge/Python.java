@@ -35,7 +35,8 @@ final class Python {
     static void assumeModulesOf(String snippet, Path folder) throws IOException, InterruptedException {
         String imports = snippet.lines().filter(line -> line.startsWith("import ") || line.startsWith("from "))
                 .collect(Collectors.joining("\n"));
-        Assumptions.assumeTrue(started(imports, folder.resolve("imports.out")).code() == 0, "no such modules: " + COMMAND);
+        Assumptions.assumeTrue(started(imports, folder.resolve("imports.out")).code() == 0,
+                "no such modules: " + COMMAND);
     }
 
     /** Runs a snippet; skips the test where its modules are missing. */

@@ -373,8 +373,8 @@ final class CellModes {
                 }
                 if (best != null && (foreign || best.cause().isOutright())) {
                     contradiction = found;
-                    CameraFit explained = found.asExplained();
-                    return explained != null ? explained : agreeing(fit, intrinsics);
+                    CameraFit explained = found.asExplained(fit);
+                    return explained != fit ? explained : agreeing(fit, intrinsics);
                 }
             }
             return foreign ? withoutForeign(fit, intrinsics) : fit;
@@ -442,11 +442,10 @@ final class CellModes {
             if (settings.model().likelihood() == LikelihoodModel.RIGID_MARKER) {
                 contradiction = Contradiction.ofNoPose(atNoise(unfitted, observed));
             }
-            CameraFit fit = contradiction == null ? null : contradiction.asExplained();
-            if (fit == null) {
+            if (contradiction == null) {
                 throw noPose();
             }
-            return fit;
+            return contradiction.asExplained(unfitted);
         }
 
         private CameraFit cameraFitOf(ReferenceView view, IntrinsicsPrior intrinsics) {

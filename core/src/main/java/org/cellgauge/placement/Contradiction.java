@@ -64,9 +64,10 @@ public final class Contradiction {
     /**
      * The camera as it would be if references were as the explanation has them.
      *
-     * @return null where nothing is explained, or by something that has a size
+     * @param otherwise the camera where nothing is explained, or by something that has a size
+     * @return one of the two
      */
-    public @Nullable CameraFit asExplained() {
-        return asExplained;
+    public CameraFit asExplained(CameraFit otherwise) {
+        return asExplained == null ? otherwise : asExplained;
     }
 }

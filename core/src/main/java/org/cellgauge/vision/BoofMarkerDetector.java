@@ -62,8 +62,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     private static final double WHITEST_OVER_MARGIN = 1.06;
     /**
-     * Standard deviation of what such a margin moves all sides by, px for a white that is twice as bright: with margins of
-     * 0.05 and 0.02 of sides of 25 px whites are 1.1 and 1.5 times as bright, and sides lie 0.05 and 0.13 px outwards.
+     * Standard deviation of what such a margin moves all sides by, px for a white that is twice as bright: with margins
+     * of 0.05 and 0.02 of sides of 25 px whites are 1.1 and 1.5 times as bright, and sides lie 0.05 and 0.13 px
+     * outwards.
      */
     private static final double DOUBT_BY_MARGIN_PX = 1;
     private static final double MOST_DOUBT_PX = 0.3;

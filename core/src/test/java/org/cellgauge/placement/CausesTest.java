@@ -240,7 +240,7 @@ class CausesTest {
     void theStudyNamesWhatIsWrong(Cause cause) {
         CauseStudy.Figures figures = new CauseStudy(RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY), cause, 5,
                 10, true, CheckSettings.builder().build()).run(4, done -> { });
-        assertTrue(figures.first() >= 0.75 * figures.cells() && figures.cells() > (cause.isOutright() ? 3 : 1), cause + ": " + figures.first()
-                + " of " + figures.cells() + ", instead " + figures.instead());
+        assertTrue(figures.first() >= 0.75 * figures.cells() && figures.cells() > (cause.isOutright() ? 3 : 1),
+                cause + ": " + figures.first() + " of " + figures.cells() + ", instead " + figures.instead());
     }
 }

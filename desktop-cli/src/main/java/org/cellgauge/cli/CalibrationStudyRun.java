@@ -87,10 +87,11 @@ final class CalibrationStudyRun {
         out.addProperty("seed", seed);
         JsonArray scenes = new JsonArray();
         Gson gson = new Gson();
-        for (CalibrationStudy.Scene scene : CalibrationStudy.Scene.values()) {
-            CalibrationStudy.Outcome o = outcomes.get(scene.ordinal());
+        CalibrationStudy.Scene[] all = CalibrationStudy.Scene.values();
+        for (int k = 0; k < all.length; k++) {
+            CalibrationStudy.Outcome o = outcomes.get(k);
             JsonObject one = new JsonObject();
-            one.addProperty("scene", scene.words());
+            one.addProperty("scene", all[k].words());
             one.add("parameters", gson.toJsonTree(o.names()));
             one.add("error_over_std", gson.toJsonTree(o.ratios()));
             one.add("projection_error_over_std", gson.toJsonTree(o.places()));

@@ -57,6 +57,8 @@ import picocli.CommandLine.Spec;
 public final class CheckCommand implements Callable<Integer> {
     static final String DRAWS = "--draws";
 
+    /** Most different things to do that are told of a batch. */
+    private static final int MOST_ACTIONS = 20;
     private static final Path DEFAULT_FOLDER = Path.of("cellgauge-out");
 
     @Spec
@@ -192,6 +194,7 @@ public final class CheckCommand implements Callable<Integer> {
         private final Progress progress;
         /** What to do first, with the photos that say so. */
         private final Map<String, List<String>> actions = new LinkedHashMap<>();
+        private int moreActions;
         private int exitCode;
 
         Printed(boolean batch) {
@@ -249,7 +252,11 @@ public final class CheckCommand implements Callable<Integer> {
                 stdout.print(CheckText.of(view));
             }
             if (view.action() != null) {
-                actions.computeIfAbsent(view.action(), a -> new ArrayList<>()).add(outcome.input().name());
+                if (actions.size() < MOST_ACTIONS || actions.containsKey(view.action())) {
+                    actions.computeIfAbsent(view.action(), a -> new ArrayList<>()).add(outcome.input().name());
+                } else {
+                    moreActions++;
+                }
             }
             return shown ? ", worst std " + std + " mm" : "";
         }
@@ -261,6 +268,9 @@ public final class CheckCommand implements Callable<Integer> {
                 stdout.println(outcome.total());
                 actions.forEach((action, photos) -> stdout.print(CheckText.wrap("  " + Listing.and(photos) + ": "
                         + action, "    ")));
+                if (moreActions > 0) {
+                    stdout.println("  and of " + moreActions + " more photos, in summary.csv and the report");
+                }
             }
             stdout.flush();
             outcome.unwritable().ifPresent(e -> exitCode = ExitCodes.moreSerious(exitCode, main.report(e,

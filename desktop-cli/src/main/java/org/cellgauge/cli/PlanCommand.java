@@ -36,8 +36,8 @@ import picocli.CommandLine.Spec;
 
 /** {@code cellgauge plan}: what a layout would reach, and which change of it reaches the target. */
 @Command(name = "plan", mixinStandardHelpOptions = true, sortOptions = false, versionProvider = Main.Version.class,
-        description = {"Predicts, without a photo, how precisely objects would be found, and which changes of the set-up "
-                + "reach the target.", "", "Examples:",
+        description = {"Predicts, without a photo, how precisely objects would be found, and which changes of the "
+                + "set-up reach the target.", "", "Examples:",
             "  cellgauge plan --cell cell.yaml",
             "  cellgauge plan --cell cell.yaml --photo-like photo.result.json",
             "  cellgauge plan --cell cell.yaml --object 5=370,295,0 \\",

@@ -56,8 +56,8 @@ final class StudyTable {
             SettingForm.of("SHARE,DEVIATIONS", text -> Optional.of(pair(text, StudyRefusal.NO_OUTLIERS)),
                     pair -> pair.map(NumberPair::toString).orElse(null),
                     pair -> pair.map(NumberPair::toString).orElse("")), Optional.<NumberPair>empty(),
-            "Corners that are far off, as by a smudge or a glint: which share of all, and by how many deviations of the "
-                    + "corner noise, in any direction; ranks are not counted then")
+            "Corners that are far off, as by a smudge or a glint: which share of all, and by how many deviations of "
+                    + "the corner noise, in any direction; ranks are not counted then")
             .usually("none").where(settings -> !settings.get(PHOTOS))
             .within(pair -> pair.isEmpty() || pair.get().first() >= 0 && pair.get().first() <= 1
                     && pair.get().second() >= 0, StudyRefusal.OUTLIERS_OUT_OF_RANGE);
@@ -168,9 +168,9 @@ final class StudyTable {
                     + "--random-layouts: auto)")
             .named("state-pixel-std").where(StudyTable::ofPhotos);
 
-    private static final List<Setting<?>> ALL = List.of(SIMULATIONS, SPREAD, PIXEL_STD_PX, OUTLIERS, PHOTOS, RANDOM_LAYOUTS,
-            GRID, CORNERS_ONLY, TONE_CURVE, BLUR_PX, MARKER_PX, EXPOSURE, JPEG_QUALITY, UNSHARP, PRINT_GAIN_MM,
-            GRADIENT, NOISE_GREY, FULL_WELL_ELECTRONS, STATED_PIXEL_STD_PX);
+    private static final List<Setting<?>> ALL = List.of(SIMULATIONS, SPREAD, PIXEL_STD_PX, OUTLIERS, PHOTOS,
+            RANDOM_LAYOUTS, GRID, CORNERS_ONLY, TONE_CURVE, BLUR_PX, MARKER_PX, EXPOSURE, JPEG_QUALITY, UNSHARP,
+            PRINT_GAIN_MM, GRADIENT, NOISE_GREY, FULL_WELL_ELECTRONS, STATED_PIXEL_STD_PX);
 
     private StudyTable() {
     }

@@ -91,7 +91,8 @@ public final class ValidateCommand implements Callable<Integer> {
 
     @Option(names = "--cause", paramLabel = "NAME|none|all",
             description = "Counts how often what is wrong with a cell is named, in cells stated or photographed wrong "
-                    + "in that way, by --deviations where it has a size; none: in how many right ones anything is said. No chains are run.")
+                    + "in that way, by --deviations where it has a size; none: in how many right ones anything is said."
+                    + " No chains are run.")
     private String cause;
 
     @Option(names = "--deviations", paramLabel = "LEAST,MOST",
@@ -179,8 +180,9 @@ public final class ValidateCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--calibration draws corners of a board: leave out "
                     + (cellFile != null ? "--cell" : "--photos"));
         }
-        return CalibrationStudyRun.run(spec.commandLine(), study.get(StudyTable.PIXEL_STD_PX).orElse(CALIBRATION_STD_PX),
-                study.simulations(), check.sampling().seed(), json, done -> { });
+        return CalibrationStudyRun.run(spec.commandLine(),
+                study.get(StudyTable.PIXEL_STD_PX).orElse(CALIBRATION_STD_PX), study.simulations(),
+                check.sampling().seed(), json, done -> { });
     }
 
     private int causes(CellSource cells) {

@@ -14,6 +14,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.desktop.render.CellSimulation;
 import org.cellgauge.geometry.PinholeCamera;
@@ -198,6 +200,24 @@ class FirstHourTest {
         CommandCall call = CommandCall.of(words);
         assertEquals(2, call.code(), call.err());
         assertTrue(call.err().contains(message), call.err());
+    }
+
+    /** Folders like C:/Program Files (x86) and {@code R&D}: what is put in for a path stands between quotes. */
+    @Test
+    void windowsPathsStandBetweenQuotes() throws IOException {
+        Pattern path = Pattern.compile("%(~dp0|lib|java|JAVA_HOME)\\b");
+        int found = 0;
+        for (String line : Files.readAllLines(Path.of(System.getProperty("cellgauge.root", "."),
+                "desktop-cli/src/dist/bin/cellgauge.bat"))) {
+            // a replacement within a variable has a quote of its own
+            String whole = line.replace(":\"=%", "%");
+            Matcher matcher = path.matcher(whole);
+            while (!line.startsWith("rem") && matcher.find()) {
+                found++;
+                assertEquals(1, whole.substring(0, matcher.start()).chars().filter(c -> c == '"').count() % 2, line);
+            }
+        }
+        assertEquals(9, found);
     }
 
     /** cmd.exe takes a script with bare line feeds apart in the wrong places. */

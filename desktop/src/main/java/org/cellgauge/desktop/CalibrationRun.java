@@ -12,6 +12,7 @@ import org.cellgauge.calibration.CalibrationOptions;
 import org.cellgauge.calibration.CalibrationResult;
 import org.cellgauge.cell.CalibrationTarget;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.vision.BoofThreads;
 import org.cellgauge.vision.GreyImage;
 import org.cellgauge.vision.TargetDetector;
 import org.cellgauge.vision.TargetObservation;
@@ -63,6 +64,8 @@ public final class CalibrationRun {
      * @throws org.cellgauge.cell.InputRefusedException if a photo cannot be read, or they give no calibration
      */
     public CalibrationResult of(List<Path> photos) {
+        // photos go side by side, each on one thread
+        BoofThreads.useOne();
         ExecutorService pool = Executors.newFixedThreadPool(threads);
         try {
             Found found = detect(pool, photos, null, listener);

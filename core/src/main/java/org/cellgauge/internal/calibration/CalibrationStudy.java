@@ -18,22 +18,25 @@ public final class CalibrationStudy {
     /** A choice of photos, a board and what is modelled of it. */
     public enum Scene {
         /** 20 photos all over the image, tilted by 15 to 45 degrees to all sides, near and far. */
-        GOOD("good photos", 20, false, 0, 0),
+        GOOD("good photos", 0, 20, false, 0, 0),
         /** 8 photos in the middle of the image, tilted by at most 20 degrees, from one distance. */
-        POOR("poor photos", 8, true, 0, 0),
+        POOR("poor photos", 1, 8, true, 0, 0),
         /** The good photos of a board that is bent by 0.5 mm over 300 mm, taken for flat. */
-        BENT_TAKEN_FOR_FLAT("bent, taken for flat", 20, false, 0.5, 0),
+        BENT_TAKEN_FOR_FLAT("bent, taken for flat", 2, 20, false, 0.5, 0),
         /** The same with two coefficients of warp unknown. */
-        BENT("bent, warp unknown", 20, false, 0.5, 2);
+        BENT("bent, warp unknown", 3, 20, false, 0.5, 2);
 
         private final String words;
+        /** Which random numbers are its own. */
+        private final long stream;
         private final int photos;
         private final boolean poor;
         private final double warpMm;
         private final int modelled;
 
-        Scene(String words, int photos, boolean poor, double warpMm, int modelled) {
+        Scene(String words, long stream, int photos, boolean poor, double warpMm, int modelled) {
             this.words = words;
+            this.stream = stream;
             this.photos = photos;
             this.poor = poor;
             this.warpMm = warpMm;
@@ -90,8 +93,9 @@ public final class CalibrationStudy {
         this.seed = seed;
         double[] xy = new double[2 * ROWS * COLUMNS];
         for (int i = 0; i < ROWS * COLUMNS; i++) {
+            int row = i / COLUMNS;
             xy[2 * i] = (i % COLUMNS - (COLUMNS - 1) / 2.0) * SQUARE_MM;
-            xy[2 * i + 1] = (i / COLUMNS - (ROWS - 1) / 2.0) * SQUARE_MM;
+            xy[2 * i + 1] = (row - (ROWS - 1) / 2.0) * SQUARE_MM;
         }
         points = TargetPoints.flat(xy);
         truth = new double[] {FOCAL_PX, FOCAL_PX + 2, WIDTH / 2.0 + 9, HEIGHT / 2.0 - 6, 0, -0.2, 0.08, 0, 5e-4, -3e-4};
@@ -168,7 +172,7 @@ public final class CalibrationStudy {
 
     /** The photos of one simulated calibration. */
     List<TargetObservation> photos(Scene scene, int simulation) {
-        SplittableRandom random = new SplittableRandom(seed * 1_000_003 + scene.ordinal() * 100_003L + simulation);
+        SplittableRandom random = new SplittableRandom(seed * 1_000_003 + scene.stream * 100_003L + simulation);
         List<TargetObservation> photos = new ArrayList<>();
         for (int p = 0; p < scene.photos; p++) {
             photos.add(photo(scene, random, "photo " + p));

@@ -101,8 +101,9 @@ final class NextPhoto {
             int tilt, int widthPx, int heightPx) {
         double angle = Math.toRadians(TILT_DEG);
         double[] ray = new double[3];
-        if (!fit.choice.lens().toRay(fit.values, widthPx * (place % 3 + 0.75) / 3.5, heightPx * (place / 3 + 0.75)
-                / 3.5, ray)) {
+        int row = place / 3;
+        if (!fit.choice.lens().toRay(fit.values, widthPx * (place % 3 + 0.75) / 3.5, heightPx * (row + 0.75) / 3.5,
+                ray)) {
             return null;
         }
         // y of targets is up or down: the pose found first tells

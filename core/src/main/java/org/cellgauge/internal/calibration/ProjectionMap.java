@@ -48,8 +48,9 @@ final class ProjectionMap {
         double[] rowU = new double[unknowns];
         double[] rowV = new double[unknowns];
         for (int k = 0; k < u.length; k++) {
+            int row = k / COLUMNS;
             u[k] = widthPx * (k % COLUMNS + 0.5) / COLUMNS;
-            v[k] = heightPx * (k / COLUMNS + 0.5) / ROWS;
+            v[k] = heightPx * (row + 0.5) / ROWS;
             seen[k] = lens.toRay(values, u[k], v[k], ray)
                     && lens.projectWithDerivatives(values, ray[0], ray[1], ray[2], uv, byPoint, byLens);
             if (!seen[k]) {
@@ -60,13 +61,13 @@ final class ProjectionMap {
             choice.select(byLens, rowU, rowV);
             System.arraycopy(rowU, 0, free, 2 * k * unknowns, unknowns);
             System.arraycopy(rowV, 0, free, (2 * k + 1) * unknowns, unknowns);
-            for (int row = 0; row < 2; row++) {
-                double a = byPoint[3 * row];
-                double b = byPoint[3 * row + 1];
-                double c = byPoint[3 * row + 2];
-                byTurn[6 * k + 3 * row] = c * ray[1] - b * ray[2];
-                byTurn[6 * k + 3 * row + 1] = a * ray[2] - c * ray[0];
-                byTurn[6 * k + 3 * row + 2] = b * ray[0] - a * ray[1];
+            for (int axis = 0; axis < 2; axis++) {
+                double a = byPoint[3 * axis];
+                double b = byPoint[3 * axis + 1];
+                double c = byPoint[3 * axis + 2];
+                byTurn[6 * k + 3 * axis] = c * ray[1] - b * ray[2];
+                byTurn[6 * k + 3 * axis + 1] = a * ray[2] - c * ray[0];
+                byTurn[6 * k + 3 * axis + 2] = b * ray[0] - a * ray[1];
             }
         }
         for (int k = 0; k < u.length; k++) {

@@ -17,8 +17,8 @@ import org.cellgauge.plan.Forecast;
 import org.cellgauge.plan.Layout;
 
 /**
- * A layout as information: for every place that the camera may have, what each reference tells, and what the target asks
- * for. Not thread-safe.
+ * A layout as information: for every place that the camera may have, what each reference tells, and what the target
+ * asks for. Not thread-safe.
  */
 public final class LayoutModel {
     private static final double[] CENTRE = new double[3];

@@ -28,8 +28,8 @@ import org.jspecify.annotations.Nullable;
  * approximation at the true poses (method notes, "What to build as the default"), arranged by marker.
  *
  * <p>An object's pose is unknown, too. Eliminating it leaves what its corners tell of the shared unknowns, and for a
- * point of it a row {@code c} and a variance {@code d}: its variance in the world is {@code c^T I^-1 c + d}, I being the
- * information of the layout (a Schur complement; Triggs et al., "Bundle adjustment - a modern synthesis", 2000,
+ * point of it a row {@code c} and a variance {@code d}: its variance in the world is {@code c^T I^-1 c + d}, I being
+ * the information of the layout (a Schur complement; Triggs et al., "Bundle adjustment - a modern synthesis", 2000,
  * section 6.1).
  */
 public final class PlannedView {

@@ -9,9 +9,9 @@ import org.jspecify.annotations.Nullable;
  * exclude each other where they stand in each other's way.
  *
  * <p>Greedy choice, then exchanges of one for another until none is better (Fedorov, "Theory of Optimal
- * Experiments", 1972; Cook and Nachtsheim, "A comparison of algorithms for constructing exact D-optimal designs", 1980).
- * A lower bound on what any such set can reach comes from its convex relaxation: each candidate is taken with a weight
- * of 0 to 1 ({@link #bound}). Same candidates, same result; not thread-safe.
+ * Experiments", 1972; Cook and Nachtsheim, "A comparison of algorithms for constructing exact D-optimal designs",
+ * 1980). A lower bound on what any such set can reach comes from its convex relaxation: each candidate is taken with
+ * a weight of 0 to 1 ({@link #bound}). Same candidates, same result; not thread-safe.
  */
 public final class SubsetSearch {
     /** May two candidates stand at the same time? */

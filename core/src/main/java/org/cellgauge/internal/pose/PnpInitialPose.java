@@ -43,7 +43,7 @@ final class PnpInitialPose implements InitialPose {
         return best == null ? null : view.worldFromCamera(best);
     }
 
-    /** The poses of the references one by one; of many those that most of some references all over the set agree with. */
+    /** The poses of the references one by one; of many those that most of some all over the set agree with. */
     private static List<RigidTransform> ofSingleReferences(ReferenceView view, PinholeCamera camera) {
         List<RigidTransform> alone = new ArrayList<>();
         for (int m = 0; m < view.size(); m++) {

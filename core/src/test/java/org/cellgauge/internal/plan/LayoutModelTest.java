@@ -98,9 +98,9 @@ class LayoutModelTest {
     }
 
     /**
-     * Worst axis and worst lateral axis of the root mean square over the three objects in the plane, mm, without the noise of
-     * their own corners: converged chains of an independent implementation (method notes, "What the numbers should be",
-     * rigid-marker), which have two digits.
+     * Worst axis and worst lateral axis of the root mean square over the three objects in the plane, mm, without the
+     * noise of their own corners: converged chains of an independent implementation (method notes, "What the numbers
+     * should be", rigid-marker), which have two digits.
      */
     @ParameterizedTest
     @CsvSource({"1, false, 3, 4.2, 0.8", "1, false, 4, 2.5, 0.7", "1, true, 4, 2.3, 0.7", "1, true, 6, 2.1, 0.6",
