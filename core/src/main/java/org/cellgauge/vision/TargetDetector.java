@@ -123,8 +123,9 @@ public final class TargetDetector {
         return new TargetDetector(new TargetPoints(xyz, patches, true), (image, name, found, uvPx) -> {
             for (MarkerObservation marker : detector.detect(image, name).markers()) {
                 double[] corners = marker.cornersPx();
+                int first = firstOf.getOrDefault(marker.id(), 0);
                 for (int k = 0; k < 4; k++) {
-                    found.add(firstOf.get(marker.id()) + k);
+                    found.add(first + k);
                     uvPx.add(corners[2 * k]);
                     uvPx.add(corners[2 * k + 1]);
                 }
