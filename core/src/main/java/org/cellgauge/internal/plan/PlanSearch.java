@@ -14,6 +14,7 @@ import org.cellgauge.plan.Layout;
 import org.cellgauge.plan.Plan;
 import org.cellgauge.plan.PlanOptions;
 import org.cellgauge.plan.Proposal;
+import org.jspecify.annotations.Nullable;
 
 /** Tries changes alone, then two and three together, and keeps those that no cheaper ones outdo. */
 public final class PlanSearch {
@@ -98,8 +99,8 @@ public final class PlanSearch {
                 proposals(levers, largest(singles)), now.boundStdMm(), certificates);
     }
 
-    private static Tried tried(Levers levers, List<Levers.Step> steps) {
-        Layout changed = levers.layout();
+    private static @Nullable Tried tried(Levers levers, List<Levers.Step> steps) {
+        @Nullable Layout changed = levers.layout();
         boolean calibrated = false;
         double cost = 0;
         for (Levers.Step step : steps) {

@@ -29,10 +29,10 @@ public final class SubsetSearch {
     /**
      * A choice.
      *
-     * @param members indices of candidates, rising
+     * @param members indices of candidates, rising, unmodifiable
      * @param worst what it reaches
      */
-    public record Choice(int[] members, double worst) {
+    public record Choice(List<Integer> members, double worst) {
     }
 
     private static final int ROUNDS = 50;
@@ -140,9 +140,11 @@ public final class SubsetSearch {
                 break;
             }
         }
-        int[] sorted = members.clone();
-        Arrays.sort(sorted);
-        return new Choice(sorted, now);
+        return choice(members, now);
+    }
+
+    private static Choice choice(int[] members, double worst) {
+        return new Choice(Arrays.stream(members).sorted().boxed().toList(), worst);
     }
 
     /** Puts into a slot what is best beside the first so many. */
@@ -208,7 +210,7 @@ public final class SubsetSearch {
         int[] members = new int[size];
         int[] best = new int[size];
         double least = tried(members, 0, 0, best, Double.POSITIVE_INFINITY);
-        return least < Double.POSITIVE_INFINITY ? new Choice(best, least) : null;
+        return least < Double.POSITIVE_INFINITY ? choice(best, least) : null;
     }
 
     private double tried(int[] members, int count, int from, int[] best, double least) {
