@@ -34,6 +34,11 @@ final class DirectionScore {
     private static final double[] WEIGHTS = {1, 0.2, 0.05};
     /** About where the limits will be: it sets the weights, not the level. */
     private static final double TYPICAL_LIMIT = 3.3;
+    /**
+     * Deviations that a cause of its typical size comes to, below which it is not asked about: only ten times that size
+     * and more would show, which no cell has, and what rounding leaves of a fit would pass for it.
+     */
+    private static final double LEAST_SENSITIVITY = 0.1;
     private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
     private static final double HALF = Math.sqrt(0.5);
     /** Shifts along an axis, shifts between two, turns; by coordinate of the placement in stated deviations. */
@@ -108,7 +113,7 @@ final class DirectionScore {
         for (CausePattern cause : causes) {
             for (double[] direction : cause.columnsPx.length == 1 ? ALONE : ACROSS) {
                 double sensitivity = Math.sqrt(scores.variance(first, direction));
-                if (sensitivity > 0) {
+                if (sensitivity > LEAST_SENSITIVITY) {
                     tests.add(new DirectionScore(-1, null, cause, first, direction, scores.score(first, direction),
                             sensitivity, cause.weight
                             * NORMAL.cumulativeProbability(sensitivity - TYPICAL_LIMIT), Double.NaN));

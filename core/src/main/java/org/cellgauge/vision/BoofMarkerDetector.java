@@ -523,7 +523,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
             light.refit(image, marker, patterns.get(id));
         }
-        if (whiteOverMargin > WHITEST_OVER_MARGIN) {
+        // of a sharpened photo the code's white is brighter whatever the margin
+        boolean thinMargin = whiteOverMargin > WHITEST_OVER_MARGIN && !light.isSharpened();
+        if (thinMargin) {
             warnings.add(Warning.of(DetectionWarning.MARGIN_TOO_THIN, id,
                     (int) Math.round(100 * (whiteOverMargin - 1))));
         }
@@ -539,7 +541,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
             return null;
         }
         MarkerObservation observation = marker.observation(id, light.noiseOfSides(marker));
-        if (whiteOverMargin > WHITEST_OVER_MARGIN) {
+        if (thinMargin) {
             observation = withSidesInDoubt(observation,
                     Math.min(MOST_DOUBT_PX, DOUBT_BY_MARGIN_PX * (whiteOverMargin - 1)));
         }

@@ -642,6 +642,11 @@ final class LightFit {
         return out;
     }
 
+    /** Whether a mask is undone that lifts white beside edges: small whites are then brighter than large ones. */
+    boolean isSharpened() {
+        return maskOvershoot > OVERSHOOT;
+    }
+
     /**
      * What is to be said of the light.
      *

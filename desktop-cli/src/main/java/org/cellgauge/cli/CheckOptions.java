@@ -1,8 +1,6 @@
 package org.cellgauge.cli;
 
 import java.util.List;
-import java.util.Map;
-import java.util.function.BiFunction;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Setting;
 import org.cellgauge.settings.SettingRefusedException;
@@ -20,11 +18,6 @@ import picocli.CommandLine.ParameterException;
 final class CheckOptions {
     private static final String PRESET = "--preset";
     private static final String THESIS = "thesis";
-
-    /** A text that an option refuses with words of its own. */
-    private static final Map<Setting<?>, BiFunction<String, String, String>> REFUSED = Map.of(SettingTable.ESTIMATE,
-            (option, text) -> text.equals("intrinsics") ? option + ": this version estimates no intrinsics but the "
-                    + "focal length; use " + option + " focal, or calibrate the camera beforehand" : null);
 
     private final CommandLine command;
     private final CheckSettings usual;
@@ -121,11 +114,6 @@ final class CheckOptions {
     }
 
     private void read(Setting<?> setting, String text, CheckSettings.Builder builder) {
-        String refusal = REFUSED.getOrDefault(setting, (option, word) -> null)
-                .apply(SettingOptions.name(setting), text);
-        if (refusal != null) {
-            throw new ParameterException(command, refusal);
-        }
         try {
             setting.read(text, builder);
         } catch (SettingRefusedException e) {

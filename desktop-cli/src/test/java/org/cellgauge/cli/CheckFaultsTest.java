@@ -191,7 +191,7 @@ class CheckFaultsTest {
                 new Fault(PLAIN + " --model rigid", 2, "--model", "'rigid'", "rigid-marker", "corner-cube"),
                 new Fault(PLAIN + " --sampler gibbs", 2, "--sampler", "'gibbs'", "independence"),
                 new Fault(PLAIN + " --initial mean", 2, "--initial", "average", "ransac", "pnp"),
-                new Fault(PLAIN + " --estimate intrinsics", 2, "--estimate", "focal"),
+                new Fault(PLAIN + " --estimate lens", 2, "--estimate", "focal"),
                 new Fault(PLAIN + " --preset mine", 2, "--preset", "thesis"),
                 new Fault(PLAIN + " --object-noise some", 2, "--object-noise", "detection"),
                 new Fault(PLAIN + " --chains 0", 2, "chains", "1"),

@@ -62,13 +62,16 @@ class CodesTest {
         }
         Matcher told = Pattern.compile("(?m)^- `([a-z0-9-]+)`").matcher(
                 Files.readString(Path.of(System.getProperty("cellgauge.root", ".."), "docs", "codes.md")));
-        Set<String> gone = new HashSet<>();
+        Set<String> inDocs = new HashSet<>();
         while (told.find()) {
-            if (!now.contains(told.group(1))) {
-                gone.add(told.group(1));
-            }
+            inDocs.add(told.group(1));
         }
+        Set<String> gone = new HashSet<>(inDocs);
+        gone.removeAll(now);
         assertEquals(Set.of(), gone);
+        // and a new one is told
+        now.removeAll(inDocs);
+        assertEquals(Set.of(), now);
     }
 
     /** What docs/troubleshooting.md quotes in its first column is said by some message. */
