@@ -65,7 +65,7 @@ public enum CellRefusal implements RefusalKind {
     NO_FILE_NAME("\"%s\" is no file name; write %s"),
     /** The camera file does not exist: its name. */
     NO_CAMERA_FILE("there is no file \"%s\"; write the camera file's path relative to this file, or make one by "
-            + "calibrating the camera with BoofCV"),
+            + "calibrating the camera"),
     /** The camera file cannot be opened: its name, why. */
     CAMERA_FILE_NOT_OPENED("\"%s\": %s"),
     /** The camera file cannot be read as a text: its own refusal. */

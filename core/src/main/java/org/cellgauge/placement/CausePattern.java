@@ -136,11 +136,17 @@ final class CausePattern {
         return new CausePattern(Cause.SIZE_OF_SOME, ids, -1, sizeMm, SIZE_SHARE, 0.1, column);
     }
 
-    /** What this cause comes to in a direction of its columns, of so many times its typical size. */
+    /**
+     * What this cause comes to in a direction of its columns, of so many times its typical size. Shares are taken for
+     * logarithms, as nothing is smaller by more than all of it.
+     */
     Explanation explanation(double[] direction, double times, double timesStd, double evidence) {
         double[] size = new double[direction.length];
         for (int c = 0; c < size.length; c++) {
             size[c] = times * direction[c] * typical;
+            if (CauseSearch.isShare(cause)) {
+                size[c] = Math.expm1(size[c]);
+            }
         }
         return Explanation.ofSize(cause, references, axis, size, timesStd * typical, statedMm, evidence);
     }

@@ -373,7 +373,8 @@ final class CauseSearch {
                 new double[] {Math.exp(-size[0])}, std, Double.NaN, evidence - (printer ? 1 : 0)));
     }
 
-    private static boolean isShare(Cause cause) {
+    /** Whether the size of a cause is a share of what is stated. */
+    static boolean isShare(Cause cause) {
         return cause != Cause.EDGE_SHIFT && cause != Cause.PRINCIPAL_POINT && cause != Cause.DISTORTION;
     }
 

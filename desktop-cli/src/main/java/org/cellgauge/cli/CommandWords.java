@@ -19,6 +19,8 @@ final class CommandWords {
     static final Map<MessageKind, String> PATTERNS = Map.ofEntries(
             entry(CellRefusal.IS_DETECTIONS_FILE,
                     "this is a detections file; name a cell file, and this one after --detections"),
+            entry(CellRefusal.NO_CAMERA_FILE, "there is no file \"%s\"; write the camera file's path relative to this "
+                    + "file, or make one with 'cellgauge calibrate --target'"),
             entry(CheckPhrase.MORE_ITERATIONS, "allow more with --max-iterations"),
             entry(CheckPhrase.INITIAL_PNP, "use --initial pnp"),
             entry(ValidationRefusal.FARTHER_APART, "give --object poses farther apart, or a smaller --spread"),
