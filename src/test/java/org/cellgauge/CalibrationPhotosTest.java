@@ -24,7 +24,7 @@ class CalibrationPhotosTest {
     private Path scratch;
 
     private PinholeCamera calibrated(String target, List<String> photos, StringWriter out, String... more) {
-        Path camera = scratch.resolve("camera.yaml");
+        Path camera = scratch.resolve("made").resolve("camera.yaml");
         List<String> words = new ArrayList<>(List.of("calibrate", "--target", target, "--out", camera.toString()));
         words.addAll(List.of(more));
         words.addAll(photos);
@@ -46,8 +46,8 @@ class CalibrationPhotosTest {
         assertEquals(published.get(PinholeCamera.FX), camera.get(PinholeCamera.FX), 0.005 * 701);
         assertEquals(published.get(PinholeCamera.FY), camera.get(PinholeCamera.FY), 0.005 * 699);
         assertTrue(out.toString().contains("13 photos, 312 corners"), out.toString());
-        assertTrue(Files.readString(scratch.resolve("camera.yaml")).contains("cellgauge_calibration:"));
-        assertTrue(Files.readString(scratch.resolve("camera.html")).contains("<svg"));
+        assertTrue(Files.readString(scratch.resolve("made").resolve("camera.yaml")).contains("cellgauge_calibration:"));
+        assertTrue(Files.readString(scratch.resolve("made").resolve("camera.html")).contains("<svg"));
     }
 
     /**

@@ -3,6 +3,7 @@ package org.cellgauge.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -190,6 +191,7 @@ public final class CalibrateCommand implements Callable<Integer> {
         contents.put(file, text(CalibrationJson.cameraFile(result)));
         contents.put(page, text(CalibrationReport.of(result, Main.version(), command)));
         try {
+            Files.createDirectories(file.toAbsolutePath().getParent());
             WholeFiles.writeContents(contents);
         } catch (IOException e) {
             throw new InputRefusedException(Refusal.at(Place.of(file.toString()), CommandRefusal.CAMERA_NOT_WRITTEN,
