@@ -185,7 +185,7 @@ class ResultReaderTest {
     }
 
     @Test
-    void aMisplacedReferenceAndWhatHangsOnItAreReadBack() {
+    void aMisplacedReferenceAndTheObjectsThatDependOnItAreReadBack() {
         ThesisScene scene = ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(0.05).grip(5, 10, 20, 100).target(3)
                 .shifted(22, 12, 12, 0);
         CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.05, RandomStreams.of(9), 1, 0.003),

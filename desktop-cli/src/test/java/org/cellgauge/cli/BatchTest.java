@@ -123,6 +123,23 @@ class BatchTest {
         assertEquals(List.of("d2"), kept(check(detections(two, "--seed", 2))));
     }
 
+    /** How well a camera is known stands in its file alone. */
+    @Test
+    void nothingIsKeptOfAnotherCalibration() throws IOException {
+        List<Path> files = corners(2);
+        Path camera = folder.resolve("camera.yaml");
+        String exact = Files.readString(camera);
+        String calibrated = exact + "cellgauge_calibration: {parameters: [fx], covariance: [[%s]], photos: 20}\n";
+        check(detections(files));
+        Files.writeString(camera, String.format(calibrated, "4"));
+        assertEquals(List.of(), kept(check(detections(files))));
+        assertEquals(List.of("d1", "d2"), kept(check(detections(files))));
+        Files.writeString(camera, String.format(calibrated, "9"));
+        assertEquals(List.of(), kept(check(detections(files))));
+        Files.writeString(camera, exact);
+        assertEquals(List.of(), kept(check(detections(files))));
+    }
+
     @Test
     void whatIsKeptIsHeldAgainstTheTargetOfNow() throws IOException {
         Path corners = SmallCell.writeDetections(folder.resolve("a.json"), 1);

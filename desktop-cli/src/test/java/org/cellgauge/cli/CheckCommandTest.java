@@ -504,7 +504,7 @@ class CheckCommandTest {
     }
 
     @Test
-    void aMisplacedReferenceIsNamedWithWhatHangsOnIt() throws IOException {
+    void aMisplacedReferenceIsNamedWithTheObjectsThatDependOnIt() throws IOException {
         misplace911();
         CommandCall call = check("--detections", corners, "--target", 3, "--out", out);
         assertEquals(4, call.code(), call.out());

@@ -10,6 +10,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.output.CellView;
 import org.cellgauge.output.ResultReader;
 import org.cellgauge.output.ResultRecord;
@@ -27,6 +28,8 @@ final class EarlierResults {
     private static final int BYTES_OF_HEAD = 4096;
 
     private final ResultFolder folder;
+    private final CellFile files;
+    private final boolean calibrated;
     private final CellView cell;
     private final CheckSettings settings;
 
@@ -34,11 +37,14 @@ final class EarlierResults {
      * Results in a folder.
      *
      * @param folder where they are
+     * @param files what the cell stands in
      * @param cell what they must rest on, but for its target
      * @param settings what they must have been made with, but for the target
      */
-    EarlierResults(ResultFolder folder, Cell cell, CheckSettings settings) {
+    EarlierResults(ResultFolder folder, CellFile files, Cell cell, CheckSettings settings) {
         this.folder = folder;
+        this.files = files;
+        calibrated = cell.calibration() != null;
         this.cell = CellView.of(cell);
         this.settings = settings;
     }
@@ -61,7 +67,7 @@ final class EarlierResults {
         if (!sha256.equals(stored.record().inputSha256())) {
             throw refused(input, BatchRefusal.OTHER_INPUT);
         }
-        if (!cell.equals(view.cell())) {
+        if (!cell.equals(view.cell()) || !isOfTheSameCalibration(stored)) {
             throw refused(input, BatchRefusal.OTHER_CELL);
         }
         if (!sampledAs(view).equals(view.run().settings().toBuilder()
@@ -69,6 +75,17 @@ final class EarlierResults {
             throw refused(input, BatchRefusal.OTHER_SETTINGS);
         }
         return stored;
+    }
+
+    /** What a calibration leaves open is in no result: where one counted, or counts now, its file must be the same. */
+    private boolean isOfTheSameCalibration(StoredResult stored) {
+        boolean counted = stored.view().objects().stream().flatMap(row -> row.budget().stream())
+                .anyMatch(share -> share.source().equals(VarianceSource.CALIBRATION));
+        if (!calibrated && !counted) {
+            return true;
+        }
+        return files.cameraSha256() != null ? files.cameraSha256().equals(stored.record().cameraSha256())
+                : files.sha256().equals(stored.record().cellSha256());
     }
 
     private static InputRefusedException refused(CheckInput input, RefusalKind kind, Object... arguments) {

@@ -60,7 +60,8 @@ final class InputWork {
     InputWork(BatchCheck.Plan plan) {
         this.plan = plan;
         cell = plan.cell();
-        earlier = plan.folder() == null ? null : new EarlierResults(plan.folder(), cell, plan.settings());
+        earlier = plan.folder() == null ? null
+                : new EarlierResults(plan.folder(), plan.cellFile(), cell, plan.settings());
     }
 
     /**

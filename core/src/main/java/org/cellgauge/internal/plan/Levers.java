@@ -129,8 +129,7 @@ final class Levers {
                 new Change(Warning.of(ChangeKind.PLACE_PRECISELY, mm(share * mm), degrees(share * rad)), cost),
                 all -> {
                     List<Reference> placed = new ArrayList<>();
-                    all.cell().references().forEach(r -> placed.add(
-                            r.placement() == places.placement || contains(cell, r.id()) ? placed(r, share) : r));
+                    all.cell().references().forEach(r -> placed.add(placed(r, share)));
                     return all.with(all.cell().withReferences(placed));
                 }, false));
         if (cell.references().size() > 1) {
@@ -142,10 +141,6 @@ final class Levers {
                             options.cost(ChangeKind.MEASURE_REFERENCE)),
                     all -> all.with(replaced(all.cell(), placed(find(all.cell(), id), share))), false));
         }
-    }
-
-    private static boolean contains(Cell cell, int id) {
-        return cell.references().stream().anyMatch(r -> r.id() == id);
     }
 
     private Layout with(Reference changed) {
