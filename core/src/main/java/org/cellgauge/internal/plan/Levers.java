@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
@@ -412,19 +413,41 @@ final class Levers {
         sizes(LONGER, factor -> new Step("lens",
                 new Change(Warning.of(ChangeKind.LONGER_LENS, whole(factor * focal), Decimal.of(factor, 2)),
                         options.cost(ChangeKind.LONGER_LENS)),
-                all -> seen(all.with(all.cell().withCamera(all.cell().camera().withFocal(
+                all -> seen(all.with(seenBy(all.cell(), all.cell().camera().withFocal(
                         factor * all.cell().camera().get(PinholeCamera.FX),
-                        factor * all.cell().camera().get(PinholeCamera.FY)))
-                        .withCalibration(all.cell().calibration()))), false));
+                        factor * all.cell().camera().get(PinholeCamera.FY))))), false));
         steps.add(new Step("pixels", new Change(Warning.of(ChangeKind.MORE_PIXELS, 2 * lens.widthPx(),
                 2 * lens.heightPx()), options.cost(ChangeKind.MORE_PIXELS)),
-                all -> all.with(all.cell().withCamera(all.cell().camera().resized(2 * all.cell().camera().widthPx(),
-                        2 * all.cell().camera().heightPx()))
-                        .withCalibration(all.cell().calibration())), false));
+                all -> all.with(seenBy(all.cell(), all.cell().camera().resized(2 * all.cell().camera().widthPx(),
+                        2 * all.cell().camera().heightPx()))), false));
         if (options.settings().model().estimate() != Estimate.NONE) {
             steps.add(new Step("calibration", new Change(Warning.of(ChangeKind.CALIBRATE),
                     options.cost(ChangeKind.CALIBRATE)), all -> all, true));
         }
+    }
+
+    /** The same cell seen by another camera that is calibrated as well, in shares of its values. */
+    private static Cell seenBy(Cell cell, PinholeCamera other) {
+        CameraCalibration calibration = cell.calibration();
+        if (calibration == null) {
+            return cell.withCamera(other);
+        }
+        int[] indices = calibration.indices(other.lens());
+        double[] covariance = calibration.covariance();
+        for (int i = 0; i < covariance.length; i++) {
+            covariance[i] *= scale(cell.camera(), other, indices[i / indices.length])
+                    * scale(cell.camera(), other, indices[i % indices.length]);
+        }
+        return cell.withCamera(other).withCalibration(
+                new CameraCalibration(calibration.parameters(), covariance, calibration.photos()));
+    }
+
+    private static double scale(PinholeCamera from, PinholeCamera to, int index) {
+        return switch (index) {
+            case PinholeCamera.FX, PinholeCamera.FY -> to.get(index) / from.get(index);
+            case PinholeCamera.CX, PinholeCamera.CY -> (double) to.widthPx() / from.widthPx();
+            default -> 1;
+        };
     }
 
     private Step aslant(double[] centre, double degrees, double around) {
