@@ -19,6 +19,7 @@ public final class Cell {
     private final @Nullable ToneCurve toneCurve;
     private final @Nullable CameraCalibration calibration;
     private final PrintPrecision prints;
+    private final JointPlacement joint;
 
     /**
      * A cell whose markers are printed as usual.
@@ -52,12 +53,13 @@ public final class Cell {
      */
     public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints) {
-        this(camera, family, references, objects, pixelStdPx, targetStdMm, prints, null, null);
+        this(camera, family, references, objects, pixelStdPx, targetStdMm, prints, null, null,
+                JointPlacement.NONE);
     }
 
     private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints,
-            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration) {
+            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration, JointPlacement joint) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
@@ -79,6 +81,7 @@ public final class Cell {
         this.toneCurve = toneCurve;
         this.calibration = calibration;
         this.prints = prints;
+        this.joint = joint;
     }
 
     private static void addOnce(java.util.Set<Integer> ids, int id) {
@@ -95,7 +98,8 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withCamera(PinholeCamera other) {
-        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, null);
+        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, null,
+                joint);
     }
 
     /**
@@ -106,7 +110,8 @@ public final class Cell {
      * @throws IllegalArgumentException if there is none, or an id stands twice in the cell then
      */
     public Cell withReferences(List<Reference> others) {
-        return new Cell(camera, family, others, objects, pixelStdPx, targetStdMm, prints, toneCurve, calibration);
+        return new Cell(camera, family, others, objects, pixelStdPx, targetStdMm, prints, toneCurve, calibration,
+                joint);
     }
 
     /**
@@ -117,7 +122,8 @@ public final class Cell {
      * @throws IllegalArgumentException if an id stands twice in the cell then
      */
     public Cell withObjects(List<ObjectMarker> others) {
-        return new Cell(camera, family, references, others, pixelStdPx, targetStdMm, prints, toneCurve, calibration);
+        return new Cell(camera, family, references, others, pixelStdPx, targetStdMm, prints, toneCurve, calibration,
+                joint);
     }
 
     /**
@@ -128,7 +134,8 @@ public final class Cell {
      * @throws IllegalArgumentException if the target is not positive
      */
     public Cell withTarget(OptionalDouble stdMm) {
-        return new Cell(camera, family, references, objects, pixelStdPx, stdMm, prints, toneCurve, calibration);
+        return new Cell(camera, family, references, objects, pixelStdPx, stdMm, prints, toneCurve, calibration,
+                joint);
     }
 
     /**
@@ -139,7 +146,8 @@ public final class Cell {
      * @throws IllegalArgumentException if the deviation is not positive
      */
     public Cell withPixelStdPx(OptionalDouble px) {
-        return new Cell(camera, family, references, objects, px, targetStdMm, prints, toneCurve, calibration);
+        return new Cell(camera, family, references, objects, px, targetStdMm, prints, toneCurve, calibration,
+                joint);
     }
 
     /**
@@ -149,7 +157,8 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withToneCurve(@Nullable ToneCurve stated) {
-        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, stated, calibration);
+        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, stated, calibration,
+                joint);
     }
 
     /**
@@ -163,7 +172,43 @@ public final class Cell {
         if (stated != null) {
             stated.indices(camera.lens());
         }
-        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, stated);
+        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, stated,
+                joint);
+    }
+
+    /**
+     * The same cell with another statement about what is known of references together.
+     *
+     * @param stated groups, measurements, an earlier survey
+     * @return a new cell
+     * @throws IllegalArgumentException if it names a reference that the cell has not, or one in two groups
+     */
+    public Cell withJointPlacement(JointPlacement stated) {
+        java.util.Set<Integer> ids = new java.util.HashSet<>();
+        references.forEach(r -> ids.add(r.id()));
+        java.util.Set<Integer> grouped = new java.util.HashSet<>();
+        stated.groups().forEach(group -> group.members().forEach(id -> {
+            requireReference(ids, id);
+            addOnce(grouped, id);
+        }));
+        stated.measurements().forEach(m -> m.members().forEach(id -> requireReference(ids, id)));
+        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, calibration,
+                stated);
+    }
+
+    private static void requireReference(java.util.Set<Integer> ids, int id) {
+        if (!ids.contains(id)) {
+            throw new IllegalArgumentException("marker " + id + " is no reference of the cell");
+        }
+    }
+
+    /**
+     * What is known of references together.
+     *
+     * @return groups, measurements, an earlier survey
+     */
+    public JointPlacement joint() {
+        return joint;
     }
 
     /**
