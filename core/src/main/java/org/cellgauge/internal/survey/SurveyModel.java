@@ -147,6 +147,11 @@ final class SurveyModel {
         return inverse;
     }
 
+    /** Another instance of the same, for another thread. */
+    SurveyModel another() {
+        return new SurveyModel(layout, views, trust);
+    }
+
     /** Number of unknowns that all photos share. */
     int shared() {
         return layout.size;

@@ -54,6 +54,21 @@ final class SurveyState {
         return RigidTransform.of(Arrays.copyOfRange(from, at, at + 9), Arrays.copyOfRange(from, at + 9, at + 12));
     }
 
+    /** Takes over from an earlier mode what is known of references, lens and prints, and of photos that were there. */
+    void warm(SurveyState before, List<SurveyView> then, List<SurveyView> now) {
+        System.arraycopy(before.values, 0, values, 0, layout.firstObject);
+        System.arraycopy(before.values, before.layout.firstIntrinsic, values, layout.firstIntrinsic,
+                layout.size - layout.firstIntrinsic);
+        System.arraycopy(before.lens, 0, lens, 0, lens.length);
+        for (int v = 0; v < now.size(); v++) {
+            int at = then.indexOf(now.get(v));
+            if (at >= 0) {
+                System.arraycopy(before.edges[at], 0, edges[v], 0, edges[v].length);
+                System.arraycopy(before.moving[at], 0, moving[v], 0, moving[v].length);
+            }
+        }
+    }
+
     void copyFrom(SurveyState other) {
         System.arraycopy(other.values, 0, values, 0, values.length);
         System.arraycopy(other.objects, 0, objects, 0, objects.length);
