@@ -195,8 +195,10 @@ final class SharedMeasurements {
             out.residuals[at + i] = sum * w;
             if (derivatives) {
                 double[] row = out.rows[at + i];
-                // the turn is small: what it does to the derivative by the place is left out
-                by.add(reference, i == 0 ? w : 0, i == 1 ? w : 0, i == 2 ? w : 0, row);
+                double[] axis = {i == 0 ? w : 0, i == 1 ? w : 0, i == 2 ? w : 0};
+                // row i of 1 + [turn]x
+                double[] turning = cross(axis, turn);
+                by.add(reference, axis[0] + turning[0], axis[1] + turning[1], axis[2] + turning[2], row);
                 row[robot + i] += w;
                 for (int c = 0; c < 3; c++) {
                     row[robot + 6 + c] += w * tool[3 * i + c];

@@ -498,7 +498,6 @@ final class SurveyModel {
         for (int i = 0; i < 3; i++) {
             turned[i] = pose[at + 3 * i] * offset[0] + pose[at + 3 * i + 1] * offset[1]
                     + pose[at + 3 * i + 2] * offset[2];
-            offset[i] = 0;
         }
         for (int i = 0; i < 3; i++) {
             offset[i] = turned[i] + pose[at + 9 + i];
@@ -557,6 +556,18 @@ final class SurveyModel {
      * @return half of its sum of squares; infinite where there is none
      */
     double lineariseView(SurveyState state, int v, ViewEquations own, double[] information, double[] gradient) {
+        double cost = equations(state, v, own, information, gradient);
+        return cost < Double.POSITIVE_INFINITY && own.eliminate(layout.size, information, gradient) ? cost
+                : Double.POSITIVE_INFINITY;
+    }
+
+    /** The same with nothing eliminated: derivatives of the photo's part of the cost by its own unknowns. */
+    double[] gradient(SurveyState state, int v, ViewEquations own, double[] information, double[] gradient) {
+        equations(state, v, own, information, gradient);
+        return own.ownGradient.clone();
+    }
+
+    private double equations(SurveyState state, int v, ViewEquations own, double[] information, double[] gradient) {
         SurveyView view = views.get(v);
         int n = layout.size;
         int locals = view.locals();
@@ -577,7 +588,7 @@ final class SurveyModel {
             whiten(view.whitening[m], count);
             own.add(block, columns, count, white, n, information, gradient);
         }
-        return own.eliminate(n, information, gradient) ? 0.5 * cost : Double.POSITIVE_INFINITY;
+        return 0.5 * cost;
     }
 
     private void whiten(double[] w, int count) {

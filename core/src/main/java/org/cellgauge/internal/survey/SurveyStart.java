@@ -22,6 +22,10 @@ final class SurveyStart {
     private static final double[] IDENTITY = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     /** A corner farther off than this counts as this far off, px. */
     private static final double FARTHEST_PX = 30;
+    /** References from which on their joint pose is not mirrored. */
+    private static final int ENOUGH = 3;
+    /** Photos whose views of an object alone are followed. */
+    private static final int MOST_FOLLOWED = 8;
 
     private final Cell cell;
     private final PinholeCamera camera;
@@ -74,14 +78,17 @@ final class SurveyStart {
 
     private @Nullable RigidTransform pose(SurveyView view) {
         List<RigidTransform> candidates = new ArrayList<>();
-        boolean any = false;
+        int seen = 0;
         for (int id : view.ids) {
-            any |= cell.references().stream().anyMatch(r -> r.id() == id);
+            seen += reference(id) >= 0 ? 1 : 0;
         }
-        if (!any) {
+        if (seen == 0) {
             return null;
         }
         RigidTransform pnp = InitialPose.PNP.estimate(ReferenceView.of(cell.references(), view.errors), camera);
+        if (pnp != null && seen >= ENOUGH) {
+            return pnp;
+        }
         if (pnp != null) {
             candidates.add(pnp);
         }
@@ -166,11 +173,13 @@ final class SurveyStart {
     List<RigidTransform> candidates(int object) {
         int id = cell.objects().get(object).id();
         List<RigidTransform> candidates = new ArrayList<>();
-        for (int v = 0; v < views.size(); v++) {
+        int followed = 0;
+        for (int v = 0; v < views.size() && followed < MOST_FOLLOWED; v++) {
             SurveyView view = views.get(v);
             RigidTransform worldFromCamera = worldFromCameras[v];
             for (int m = 0; m < view.size() && worldFromCamera != null; m++) {
                 if (view.ids[m] == id) {
+                    followed++;
                     for (RigidTransform alone : view.posesAlone(m)) {
                         candidates.add(worldFromCamera.compose(alone));
                     }
