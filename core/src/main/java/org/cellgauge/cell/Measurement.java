@@ -1,6 +1,7 @@
 package org.cellgauge.cell;
 
 import java.util.List;
+import org.cellgauge.geometry.RigidTransform;
 
 /**
  * What somebody measured of references besides placing them, with its standard deviation; immutable. Points are the
@@ -62,16 +63,10 @@ public sealed interface Measurement {
      * errors in all touched points ({@link RobotPrecision}).
      *
      * @param id the reference
-     * @param xMm place in the world as the robot reports it, mm
-     * @param yMm likewise
-     * @param zMm likewise
-     * @param psiRad how the tool was turned in the world
-     * @param thetaRad likewise
-     * @param phiRad likewise
-     * @param stdMm standard deviation of each coordinate of this touch, mm, positive
+     * @param worldFromTool where the robot reports the tip of its tool, and how the tool was turned; in the world
+     * @param std standard deviation of each coordinate of this touch, mm; its turn means nothing
      */
-    record Touched(int id, double xMm, double yMm, double zMm, double psiRad, double thetaRad, double phiRad,
-            double stdMm) implements Measurement {
+    record Touched(int id, RigidTransform worldFromTool, Placement std) implements Measurement {
         @Override
         public List<Integer> members() {
             return List.of(id);

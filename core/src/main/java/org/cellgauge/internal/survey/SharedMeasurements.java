@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.cell.Measurement;
 import org.cellgauge.cell.RobotPrecision;
-import org.cellgauge.geometry.RigidTransform;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -181,14 +180,14 @@ final class SharedMeasurements {
             Rows out, int at) {
         int reference = layout.reference(m.id());
         int robot = layout.firstRobot;
-        double[] stated = {m.xMm(), m.yMm(), m.zMm()};
-        double[] tool = RigidTransform.ofEuler(0, 0, 0, m.psiRad(), m.thetaRad(), m.phiRad()).rotation();
-        double w = 1 / m.stdMm();
+        double[] seen = m.worldFromTool().translationMm();
+        double[] tool = m.worldFromTool().rotation();
         double[] x = {places[3 * reference], places[3 * reference + 1], places[3 * reference + 2]};
         double[] turn = {values[robot + 3], values[robot + 4], values[robot + 5]};
         double[] moved = cross(turn, x);
         for (int i = 0; i < 3; i++) {
-            double sum = x[i] + values[robot + i] + moved[i] - stated[i];
+            double w = 1 / m.std().stdMm(i);
+            double sum = x[i] + values[robot + i] + moved[i] - seen[i];
             for (int c = 0; c < 3; c++) {
                 sum += tool[3 * i + c] * values[robot + 6 + c];
             }

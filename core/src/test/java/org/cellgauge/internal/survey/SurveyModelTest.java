@@ -42,8 +42,12 @@ class SurveyModelTest {
                                 List.of(new PlacementGroup("plate", List.of(100, 101), plate)),
                                 List.of(new Measurement.Distance(100, 102, 400, 0.5),
                                         new Measurement.Height(100, 104, 98, 0.3),
-                                        new Measurement.Touched(103, -280, -148, 1, 3.1, 0.2, 0.1, 0.2),
-                                        new Measurement.Touched(100, 351, 1, 99, 3.1, 0.2, 1, 0.2),
+                                        new Measurement.Touched(103,
+                                            RigidTransform.ofEuler(-280, -148, 1, 3.1, 0.2, 0.1),
+                                            new Placement(0.2, 0.3, 0.4, 0)),
+                                        new Measurement.Touched(100,
+                                            RigidTransform.ofEuler(351, 1, 99, 3.1, 0.2, 1),
+                                            new Placement(0.2, 0.2, 0.2, 0)),
                                         new Measurement.OnePlane(List.of(101, 102, 103, 104), 0.5)),
                                 new RobotPrecision(new Placement(2, 2, 2, 0.01), 1), null));
     }
