@@ -27,22 +27,31 @@ public final class CalibratedCameraText {
      */
     public static String text(PinholeCamera camera, List<String> parameters, List<List<Double>> covariance, int photos,
             double rmsPx, double widenedBy) {
-        StringBuilder out = new StringBuilder(CameraWriter.text(camera));
-        out.append(KEY).append(":\n  parameters: [").append(String.join(", ", parameters)).append("]\n  std: [");
+        return CameraWriter.text(camera) + calibration(parameters, covariance, "") + "  photos: " + photos
+                + "\n  rms_px: " + String.format(Locale.ROOT, "%.4f", rmsPx)
+                + "\n  widened_by: " + String.format(Locale.ROOT, "%.3f", widenedBy) + '\n';
+    }
+
+    /**
+     * The key with the joint covariance; what the calibration rests on follows, two blanks further in.
+     *
+     * @param indent what every line begins with
+     */
+    static String calibration(List<String> parameters, List<List<Double>> covariance, String indent) {
+        StringBuilder out = new StringBuilder(indent);
+        out.append(KEY).append(":\n").append(indent).append("  parameters: [").append(String.join(", ", parameters))
+                .append("]\n").append(indent).append("  std: [");
         for (int i = 0; i < parameters.size(); i++) {
             out.append(i == 0 ? "" : ", ").append(CameraWriter.number(Math.sqrt(covariance.get(i).get(i))));
         }
-        out.append("]\n  covariance:\n");
+        out.append("]\n").append(indent).append("  covariance:\n");
         for (List<Double> row : covariance) {
-            out.append("  - [");
+            out.append(indent).append("  - [");
             for (int j = 0; j < row.size(); j++) {
                 out.append(j == 0 ? "" : ", ").append(CameraWriter.number(row.get(j)));
             }
             out.append("]\n");
         }
-        return out.append("  photos: ").append(photos)
-                .append("\n  rms_px: ").append(String.format(Locale.ROOT, "%.4f", rmsPx))
-                .append("\n  widened_by: ").append(String.format(Locale.ROOT, "%.3f", widenedBy)).append('\n')
-                .toString();
+        return out.toString();
     }
 }

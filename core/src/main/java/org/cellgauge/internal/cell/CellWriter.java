@@ -1,15 +1,19 @@
 package org.cellgauge.internal.cell;
 
 import java.math.BigDecimal;
+import java.math.MathContext;
 import java.math.RoundingMode;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.cell.SurveyedPlacement;
 import org.cellgauge.geometry.RigidTransform;
 
 /**
@@ -40,7 +44,7 @@ public final class CellWriter {
             out.append("# ").append(remark.replaceAll("[\\p{Cntrl}\u0085\u2028\u2029]", " ")).append('\n');
         }
         out.append("cellgauge: ").append(CellReader.VERSION).append('\n');
-        out.append("camera:\n").append(CameraWriter.text(cell.camera(), "  "));
+        out.append("camera:\n").append(camera(cell));
         // every marker states its own size and placement: what was common to them in the original is not known here
         out.append("markers: {family: ").append(cell.family().familyName());
         if (cell.family().isHalfTurned()) {
@@ -74,14 +78,49 @@ public final class CellWriter {
                 if (grip != null) {
                     out.append(", grip_mm: ").append(numbers(grip));
                 }
-                out.append("}\n");
+                out.append(object.moves() ? ", moves: true}\n" : "}\n");
             }
+        }
+        SurveyedPlacement surveyed = cell.joint().surveyed();
+        if (surveyed != null) {
+            surveyed(surveyed, out);
         }
         if (cell.targetStdMm().isPresent()) {
             out.append("target: {std_mm: ").append(CameraWriter.number(cell.targetStdMm().getAsDouble()))
                     .append("}\n");
         }
         return out.toString();
+    }
+
+    private static String camera(Cell cell) {
+        CameraCalibration calibration = cell.calibration();
+        if (calibration == null) {
+            return CameraWriter.text(cell.camera(), "  ");
+        }
+        int n = calibration.parameters().size();
+        double[] covariance = calibration.covariance();
+        List<List<Double>> rows = new ArrayList<>();
+        for (int i = 0; i < n; i++) {
+            rows.add(Arrays.stream(covariance, i * n, (i + 1) * n).boxed().toList());
+        }
+        return CameraWriter.text(cell.camera(), "  ") + CalibratedCameraText.calibration(
+                calibration.parameters().stream().map(CameraCalibration::name).toList(), rows, "  ")
+                + "    photos: " + calibration.photos() + "\n";
+    }
+
+    private static void surveyed(SurveyedPlacement surveyed, StringBuilder out) {
+        int n = SurveyedPlacement.ERRORS * surveyed.ids().size();
+        double[] covariance = surveyed.covariance();
+        out.append("surveyed:\n  references: ").append(surveyed.ids()).append("\n  covariance:\n");
+        for (int i = 0; i < n; i++) {
+            out.append("  - [");
+            for (int j = 0; j < n; j++) {
+                // nine digits keep a covariance of references that stand to each other better than in the world
+                out.append(j == 0 ? "" : ", ").append(CameraWriter.number(
+                        new BigDecimal(covariance[i * n + j]).round(new MathContext(9)).doubleValue()));
+            }
+            out.append("]\n");
+        }
     }
 
     private static void print(StringBuilder out, String key, double stdMm, double usualMm) {
