@@ -3,6 +3,7 @@ package org.cellgauge.internal.survey;
 import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.Placement;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
@@ -20,8 +21,10 @@ import org.jspecify.annotations.Nullable;
  */
 final class SurveyStart {
     private static final double[] IDENTITY = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    /** A corner farther off than this counts as this far off, px. */
-    private static final double FARTHEST_PX = 30;
+    /** A corner farther off than this, in deviations, counts as this far off. */
+    private static final double FARTHEST = 30;
+    /** What a corner is off by in a first estimate, however precisely its marker stands, px. */
+    private static final double FIRST_PX = 1;
     /** References from which on their joint pose is not mirrored. */
     private static final int ENOUGH = 3;
     /** Photos whose views of an object alone are followed. */
@@ -145,13 +148,25 @@ final class SurveyStart {
         return best;
     }
 
+    /** How far a pose leaves the corners of a marker off, in what its placement and a first estimate allow. */
     private double cost(SurveyView view, int m, RigidTransform cameraFromMarker) {
         double[] px = MarkerGeometry.cornersPx(camera, cameraFromMarker, view.sizesMm[m]);
+        if (px == null) {
+            return 4 * FARTHEST * FARTHEST;
+        }
+        int reference = reference(view.ids[m]);
+        double allowed = FIRST_PX;
+        if (reference >= 0) {
+            Placement placement = cell.references().get(reference).placement();
+            double stdMm = Math.max(Math.max(placement.stdMm(0), placement.stdMm(1)), placement.stdMm(2));
+            double side = Math.hypot(px[2] - px[0], px[3] - px[1]);
+            allowed = Math.hypot(FIRST_PX, stdMm * side / view.sizesMm[m]);
+        }
         double sum = 0;
         for (int k = 0; k < 4; k++) {
-            double off = px == null ? FARTHEST_PX : Math.hypot(px[2 * k] - view.cornersPx[m][2 * k],
-                    px[2 * k + 1] - view.cornersPx[m][2 * k + 1]);
-            sum += Math.min(off * off, FARTHEST_PX * FARTHEST_PX);
+            double off = Math.hypot(px[2 * k] - view.cornersPx[m][2 * k],
+                    px[2 * k + 1] - view.cornersPx[m][2 * k + 1]) / allowed;
+            sum += Math.min(off * off, FARTHEST * FARTHEST);
         }
         return sum;
     }
