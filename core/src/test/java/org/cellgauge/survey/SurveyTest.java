@@ -16,6 +16,7 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.validation.SimulatedSurvey;
+import org.cellgauge.internal.validation.SurveyStudy;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.SettingTable;
 import org.junit.jupiter.api.Test;
@@ -40,25 +41,11 @@ class SurveyTest {
     }
 
     @Test
-    void fits() {
-        for (int[] size : new int[][] {{4, 2, 3}, {6, 3, 10}, {12, 5, 30}, {12, 5, 50}}) {
-            Cell cell = cell(size[0], size[1], 5);
-            SimulatedSurvey simulated = SimulatedSurvey.of(cell, CheckSettings.builder().build(), size[2], 7, 0);
-            long t0 = System.nanoTime();
-            CheckSettings settings = CheckSettings.builder().set(SettingTable.ITERATIONS, OptionalInt.of(1000)).build();
-            Survey survey = Survey.of(cell, simulated.photos(), settings);
-            long t1 = System.nanoTime();
-            survey = Survey.of(cell, simulated.photos(), settings);
-            long t2 = System.nanoTime();
-            SurveyResult e = survey.estimate();
-            long t3 = System.nanoTime();
-            SurveyResult s = survey.sampled();
-            long t4 = System.nanoTime();
-            System.out.println(size[2] + " photos used " + survey.used() + " fit " + (t1 - t0) / 1000000 + " warm "
-                    + (t2 - t1) / 1000000 + " estimate "
-                    + (t3 - t2) / 1000000 + " sampled " + (t4 - t3) / 1000000 + " " + s.run() + " ess/1000 "
-                    + s.run().essPerThousand());
-            System.out.println(s.warnings());
+    void study() {
+        for (int k : new int[] {3, 10}) {
+            long t = System.nanoTime();
+            System.out.println(k + " " + SurveyStudy.of(cell(4, 2, 5), CheckSettings.builder().build(), k, k == 3 ? 100 : 40, 1, 2, false)
+                    + " ms " + (System.nanoTime() - t) / 1000000);
         }
     }
 }

@@ -278,6 +278,8 @@ final class Wording {
                 return get(R.string.source_edges);
             case SIZE_OF_PRINTS:
                 return get(R.string.source_sizes);
+            case COMMON_PLACEMENT:
+                return get(R.string.source_common_placement);
             default:
                 return get(R.string.source_pose_prior);
         }
