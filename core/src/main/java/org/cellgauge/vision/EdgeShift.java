@@ -68,8 +68,8 @@ public final class EdgeShift {
     }
 
     /**
-     * How the corners of a marker move when ink has spread by 1 mm on the paper on all sides, by the homography from the
-     * paper to the image (the lens taken as straight over so small a distance).
+     * How the corners of a marker move when ink has spread by 1 mm on the paper on all sides, by the homography from
+     * the paper to the image (the lens taken as straight over so small a distance).
      *
      * @param cornersPx 8 values: u, v of the four corners, in the order of the outline, px
      * @param sizeMm side of the printed square, mm, positive
