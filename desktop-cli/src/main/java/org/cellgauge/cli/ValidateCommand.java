@@ -66,7 +66,7 @@ public final class ValidateCommand implements Callable<Integer> {
     private static final double CALIBRATION_STD_PX = 0.2;
     /** Options besides settings on which figures depend. */
     private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only", "--cause", "--alone",
-            "--deviations");
+            "--deviations", "--photos-per-cell");
 
     @Spec
     private CommandSpec spec;
@@ -109,6 +109,12 @@ public final class ValidateCommand implements Callable<Integer> {
                     + "over the deviations stated of them, for good and poor photos and for a bent board.")
     private boolean calibration;
 
+    @Option(names = "--photos-per-cell", paramLabel = "K",
+            description = "Surveys each cell from K photos all around it in place of checking one: regions of objects, "
+                    + "gripping points, references, and objects of a later photo. By Laplace's approximation; by draws "
+                    + "where --iterations says how many.")
+    private Integer photosPerCell;
+
     @Option(names = "--json", description = "Prints all counts and ranks as JSON in place of the tables.")
     private boolean json;
 
@@ -145,6 +151,9 @@ public final class ValidateCommand implements Callable<Integer> {
                 return studyRun().randomLayouts(json, this::progress);
             }
             Cell cell = StandardInput.cell(cellFile);
+            if (photosPerCell != null) {
+                return surveys(cell);
+            }
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, given);
             Map<Integer, RigidTransform> poses = CellTruth.objectPoses(cell, given);
             RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
@@ -183,6 +192,16 @@ public final class ValidateCommand implements Callable<Integer> {
         return CalibrationStudyRun.run(spec.commandLine(),
                 study.get(StudyTable.PIXEL_STD_PX).orElse(CALIBRATION_STD_PX), study.simulations(),
                 check.sampling().seed(), json, done -> { });
+    }
+
+    private int surveys(Cell cell) {
+        if (photosPerCell < 1) {
+            throw new ParameterException(spec.commandLine(), "--photos-per-cell: must be at least 1");
+        }
+        if (cell.pixelStdPx().isEmpty()) {
+            throw new InputRefusedException(cellFile.toString(), CommandRefusal.NO_CORNER_NOISE);
+        }
+        return SurveyStudyRun.run(spec.commandLine(), cell, check, photosPerCell, study.simulations(), json);
     }
 
     private int causes(CellSource cells) {
