@@ -198,10 +198,8 @@ public final class ValidateCommand implements Callable<Integer> {
         if (photosPerCell < 1) {
             throw new ParameterException(spec.commandLine(), "--photos-per-cell: must be at least 1");
         }
-        if (cell.pixelStdPx().isEmpty()) {
-            throw new InputRefusedException(cellFile.toString(), CommandRefusal.NO_CORNER_NOISE);
-        }
-        return SurveyStudyRun.run(spec.commandLine(), cell, check, photosPerCell, study.simulations(), json);
+        Cell noisy = cell.withPixelStdPx(OptionalDouble.of(settings(cell).pixelStdPx()));
+        return SurveyStudyRun.run(spec.commandLine(), noisy, check, photosPerCell, study.simulations(), json);
     }
 
     private int causes(CellSource cells) {
