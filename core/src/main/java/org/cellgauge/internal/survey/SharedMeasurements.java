@@ -22,14 +22,20 @@ final class SharedMeasurements {
         void add(int reference, double x, double y, double z, double[] row);
     }
 
-    /**
-     * Residuals and their derivatives.
-     *
-     * @param measurements by row: the index of its measurement, -1 for what is known beforehand of robot and planes
-     * @param residuals by row
-     * @param rows by row: derivatives by all that photos share
-     */
-    record Rows(int[] measurements, double[] residuals, double[][] rows) {
+    /** Residuals and their derivatives. */
+    static final class Rows {
+        /** By row: the index of its measurement, -1 for what is known beforehand of robot and planes. */
+        final int[] measurements;
+        final double[] residuals;
+        /** By row: derivatives by all that photos share; empty where they are not asked for. */
+        final double[][] rows;
+
+        Rows(int count, int unknowns) {
+            measurements = new int[count];
+            residuals = new double[count];
+            rows = new double[count][unknowns];
+            Arrays.fill(measurements, -1);
+        }
     }
 
     private static final double OPEN_PLANE_MM = 1e4;
@@ -131,8 +137,7 @@ final class SharedMeasurements {
 
     /** All rows; without derivatives where nobody gives those of places. */
     Rows rows(double[] places, @Nullable PlaceRow placeRow, double[] values) {
-        Rows out = new Rows(new int[count], new double[count], new double[count][placeRow == null ? 0 : layout.size]);
-        Arrays.fill(out.measurements, -1);
+        Rows out = new Rows(count, placeRow == null ? 0 : layout.size);
         PlaceRow by = placeRow == null ? (reference, x, y, z, row) -> { } : placeRow;
         boolean derivatives = placeRow != null;
         int at = 0;

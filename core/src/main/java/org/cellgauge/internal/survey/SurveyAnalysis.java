@@ -245,13 +245,13 @@ final class SurveyAnalysis {
         SharedMeasurements.Rows rows = fit.model.measurementRows(fit.mode);
         for (int k = 0; k < layout.measurements.size(); k++) {
             int which = k;
-            int[] of = IntStream.range(0, rows.residuals().length).filter(r -> rows.measurements()[r] == which)
+            int[] of = IntStream.range(0, rows.residuals.length).filter(r -> rows.measurements[r] == which)
                     .toArray();
             double[] flat = new double[of.length * layout.size];
             double[] residuals = new double[of.length];
             for (int i = 0; i < of.length; i++) {
-                residuals[i] = rows.residuals()[of[i]];
-                System.arraycopy(rows.rows()[of[i]], 0, flat, i * layout.size, layout.size);
+                residuals[i] = rows.residuals[of[i]];
+                System.arraycopy(rows.rows[of[i]], 0, flat, i * layout.size, layout.size);
             }
             Conflict conflict = Conflict.of(residuals, fit.sandwich(flat, of.length));
             out.add(new SurveyedMeasurement(layout.measurements.get(k), Math.sqrt(conflict.chiSquare()),
