@@ -19,6 +19,7 @@ final class Contents {
             chapters.get("Chapters 7 to 9, table by table")
                     .add(new TableSection(table, setUps, assumptions, effort));
         }
+        chapters.put("Further research", List.of(new FurtherSection(assumptions, setUps, effort)));
     }
 
     List<Section> sections() {

@@ -133,7 +133,7 @@ record SetUp(String name, List<String> references, double stdMm, String objects,
         return new Detections("exact corners", cell.camera().widthPx(), cell.camera().heightPx(), seen);
     }
 
-    /** Corners of references that stand off their places by a draw of what is stated, with noise. */
+    /** References that stand off their places by a draw of what is stated, with noise; objects seen without. */
     static Detections drawn(Cell cell, RigidTransform worldFromCamera, Map<Integer, RigidTransform> objects,
             long seed) {
         RandomGenerator random = new Well19937c(seed);
@@ -142,7 +142,7 @@ record SetUp(String name, List<String> references, double stdMm, String objects,
         List<MarkerObservation> noisy = new ArrayList<>();
         for (MarkerObservation marker : exact(cell, worldFromCamera, objects, misplaced).markers()) {
             double[] px = marker.cornersPx();
-            for (int i = 0; i < px.length; i++) {
+            for (int i = 0; i < px.length && misplaced.containsKey(marker.id()); i++) {
                 px[i] += cell.pixelStdPx().orElse(0) * random.nextGaussian();
             }
             noisy.add(new MarkerObservation(marker.id(), px));
