@@ -154,7 +154,7 @@ final class FurtherWork {
                 double[] rotation = new double[gripped.size()];
                 for (int i = 0; i < grip.length; i++) {
                     ObjectEstimate object = result.estimate().objects().get(i);
-                    position[i] = object.worstStdMm();
+                    position[i] = DecisionTable.worst(object.pose().std());
                     grip[i] = Words.max(Objects.requireNonNull(object.grip()).stdMm());
                     double[][] tangent = object.pose().tangentCovariance();
                     rotation[i] = Math.sqrt(Math.max(tangent[3][3], tangent[4][4]));
