@@ -43,6 +43,19 @@ final class Assumptions {
                 .map(s -> new Silence(s.at("about").text(), s.at("taken").text(), s.at("because").text())).toList();
     }
 
+    /** Corners where they are and not where they are seen in a photo, and how noisy they are said to be, px. */
+    Assumptions withExactCorners(double pixelStdPx) {
+        Map<String, Object> exact = new LinkedHashMap<>();
+        exact.put("photo", Map.of("rendered", false));
+        exact.put("pixel_std_px", pixelStdPx);
+        return with(new DataNode("exact corners", exact));
+    }
+
+    /** Noise of fine corners, px. */
+    double finePixelStdPx() {
+        return data.at("layouts").at("fine_pixel_std_px").number();
+    }
+
     /** Other assumptions, by what is changed. */
     Map<String, Assumptions> changes() {
         Map<String, Assumptions> changes = new LinkedHashMap<>();

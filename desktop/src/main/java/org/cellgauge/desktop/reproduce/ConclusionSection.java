@@ -19,6 +19,7 @@ final class ConclusionSection implements Section {
             "reference-as-object");
 
     private final DecisionWork decisions;
+    private final FurtherWork further;
     private final List<Work> works = new ArrayList<>();
     private final List<List<String>> rows = new ArrayList<>();
 
@@ -28,7 +29,8 @@ final class ConclusionSection implements Section {
         SET_UPS.forEach(name -> all.put(name,
                 SetUpWork.of(Objects.requireNonNull(setUps.get(name), name), assumptions, effort)));
         decisions.all().forEach(work -> all.put(work.name(), work));
-        new FurtherWork(assumptions, setUps, effort).all().forEach(work -> all.put(work.name(), work));
+        further = new FurtherWork(assumptions, setUps, effort);
+        further.all().forEach(work -> all.put(work.name(), work));
         works.addAll(all.values());
     }
 
@@ -183,7 +185,7 @@ final class ConclusionSection implements Section {
                         + Words.std(last(results.of(FurtherWork.moreName(false, 20)).all("focal"))) + " mm.");
         double more = worst(results, "focal-plane-6") / worst(results, "focal-plane-4");
         double known12 = last(results.of(FurtherWork.moreName(false, 20)).all("none"))
-                / results.of(FurtherWork.moreName(false, 20)).all("none")[2];
+                / results.of(FurtherWork.moreName(false, 20)).all("none")[further.counts().indexOf(4)];
         add("9.4.3", "From four references on, adding more does not significantly help.", more > 1 - ALIKE / 2
                 && known12 > 1 - ALIKE / 2, "explored, six over four: " + ratio(more) + "; known, twelve over four: "
                 + ratio(known12) + ".");

@@ -25,7 +25,8 @@ final class DecisionTable {
         if (column < 0) {
             throw new IllegalArgumentException(layout + " is not in the table");
         }
-        if (model == LikelihoodModel.CORNER_CUBE && layout.stdMm() >= DecisionWork.SAMPLED_FROM_MM) {
+        if (model == LikelihoodModel.CORNER_CUBE && layout.stdMm() >= DecisionWork.SAMPLED_FROM_MM
+                && layout.references() <= work.mostSampled()) {
             int first = (int) Arrays.stream(stds).filter(s -> s < DecisionWork.SAMPLED_FROM_MM).count();
             return triple(results.of(DecisionWork.sampledName(layout.sizeMm(), layout.arrangement()))
                     .all(Integer.toString(layout.references())), column - first);

@@ -19,6 +19,7 @@ final class DecisionWork {
     /** Where one can be held against the other, and against an independent implementation. */
     private static final double[] CHECKED_MM = {1, 5, 20};
     private static final int MOST_CHECKED = 6;
+    private static final int MOST_SAMPLED_QUICK = 3;
 
     private final Assumptions assumptions;
     private final Effort effort;
@@ -33,7 +34,8 @@ final class DecisionWork {
     }
 
     double[] sizesMm() {
-        return assumptions.at("layouts").at("sizes_mm").numbers();
+        double[] all = assumptions.at("layouts").at("sizes_mm").numbers();
+        return effort.isQuick() ? new double[] {all[0]} : all;
     }
 
     double[] goalsMm() {
@@ -44,6 +46,11 @@ final class DecisionWork {
     double[] noisesPx() {
         return new double[] {assumptions.at("layouts").at("pixel_std_px").number(),
             assumptions.at("layouts").at("fine_pixel_std_px").number()};
+    }
+
+    /** Up to how many references the thesis' likelihood is sampled: with more it is nearer to Gaussian. */
+    int mostSampled() {
+        return effort.isQuick() ? MOST_SAMPLED_QUICK : Layout.MOST;
     }
 
     List<Work> all() {
@@ -120,7 +127,7 @@ final class DecisionWork {
     private Figures sampledCubes(double sizeMm, String arrangement) {
         Figures.Builder figures = new Figures.Builder();
         CheckSettings settings = settings(LikelihoodModel.CORNER_CUBE);
-        for (int n = Layout.FEWEST; n <= Layout.MOST; n++) {
+        for (int n = Layout.FEWEST; n <= mostSampled(); n++) {
             for (double std : stdsMm()) {
                 if (std >= SAMPLED_FROM_MM) {
                     figures.append(Integer.toString(n), new Layout(arrangement, n, std, sizeMm, noisesPx()[0])

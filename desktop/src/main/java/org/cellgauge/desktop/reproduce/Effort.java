@@ -15,6 +15,11 @@ record Effort(int seeds, double precision, int cells) {
     /** For a look. */
     static final Effort QUICK = new Effort(4, 0.1, 40);
 
+    /** Whether it is less than what the page in docs has: fewer layouts, starts and changes, exact corners. */
+    boolean isQuick() {
+        return seeds < FULL.seeds();
+    }
+
     /** Chains that run until they are precise enough. */
     CheckSettings.Builder untilPrecise() {
         return CheckSettings.builder().targetMcseStdRel(precision).threads(1);

@@ -53,12 +53,12 @@ final class FurtherSection implements Section {
         page.paragraph("`cellgauge validate --cell CELL --model corner-cube`, and without `--model`.");
     }
 
-    private static void grip(Page page, Figures figures) {
+    private void grip(Page page, Figures figures) {
         page.paragraph("**Translation and rotation as one: the gripping point**, 100 mm above the object. Worst axis of "
                 + "any object, mm, four references, objects lifted:");
         List<List<String>> rows = new ArrayList<>();
         for (String name : List.of("lifted-plane-4-high", "lifted-raised-4-high")) {
-            for (double placed : FurtherWork.PLACED_MM) {
+            for (double placed : work.placedMm()) {
                 double[] f = figures.all(name + " " + Words.number(placed));
                 rows.add(List.of(name.contains("raised") ? "one raised" : "in the plane", Words.number(placed) + " mm",
                         Words.std(f[0]), Words.fixed(f[2], 3), Words.std(f[1])
@@ -69,12 +69,12 @@ final class FurtherSection implements Section {
         page.paragraph("`grip_mm` in the cell file, then `cellgauge check` or `cellgauge plan`.");
     }
 
-    private static void intrinsics(Page page, Figures figures) {
+    private void intrinsics(Page page, Figures figures) {
         page.paragraph("**All intrinsics, not only the focal length.** Six references; worst axis of the objects (root mean "
                 + "square over them, mm), and deviations of fx and cx, px:");
         List<List<String>> rows = new ArrayList<>();
         for (String name : List.of("focal-plane-6", "focal-raised-6")) {
-            for (double placed : FurtherWork.PLACED_MM) {
+            for (double placed : work.placedMm()) {
                 List<String> row = new ArrayList<>(List.of(name.contains("raised") ? "one raised" : "in the plane",
                         Words.number(placed) + " mm"));
                 for (String explored : List.of("none", "focal", "intrinsics")) {
@@ -91,12 +91,12 @@ final class FurtherSection implements Section {
                 + "`cellgauge calibrate`.");
     }
 
-    private static void starts(Page page, Figures figures) {
+    private void starts(Page page, Figures figures) {
         page.paragraph("**A random focal length to start with.** The true one is 581 px; chains of the thesis, no prior, "
                 + "20 mm, against the default with N(start, 200 px):");
         List<List<String>> rows = new ArrayList<>();
-        for (String name : List.of("focal-plane-3", "focal-raised-6")) {
-            for (double start : FurtherWork.STARTS_PX) {
+        for (String name : work.started()) {
+            for (double start : work.startsPx()) {
                 String key = name + " " + Words.number(start);
                 double[] mean = figures.all(key + " mean");
                 double[] std = figures.all(key + " std");
@@ -115,20 +115,20 @@ final class FurtherSection implements Section {
         page.paragraph("`cellgauge check --estimate focal --focal-prior-std 200` with the start in the camera file.");
     }
 
-    private static void more(Page page, Results results) {
+    private void more(Page page, Results results) {
         page.paragraph("**More references, to twelve.** Worst axis, mm (root mean square over the objects), with the "
                 + "focal length known / explored, by default:");
         List<String> head = new ArrayList<>(List.of("references", "placed to"));
-        for (int count : FurtherWork.COUNTS) {
+        for (int count : work.counts()) {
             head.add(Integer.toString(count));
         }
         List<List<String>> rows = new ArrayList<>();
         for (boolean raised : new boolean[] {false, true}) {
-            for (double placed : FurtherWork.PLACED_MM) {
+            for (double placed : work.placedMm()) {
                 Figures figures = results.of(FurtherWork.moreName(raised, placed));
                 List<String> row = new ArrayList<>(List.of(raised ? "one raised" : "in the plane",
                         Words.number(placed) + " mm"));
-                for (int i = 0; i < FurtherWork.COUNTS.length; i++) {
+                for (int i = 0; i < work.counts().size(); i++) {
                     row.add(Words.std(figures.all("none")[i]) + " / " + Words.std(figures.all("focal")[i]));
                 }
                 rows.add(row);
@@ -136,7 +136,7 @@ final class FurtherSection implements Section {
         }
         page.table(head, rows);
         List<String> thesis = new ArrayList<>();
-        for (int count : FurtherWork.MORE) {
+        for (int count : work.more()) {
             Figures figures = results.of("further-thesis-" + count);
             thesis.add(count + " references: R-hat " + Words.fixed(Words.median(figures.all("rhat.objects")), 2)
                     + ", fx " + Words.fixed(Words.min(figures.column("focal.mean", 2, 0)), 0) + " to "

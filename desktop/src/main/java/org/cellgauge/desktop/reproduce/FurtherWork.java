@@ -26,16 +26,11 @@ import org.cellgauge.vision.Detections;
 
 /** The further work that the thesis asks for: exact corners, of a fine noise as it is stated. */
 final class FurtherWork {
-    static final double[] STARTS_PX = {250, 400, 581, 800, 1200};
-    static final int[] COUNTS = {2, 3, 4, 6, 8, 10, 12};
-    static final double[] PLACED_MM = {1, 5, 20};
     static final double[] GRIP_MM = {0, 0, 100};
     /** How far one reference stands off, mm, and how precisely all are said to be placed. */
     static final double OFF_MM = 50;
     static final double OFF_OF_MM = 5;
     static final int OFF_ID = 944;
-    /** Experiments of the thesis with more references than it had. */
-    static final List<Integer> MORE = List.of(8, 10, 12);
     /** So wide that it says nothing: the thesis states no prior. */
     private static final double FLAT_PX = 1e5;
     private static final List<String> IN_ORDER = List.of("944", "1234", "911", "22", "5th", "6th", "7th", "8th", "9th",
@@ -46,12 +41,34 @@ final class FurtherWork {
     private final Map<String, SetUp> setUps;
 
     FurtherWork(Assumptions usual, Map<String, SetUp> setUps, Effort effort) {
-        Map<String, Object> exact = new LinkedHashMap<>();
-        exact.put("photo", Map.of("rendered", false));
-        exact.put("pixel_std_px", usual.at("layouts").at("fine_pixel_std_px").number());
-        this.assumptions = usual.with(new DataNode("exact corners", exact));
+        this.assumptions = usual.withExactCorners(usual.finePixelStdPx());
         this.setUps = setUps;
         this.effort = effort;
+    }
+
+    /** Focal lengths to start with, px. */
+    List<Double> startsPx() {
+        return effort.isQuick() ? List.of(250.0, 1200.0) : List.of(250.0, 400.0, 581.0, 800.0, 1200.0);
+    }
+
+    /** Experiments whose focal length is started elsewhere. */
+    List<String> started() {
+        return effort.isQuick() ? List.of("focal-plane-3") : List.of("focal-plane-3", "focal-raised-6");
+    }
+
+    /** Numbers of references, four and twelve among them. */
+    List<Integer> counts() {
+        return effort.isQuick() ? List.of(2, 4, 12) : List.of(2, 3, 4, 6, 8, 10, 12);
+    }
+
+    /** How precisely they are placed, mm; 1 and 20 among them. */
+    List<Double> placedMm() {
+        return effort.isQuick() ? List.of(1.0, 20.0) : List.of(1.0, 5.0, 20.0);
+    }
+
+    /** Experiments of the thesis with more references than it had. */
+    List<Integer> more() {
+        return effort.isQuick() ? List.of(12) : List.of(8, 10, 12);
     }
 
     List<Work> all() {
@@ -61,12 +78,12 @@ final class FurtherWork {
         all.add(work("further-intrinsics", this::intrinsics));
         all.add(work("further-start", this::starts));
         for (boolean raised : new boolean[] {false, true}) {
-            for (double placed : PLACED_MM) {
+            for (double placed : placedMm()) {
                 all.add(work(moreName(raised, placed), () -> more(raised, placed)));
             }
         }
         all.add(work("further-misplaced", this::misplaced));
-        for (int count : MORE) {
+        for (int count : more()) {
             all.add(SetUpWork.of("further-thesis-" + count, withReferences("focal-plane-6", count), assumptions, effort));
         }
         return all;
@@ -142,7 +159,7 @@ final class FurtherWork {
     private Figures grip() {
         Figures.Builder figures = new Figures.Builder();
         for (String name : List.of("lifted-plane-4-high", "lifted-raised-4-high")) {
-            for (double placed : PLACED_MM) {
+            for (double placed : placedMm()) {
                 SetUp setUp = setUp(name).placedTo(placed);
                 Cell cell = setUp.cell(assumptions);
                 List<ObjectMarker> gripped = cell.objects().stream()
@@ -170,7 +187,7 @@ final class FurtherWork {
     private Figures intrinsics() {
         Figures.Builder figures = new Figures.Builder();
         for (String name : List.of("focal-plane-6", "focal-raised-6")) {
-            for (double placed : PLACED_MM) {
+            for (double placed : placedMm()) {
                 for (Estimate explored : Estimate.values()) {
                     SetUp setUp = setUp(name).placedTo(placed).exploring(explored);
                     CheckResult result = CellCheck.run(setUp.cell(assumptions), setUp.detections(assumptions),
@@ -212,10 +229,10 @@ final class FurtherWork {
      */
     private Figures starts() {
         Figures.Builder figures = new Figures.Builder();
-        for (String name : List.of("focal-plane-3", "focal-raised-6")) {
+        for (String name : started()) {
             SetUp setUp = setUp(name);
             Detections detections = setUp.detections(assumptions);
-            for (double start : STARTS_PX) {
+            for (double start : startsPx()) {
                 PinholeCamera camera = assumptions.camera();
                 Cell cell = setUp.cell(assumptions).withCamera(PinholeCamera.ideal(camera.widthPx(), camera.heightPx(),
                         start, start, camera.get(PinholeCamera.CX), camera.get(PinholeCamera.CY)));
@@ -236,7 +253,7 @@ final class FurtherWork {
     /** Worst axis by the number of references, with the focal length known and explored; NaN where not converged. */
     private Figures more(boolean raised, double placedMm) {
         Figures.Builder figures = new Figures.Builder();
-        for (int count : COUNTS) {
+        for (int count : counts()) {
             for (Estimate explored : List.of(Estimate.NONE, Estimate.FOCAL)) {
                 SetUp setUp = withReferences(raised ? "focal-raised-6" : "focal-plane-6", count).placedTo(placedMm)
                         .exploring(explored);
@@ -258,8 +275,7 @@ final class FurtherWork {
      */
     private Figures misplaced() {
         SetUp setUp = setUp("focal-raised-6").placedTo(OFF_OF_MM).exploring(Estimate.NONE);
-        Cell cell = setUp.cell(assumptions).withPixelStdPx(OptionalDouble.of(assumptions.at("layouts")
-                .at("fine_pixel_std_px").number()));
+        Cell cell = setUp.cell(assumptions).withPixelStdPx(OptionalDouble.of(assumptions.finePixelStdPx()));
         Map<Integer, RigidTransform> objects = assumptions.objects(setUp.objects());
         Reference off = cell.references().stream().filter(r -> r.id() == OFF_ID).findFirst().orElseThrow();
         double[] place = off.worldFromMarker().translationMm();

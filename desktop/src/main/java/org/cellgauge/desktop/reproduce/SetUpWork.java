@@ -16,6 +16,8 @@ final class SetUpWork {
     private static final String SAME = "same.";
     private static final String RIGHT = "right.";
     private static final double SMALLEST_DEVIATION = 1e-12;
+    /** Of the thesis' posterior with unknown focal lengths, whose long tails take minutes for less. */
+    static final double FOCAL_PRECISION = 0.05;
 
     private SetUpWork() {
     }
@@ -48,7 +50,10 @@ final class SetUpWork {
     /** The thesis' posterior, sampled by what converges. */
     static CheckSettings.Builder same(Assumptions assumptions, Effort effort, SetUp setUp) {
         CheckSettings thesis = assumptions.asInThesis().build();
-        return effort.untilPrecise().likelihood(LikelihoodModel.CORNER_CUBE).kappa(thesis.model().kappa())
+        CheckSettings.Builder precise = setUp.focal()
+                ? effort.untilPrecise().targetMcseStdRel(Math.max(FOCAL_PRECISION, effort.precision()))
+                : effort.untilPrecise();
+        return precise.likelihood(LikelihoodModel.CORNER_CUBE).kappa(thesis.model().kappa())
                 .objectNoise(ObjectNoise.NONE).rotationPrior(thesis.model().rotationPrior())
                 .estimate(setUp.estimate()).focalPriorStdPx(thesis.model().focalPriorStdPx())
                 .aspectPriorStd(thesis.model().aspectPriorStd());

@@ -52,7 +52,7 @@ final class TableSection implements Section {
                 results.of(row.setUp()),
                 List.copyOf(assumptions.objects(setUp(row.setUp()).objects()).keySet()))).toList();
         page.heading(3, title());
-        page.paragraph("Section " + table.section() + ". " + table.note());
+        page.paragraph(("Section " + table.section() + ". " + table.note()).strip());
         boolean counts = comparisons.stream().allMatch(c -> c.row().what().equals("accepted"));
         List<List<String>> rows = new ArrayList<>();
         for (Comparison c : comparisons) {
