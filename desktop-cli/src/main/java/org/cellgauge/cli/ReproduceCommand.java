@@ -68,7 +68,8 @@ public final class ReproduceCommand implements Callable<Integer> {
      */
     @Override
     public Integer call() {
-        Map<String, String> parts = Reproduction.parts();
+        Reproduction reproduction = new Reproduction(quick, out, Main.version());
+        Map<String, String> parts = reproduction.parts();
         PrintWriter stdout = spec.commandLine().getOut();
         if (list) {
             parts.forEach((id, title) -> stdout.println(String.format(Locale.ROOT, "%-15s %s", id, title)));
@@ -87,7 +88,7 @@ public final class ReproduceCommand implements Callable<Integer> {
         StopSignal stop = new StopSignal();
         StopOnShutdown onShutdown = new StopOnShutdown(stop);
         try (onShutdown) {
-            return run(new Reproduction(quick, out, Main.version()), stop, stdout);
+            return run(reproduction, stop, stdout);
         } catch (ResultFolder.UnwritableException e) {
             return main.report(e, ExitCodes.INPUT_REFUSED, spec.commandLine());
         }

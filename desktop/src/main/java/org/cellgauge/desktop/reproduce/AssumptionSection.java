@@ -47,14 +47,16 @@ final class AssumptionSection implements Section {
     public void write(Page page, Results results) {
         page.heading(3, title());
         page.paragraph("Where the thesis says nothing, this is taken "
-                + "([assumptions.yaml](../desktop/src/main/resources/org/cellgauge/desktop/reproduce/assumptions.yaml) has "
-                + "all of it, with the places of what it does say):");
+                + "([assumptions.yaml](../desktop/src/main/resources/org/cellgauge/desktop/reproduce/assumptions.yaml) "
+                + "has all of it, with the places of what it does say):");
         List<List<String>> silent = new ArrayList<>();
         assumptions.silences().forEach(s -> silent.add(List.of(s.about(), s.taken(), s.because())));
         page.table(List.of("open", "taken", "because"), silent);
         page.paragraph("The experiments that the conclusions rest on, run again with one assumption changed at a time. "
-                + "Worst axis (mm, root mean square over the objects) by default; z with one of three raised over z with all "
-                + "in the plane, for the default and for the thesis' posterior; R-hat of four chains of the thesis, and what "
+                + "Worst axis (mm, root mean square over the objects) by default; z with one of three raised over z "
+                + "with all "
+                + "in the plane, for the default and for the thesis' posterior; R-hat of four chains of the thesis, "
+                + "and what "
                 + "one of them states over the converged deviation of its posterior (medians):");
         List<List<String>> rows = new ArrayList<>();
         List<boolean[]> answers = new ArrayList<>();
@@ -66,7 +68,8 @@ final class AssumptionSection implements Section {
         page.list(List.of(
                 dependence("that 5 mm do not reach 1 mm", answers, rows, 0),
                 dependence("that 20 mm with four references, one raised, do not reach 2 mm", answers, rows, 1),
-                dependence("that a raised reference does not lower z by a tenth at 20 mm, by default", answers, rows, 2),
+                dependence("that a raised reference does not lower z by a tenth at 20 mm, by "
+                        + "default", answers, rows, 2),
                 dependence("that it does so in the thesis' own posterior", answers, rows, 3),
                 dependence("that the thesis' chains do not mix (R-hat above 1.1)", answers, rows, 4),
                 dependence("that they state too little", answers, rows, 5)));
@@ -81,8 +84,8 @@ final class AssumptionSection implements Section {
         double same = ExpectationSection.one("same.", raised, 2) / ExpectationSection.one("same.", plane, 2);
         double rHat = Words.median(plane.all("rhat.objects"));
         double stated = stated(plane);
-        answers.add(new boolean[] {low > GOAL_LOW_MM, high > GOAL_HIGH_MM, right > SMALLER, same < SMALLER, rHat > MIXED,
-            stated < 1});
+        answers.add(new boolean[] {low > GOAL_LOW_MM, high > GOAL_HIGH_MM, right > SMALLER, same < SMALLER,
+            rHat > MIXED, stated < 1});
         return List.of(name, Words.std(low), Words.std(high), Words.fixed(right, 2), Words.fixed(same, 2),
                 Words.fixed(rHat, 2), Words.fixed(stated, 2));
     }
@@ -102,6 +105,7 @@ final class AssumptionSection implements Section {
             }
         }
         return (answers.get(0)[which] ? "Holds: " : "Does not hold: ") + conclusion + "; "
-                + (others.isEmpty() ? "no change above says otherwise." : "otherwise with: " + String.join("; ", others) + ".");
+                + (others.isEmpty() ? "no change above says otherwise." : "otherwise with: " + String.join("; "
+                + "", others) + ".");
     }
 }

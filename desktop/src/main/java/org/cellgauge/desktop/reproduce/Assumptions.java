@@ -14,6 +14,7 @@ import org.cellgauge.light.ToneCurve;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.InitialEstimate;
 import org.cellgauge.settings.RotationPrior;
+import org.cellgauge.settings.Word;
 
 /** What the experiments rest on, from {@code assumptions.yaml}; immutable. Lengths mm, angles rad, image px. */
 final class Assumptions {
@@ -133,7 +134,7 @@ final class Assumptions {
                 .focalPriorStdPx(data.at("focal_prior_std_px").number());
     }
 
-    private static <T extends org.cellgauge.settings.Word> T word(T[] choices, String word) {
+    private static <T extends Word> T word(T[] choices, String word) {
         for (T choice : choices) {
             if (choice.word().equals(word)) {
                 return choice;

@@ -46,7 +46,8 @@ final class CombinationSection implements Section {
     @Override
     public void write(Page page, Results results) {
         page.heading(3, title());
-        page.paragraph("As the tables have them; the figure itself is not in the copy. Worst axis of the objects (root mean "
+        page.paragraph("As the tables have them; the figure itself is not in the copy. Worst axis of the objects "
+                + "(root mean "
                 + "square over them, mm): one chain of the thesis (median), its posterior converged, by default.");
         List<List<String>> rows = new ArrayList<>();
         for (String name : all) {
@@ -54,7 +55,8 @@ final class CombinationSection implements Section {
             double[] chain = {median(figures, 0), median(figures, 1), median(figures, 2)};
             rows.add(List.of(Integer.toString(rows.size() + 1),
                     SAME_PLANE.contains(name) ? "in the plane" : "in different planes", setUp(name).words(),
-                    Words.std(Words.max(chain)), Words.std(worst("same.", figures)), Words.std(worst("right.", figures))));
+                    Words.std(Words.max(chain)), Words.std(worst("same.", figures)),
+                    Words.std(worst("right.", figures))));
         }
         page.table(List.of("", "objects", "experiment", "repeated", "converged", "right"), rows);
     }

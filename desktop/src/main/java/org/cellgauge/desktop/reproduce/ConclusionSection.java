@@ -21,7 +21,6 @@ final class ConclusionSection implements Section {
     private final DecisionWork decisions;
     private final FurtherWork further;
     private final List<Work> works = new ArrayList<>();
-    private final List<List<String>> rows = new ArrayList<>();
 
     ConclusionSection(Assumptions assumptions, Map<String, SetUp> setUps, Effort effort) {
         decisions = new DecisionWork(assumptions, effort);
@@ -51,22 +50,28 @@ final class ConclusionSection implements Section {
 
     @Override
     public void write(Page page, Results results) {
-        rows.clear();
-        chapterSeven(results);
-        chapterEight(results);
-        chapterNine(results);
+        Answers answers = new Answers();
+        chapterSeven(results, answers);
+        chapterEight(results, answers);
+        chapterNine(results, answers);
         page.heading(3, title());
-        page.paragraph("Deviations are the default's (\"right\" below) unless said otherwise, worst axis, root mean square "
+        page.paragraph("Deviations are the default's (\"right\" below) unless said otherwise, worst axis, root mean "
+                + "square "
                 + "over the objects.");
-        page.table(List.of("section", "the thesis", "holds?", "the figure that decides"), rows);
+        page.table(List.of("section", "the thesis", "holds?", "the figure that decides"), answers.rows);
     }
 
-    private void add(String section, String sentence, boolean holds, String figure) {
-        add(section, sentence, holds ? "holds" : "does not hold", figure);
-    }
+    /** The rows of the table, as they are found. */
+    private static final class Answers {
+        private final List<List<String>> rows = new ArrayList<>();
 
-    private void add(String section, String sentence, String holds, String figure) {
-        rows.add(List.of(section, sentence, "**" + holds + "**", figure));
+        void add(String section, String sentence, boolean holds, String figure) {
+            add(section, sentence, holds ? "holds" : "does not hold", figure);
+        }
+
+        void add(String section, String sentence, String holds, String figure) {
+            rows.add(List.of(section, sentence, "**" + holds + "**", figure));
+        }
     }
 
     private static double right(Results results, String setUp, int axis) {
@@ -85,55 +90,57 @@ final class ConclusionSection implements Section {
         return Words.fixed(factor, 2);
     }
 
-    private void chapterSeven(Results results) {
+    private static void chapterSeven(Results results, Answers answers) {
         double rHat = Words.median(results.of("camera-3").all("rhat.camera"));
         double accepted = Words.median(results.of("camera-3").column("accepted.all", 2, 0)) / 10_000;
-        add("7.2.2", "More than 25 % accepted is enough for conclusions to be significant.", rHat < 1.01,
+        answers.add("7.2.2", "More than 25 % accepted is enough for conclusions to be significant.", rHat < 1.01,
                 Words.percent(accepted) + " are accepted, and R-hat of four chains is " + Words.fixed(rHat, 2)
                         + " with " + Words.std(Words.median(results.of("camera-3").all("ess.camera")))
                         + " effective draws of 5000.");
     }
 
-    private void chapterEight(Results results) {
+    private void chapterEight(Results results, Answers answers) {
         double lifted = right(results, "lifted-plane-3-high", DEPTH) / right(results, "plane-3-high", DEPTH);
-        add("8.5", "The plane of the objects has no impact.", Math.abs(lifted - 1) < ALIKE,
+        answers.add("8.5", "The plane of the objects has no impact.", Math.abs(lifted - 1) < ALIKE,
                 "z lifted over z in the plane: " + ratio(lifted) + ".");
         double raised = right(results, "raised-3-high", DEPTH) / right(results, "plane-3-high", DEPTH);
         double raisedSame = same(results, "raised-3-high", DEPTH) / same(results, "plane-3-high", DEPTH);
-        add("8.5", "A raised reference improves z of all objects, a lot.", raised < 1 - ALIKE,
-                "z raised over z in the plane, three references at 20 mm: " + ratio(raised) + "; in the thesis' own posterior, "
+        answers.add("8.5", "A raised reference improves z of all objects, a lot.", raised < 1 - ALIKE,
+                "z raised over z in the plane, three references at 20 mm: " + ratio(raised) + "; in the thesis' own "
+                        + "posterior, "
                         + "converged, " + ratio(raisedSame) + ".");
         double raisedLow = right(results, "raised-3-low", DEPTH) / right(results, "plane-3-low", DEPTH);
         double raisedLowSame = same(results, "raised-3-low", DEPTH) / same(results, "plane-3-low", DEPTH);
-        add("8.4.3.1", "With a low measurement deviation the plane of the references does not matter.",
+        answers.add("8.4.3.1", "With a low measurement deviation the plane of the references does not matter.",
                 Math.abs(raisedLow - 1) < ALIKE && Math.abs(raisedLowSame - 1) < ALIKE,
                 "At 5 mm: " + ratio(raisedLow) + "; in the thesis' own posterior " + ratio(raisedLowSame)
                         + ". The finer references are placed, the more it matters: at 1 mm "
                         + ratio(forecast(results, "one-raised", 3, 1)[DEPTH] / forecast(results, "plane", 3, 1)[DEPTH])
                         + ".");
         double placed = right(results, "plane-3-high", LATERAL) / right(results, "plane-3-low", LATERAL);
-        add("8.5", "The measurement deviation always matters, with high impact.", placed > 1 + ALIKE,
+        answers.add("8.5", "The measurement deviation always matters, with high impact.", placed > 1 + ALIKE,
                 "x at 20 mm over x at 5 mm: " + ratio(placed) + ".");
         double number = right(results, "plane-4-high", LATERAL) / right(results, "plane-2-high", LATERAL);
-        add("8.5", "More references always help, slightly.", number < 1,
+        answers.add("8.5", "More references always help, slightly.", number < 1,
                 "x with four over x with two: " + ratio(number) + ", the root of a half is 0.71.");
         double low = worst(results, "plane-4-low");
-        add("8.5, 8.16", "Four references placed to 5 mm ensure less than 0.2 mm, two or three less than 1 mm.", low < 1,
+        answers.add("8.5, 8.16", "Four references placed to 5 mm ensure less than 0.2 mm, two or three less than 1 "
+                + "mm.", low < 1,
                 "Four: " + Words.std(low) + " mm before the object's own noise.");
-        add("Conclusions", "Below 1 mm is reached if, and only if, references are placed to 5 mm or better.",
+        answers.add("Conclusions", "Below 1 mm is reached if, and only if, references are placed to 5 mm or better.",
                 "half of it holds", "Coarser than 5 mm never does; 5 mm does not either (" + Words.std(low)
                         + " mm). It takes " + coarsestForOne(results) + ".");
         double high = worst(results, "raised-4-high");
-        add("8.5, 8.16", "Four references at 20 mm with one raised reach 1 to 2 mm.", high < 2,
+        answers.add("8.5, 8.16", "Four references at 20 mm with one raised reach 1 to 2 mm.", high < 2,
                 Words.std(high) + " mm; converged by the thesis' own likelihood "
                         + Words.std(CombinationSection.worst("same.", results.of("raised-4-high"))) + " mm.");
         double turn = results.of("plane-3-low").all("right.object.5.std")[3];
-        add("8.4", "Orientation deviations are extremely low, close to zero.", turn < 1e-3,
+        answers.add("8.4", "Orientation deviations are extremely low, close to zero.", turn < 1e-3,
                 "At 5 mm " + Words.fixed(turn, 3) + " rad, of which 100 mm of tool make " + Words.std(100 * turn)
                         + " mm; in the thesis' own posterior "
                         + Words.fixed(results.of("plane-3-low").all("same.object.5.std")[3], 3) + " rad.");
         Figures reference = results.of("reference-as-object");
-        add("8.4.2", "The reference treated as an object is found accurately and precisely.", "cannot be told",
+        answers.add("8.4.2", "The reference treated as an object is found accurately and precisely.", "cannot be told",
                 "With two references the right deviations are " + triple(reference.all("right.object.944.std"))
                         + " mm, so an error of (3.8, 1, 1.2) mm is luck; stated were (2.02, 2.05, 4.93).");
     }
@@ -163,35 +170,37 @@ final class ConclusionSection implements Section {
         return "(" + Words.std(std[0]) + ", " + Words.std(std[1]) + ", " + Words.std(std[2]) + ")";
     }
 
-    private void chapterNine(Results results) {
+    private void chapterNine(Results results, Answers answers) {
         Figures focal = results.of("camera-3-low-focal");
         double[] means = focal.column("focal.mean", 2, 0);
         double rightStd = focal.all("right.focal.std")[0];
-        add("9.5", "The focal length can be estimated; mean and deviation are plausible.", rightStd < 30,
+        answers.add("9.5", "The focal length can be estimated; mean and deviation are plausible.", rightStd < 30,
                 "569 ± 9 px is printed. Our chains end between " + Words.fixed(Words.min(means), 0) + " and "
                         + Words.fixed(Words.max(means), 0) + " px and state "
                         + Words.fixed(Words.median(focal.column("focal.std", 2, 0)), 0) + "; right is ± "
-                        + Words.fixed(rightStd, 0) + " px under a prior of ± 200 px. References in one plane under a flat "
+                        + Words.fixed(rightStd, 0) + " px under a prior of ± 200 px. References in one plane under a "
+                        + "flat "
                         + "prior leave it open altogether (an improper posterior).");
         double z = right(results, "nine-3-high-focal", DEPTH) / right(results, "nine-3-high", DEPTH);
         double x = right(results, "nine-3-high-focal", LATERAL) / right(results, "nine-3-high", LATERAL);
-        add("9.5", "Exploring the focal length raises z and leaves x and y in the same range.",
+        answers.add("9.5", "Exploring the focal length raises z and leaves x and y in the same range.",
                 z > 1 + ALIKE && x < 1 + ALIKE, "explored over known: z " + ratio(z) + ", x " + ratio(x) + ".");
         double six = worst(results, "focal-plane-6");
         double known = worst(results, "plane-4-high");
-        add("9.5", "With five or six references in the plane, exploring reaches what three or four reach without.",
+        answers.add("9.5", "With five or six references in the plane, exploring reaches what three or four reach "
+                + "without.",
                 six < known * (1 + ALIKE), Words.std(six) + " mm with six against " + Words.std(known)
                         + " mm with four; with twelve "
                         + Words.std(last(results.of(FurtherWork.moreName(false, 20)).all("focal"))) + " mm.");
         double more = worst(results, "focal-plane-6") / worst(results, "focal-plane-4");
         double known12 = last(results.of(FurtherWork.moreName(false, 20)).all("none"))
                 / results.of(FurtherWork.moreName(false, 20)).all("none")[further.counts().indexOf(4)];
-        add("9.4.3", "From four references on, adding more does not significantly help.", more > 1 - ALIKE / 2
+        answers.add("9.4.3", "From four references on, adding more does not significantly help.", more > 1 - ALIKE / 2
                 && known12 > 1 - ALIKE / 2, "explored, six over four: " + ratio(more) + "; known, twelve over four: "
                 + ratio(known12) + ".");
         double[] raisedFocal = results.of(FurtherWork.moreName(true, 1)).all("focal");
         double[] raisedKnown = results.of(FurtherWork.moreName(true, 1)).all("none");
-        add("9.5", "With one reference raised, z explored is always higher than z known, however many.",
+        answers.add("9.5", "With one reference raised, z explored is always higher than z known, however many.",
                 last(raisedFocal) > last(raisedKnown) * (1 + ALIKE), "Placed to 1 mm, twelve references: "
                         + Words.std(last(raisedFocal)) + " against " + Words.std(last(raisedKnown))
                         + " mm; at 20 mm " + Words.std(last(results.of(FurtherWork.moreName(true, 20)).all("focal")))
@@ -200,13 +209,13 @@ final class ConclusionSection implements Section {
         Figures misplaced = results.of("further-misplaced");
         double average = Words.median(misplaced.column("average", 2, 0));
         double ransac = Words.median(misplaced.column("ransac", 2, 0));
-        add("9.4.3", "RANSAC gives the same as the average, so no reference is misplaced.", false,
+        answers.add("9.4.3", "RANSAC gives the same as the average, so no reference is misplaced.", false,
                 "With one reference 50 mm off, objects err by " + Words.std(average) + " mm from either start ("
                         + Words.std(ransac) + " with RANSAC): the test cannot see what it tests.");
         double[] none = results.of("further-intrinsics").all("focal-raised-6 1 none");
         double[] all = results.of("further-intrinsics").all("focal-raised-6 1 intrinsics");
         double[] plane = results.of("further-intrinsics").all("focal-plane-6 1 intrinsics");
-        add("Conclusions", "Estimating all intrinsics is a step to the complete removal of the calibration.",
+        answers.add("Conclusions", "Estimating all intrinsics is a step to the complete removal of the calibration.",
                 all[0] < none[0] * (1 + ALIKE) ? "does not hold in the plane" : "does not hold",
                 "Six references placed to 1 mm: known " + Words.std(none[0]) + " mm, all explored " + Words.std(all[0])
                         + " mm with one raised, " + Words.std(plane[0]) + " mm in the plane.");

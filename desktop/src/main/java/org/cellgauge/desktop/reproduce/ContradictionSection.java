@@ -46,7 +46,8 @@ final class ContradictionSection implements Section {
     @Override
     public void write(Page page, Results results) {
         page.heading(3, title());
-        page.paragraph("Printed figures that contradict each other, or cannot come from the algorithm as described. What is "
+        page.paragraph("Printed figures that contradict each other, or cannot come from the algorithm as described. "
+                + "What is "
                 + "calculated here is calculated from the printed figures, unless it says otherwise.");
         List<String> points = new ArrayList<>();
         points.add(sameForAll(results.of(LOW)));
@@ -63,12 +64,17 @@ final class ContradictionSection implements Section {
         points.add(accurate());
         points.add(cube(results));
         points.add(adviceAgainstTables());
-        points.add("**Captions and texts.** The caption of Table 9.8 compares an exploration \"with 5 mm\" with a constant "
-                + "focal length \"with 20 mm\"; the text and the figures (those of Table 9.6) say 20 mm for both. Table 9.3 is "
-                + "captioned \"camera parameters\" and shows objects. Table 9.7 ends in a stray \"0.20\". Section 8.3.2 moves "
-                + "fiducials 5 and 20 off the plane, section 8.4.3.2 fiducials 5 and 30, as Table 8.11 does; Tables 8.12 to "
+        points.add("**Captions and texts.** The caption of Table 9.8 compares an exploration \"with 5 mm\" with a "
+                + "constant "
+                + "focal length \"with 20 mm\"; the text and the figures (those of Table 9.6) say 20 mm for both. "
+                + "Table 9.3 is "
+                + "captioned \"camera parameters\" and shows objects. Table 9.7 ends in a stray \"0.20\". Section "
+                + "8.3.2 moves "
+                + "fiducials 5 and 20 off the plane, section 8.4.3.2 fiducials 5 and 30, as Table 8.11 does; Tables "
+                + "8.12 to "
                 + "8.14 have 5 and 20. Section 9.3 lifts fiducial 5, Table 9.2 fiducial 20.");
-        points.add("**Ten thousand or five.** Sections 8.3.1 and 8.4.2 speak of 10000 samples behind each deviation; by "
+        points.add("**Ten thousand or five.** Sections 8.3.1 and 8.4.2 speak of 10000 samples behind each deviation; "
+                + "by "
                 + "section 5.4 the statistics take the last 5000.");
         page.list(points);
     }
@@ -101,8 +107,10 @@ final class ContradictionSection implements Section {
                 .mapToDouble(id -> Words.min(low.column("object." + id + ".std", 2 * AXES, 2))).min().orElseThrow();
         return "**The same deviations for all objects.** At 5 mm every object has the same: "
                 + Words.and(same.stream().distinct().toList())
-                + ". An object's deviation is the camera's position and its rotation times the lever arm; it is the same for "
-                + "all only where the camera never turned. Those are deviations of a chain whose rotation stood still, not "
+                + ". An object's deviation is the camera's position and its rotation times the lever arm; it is the "
+                + "same for "
+                + "all only where the camera never turned. Those are deviations of a chain whose rotation stood "
+                + "still, not "
                 + "of the posterior. Of our " + turned.length + " chains " + still
                 + " never turned among the kept draws; and none has so small a deviation along z: the smallest is "
                 + Words.std(lowest) + " mm, where " + row("8.6", LOW, "5").figures().get(2)
@@ -112,12 +120,14 @@ final class ContradictionSection implements Section {
     private String sameOfTwo() {
         return "**The same deviations for two layouts.** Table 8.6 has " + printed("8.6", LOW, "5")
                 + " for three references in the plane and " + printed("8.6", "raised-3-low", "5")
-                + " with one raised. Two posteriors, two chains and three equal digits each: one of the columns was copied.";
+                + " with one raised. Two posteriors, two chains and three equal digits each: one of the columns was "
+                + "copied.";
     }
 
     private String zeros(Figures low) {
         double[] right = low.column("right.object.5.std", 2 * AXES, AXES);
-        return "**Rotation deviations with eight zeros** (text under Table 8.12). That is the rounding of a constant: no "
+        return "**Rotation deviations with eight zeros** (text under Table 8.12). That is the rounding of a constant: "
+                + "no "
                 + "rotation was accepted among the 5000 kept draws. By default " + Words.fixed(right[0], 3)
                 + " rad are right there (5 mm, three references in the plane).";
     }
@@ -136,7 +146,8 @@ final class ContradictionSection implements Section {
                         + " mm, " + Words.fixed(off, 1) + " of the stated deviations apart";
             }
         }
-        return "**One experiment, two results.** \"Naturally, the same\" (section 8.4.3.1) are three references in the plane "
+        return "**One experiment, two results.** \"Naturally, the same\" (section 8.4.3.1) are three references in "
+                + "the plane "
                 + "at 20 mm in Tables 8.5 and 8.6, and so are the deviations, nearly. The means are not: " + where
                 + ". Two chains that had converged would agree to a few per cent of a deviation.";
     }
@@ -165,7 +176,8 @@ final class ContradictionSection implements Section {
                 count++;
             }
         }
-        return "**" + called + " that are none: Table " + means + ".** It is said to hold root mean squares of Table " + of
+        return "**" + called + " that are none: Table " + means + ".** It is said to hold root mean squares of Table "
+                + "" + of
                 + ". For x with two references in the plane that would be " + Words.std(Words.rms(x))
                 + "; printed is " + row(means, setUp, "objects").figures().get(0) + ", the geometric mean ("
                 + Words.std(Words.geometricMean(x)) + "). Of its " + count + " deviations of positions " + geometric
@@ -185,7 +197,8 @@ final class ContradictionSection implements Section {
                     + Words.percent(1 - Words.geometricMean(four) / Words.geometricMean(two))
                     + ", by root mean squares " + Words.percent(1 - Words.rms(four) / Words.rms(two)));
         }
-        return "**Percentages of Table 8.10.** They follow from its own columns; the columns are geometric means of Tables "
+        return "**Percentages of Table 8.10.** They follow from its own columns; the columns are geometric means of "
+                + "Tables "
                 + "8.7 to 8.9, called means. " + String.join("; ", parts)
                 + ". The sign of the last depends on which mean is taken: the \"-21%\" that the text "
                 + "passes over is one object's deviation of 0.63 mm.";
@@ -203,10 +216,12 @@ final class ContradictionSection implements Section {
     private String constantPart() {
         double[] from813 = OBJECTS.stream().mapToDouble(id -> std("8.13", "lifted-plane-2-high", id)[0]).toArray();
         double[] from88 = OBJECTS.stream().mapToDouble(id -> std("8.8", "plane-2-high", id)[0]).toArray();
-        return "**Where the constant half of Table 9.8 comes from.** The text says root mean squares of Tables 8.8 and 8.9; "
+        return "**Where the constant half of Table 9.8 comes from.** The text says root mean squares of Tables 8.8 "
+                + "and 8.9; "
                 + "for x with two references that is " + Words.std(Words.rms(from88)) + ". Printed is "
                 + row("9.8", "lifted-plane-2-high", "objects").figures().get(0)
-                + ", the geometric mean (" + Words.std(Words.geometricMean(from813)) + ") of Table 8.13. So it compares other "
+                + ", the geometric mean (" + Words.std(Words.geometricMean(from813)) + ") of Table 8.13. So it "
+                + "compares other "
                 + "objects, in other places, with those of Table 9.5.";
     }
 
@@ -219,18 +234,23 @@ final class ContradictionSection implements Section {
     private String oneStep() {
         PrintedTable.Row mean = Objects.requireNonNull(tables.get("9.1")).row("camera-3-low-focal", "focal", "mean");
         PrintedTable.Row plane3 = Objects.requireNonNull(tables.get("9.4")).row("focal-raised-2", "focal", "mean");
-        return "**One focal length or two.** In Table 9.1 fx and fy have the same mean (" + String.join(", ", mean.figures())
+        return "**One focal length or two.** In Table 9.1 fx and fy have the same mean (" + String.join(", "
+                + "", mean.figures())
                 + " px) and deviation to the last digit, as if one step moved both; in Table 9.4 they are "
-                + String.join(" and ", plane3.figures()) + " px for two references, one raised, as if each moved on its own. "
+                + String.join(" and ", plane3.figures()) + " px for two references, one raised, as if each moved on "
+                + "its own. "
                 + "Ours move on their own.";
     }
 
     private String ownGoal() {
-        double with = Objects.requireNonNull(tables.get("9.1")).row("camera-3-low-focal", "all", "accepted").values()[0];
-        double without = Objects.requireNonNull(tables.get("9.1")).row("camera-3-low", "all", "accepted").values()[0];
-        return "**The acceptance it asks for.** Section 7.2.2 asks for at least 25 % accepted and keeps the steps because "
+        PrintedTable table = Objects.requireNonNull(tables.get("9.1"));
+        double with = table.row("camera-3-low-focal", "all", "accepted").values()[0];
+        double without = table.row("camera-3-low", "all", "accepted").values()[0];
+        return "**The acceptance it asks for.** Section 7.2.2 asks for at least 25 % accepted and keeps the steps "
+                + "because "
                 + "20 mm gives that; at 5 mm Table 9.1 has " + Words.percent(with / 10_000) + " and "
-                + Words.percent(without / 10_000) + ", called enough. Most of what is accepted are 1 mm steps; of the broad "
+                + Words.percent(without / 10_000) + ", called enough. Most of what is accepted are 1 mm steps; of the "
+                + "broad "
                 + "turns one in 2500 is.";
     }
 
@@ -240,7 +260,8 @@ final class ContradictionSection implements Section {
         double[] off = {mean[3], 2 * Math.PI - mean[4]};
         return "**\"Accurate and precise\"** (section 8.4.2) is a pose whose rotations miss the truth by "
                 + Words.fixed(off[0] / std.values()[3], 0) + " and " + Words.fixed(off[1] / std.values()[4], 0)
-                + " of their stated deviations; loose tape is blamed. Deviations that small were never those of the pose.";
+                + " of their stated deviations; loose tape is blamed. Deviations that small were never those of the "
+                + "pose.";
     }
 
     private static double accepted(Results results, String work) {
@@ -250,8 +271,10 @@ final class ContradictionSection implements Section {
     private String cube(Results results) {
         double high = Objects.requireNonNull(tables.get("7.2")).row("camera-3", "all", "accepted").values()[0];
         double low = Objects.requireNonNull(tables.get("9.1")).row("camera-3-low", "all", "accepted").values()[0];
-        return "**The size of the cube.** \"A cube with this uncertainty as volume\" and its \"maximum elongation\" (section "
-                + "5.3) can be a box with sides of one deviation (kappa 0.5) or half extents of one (kappa 1). Table 7.2 has "
+        return "**The size of the cube.** \"A cube with this uncertainty as volume\" and its \"maximum elongation\" "
+                + "(section "
+                + "5.3) can be a box with sides of one deviation (kappa 0.5) or half extents of one (kappa 1). Table "
+                + "7.2 has "
                 + Words.number(high) + " accepted: kappa 0.5 gives " + Words.fixed(accepted(results, "camera-3"), 0)
                 + ", kappa 1 " + Words.fixed(accepted(results, WHOLE + "camera-3"), 0) + " (medians). Table 9.1 has "
                 + Words.number(low) + ": kappa 0.5 gives " + Words.fixed(accepted(results, "camera-3-low"), 0)
@@ -277,7 +300,8 @@ final class ContradictionSection implements Section {
                 }
             }
         }
-        return "**Objects before and behind the wall they are taped to.** Their z is 0 in Tables 8.5 to 8.9. Printed means lie "
+        return "**Objects before and behind the wall they are taped to.** Their z is 0 in Tables 8.5 to 8.9. Printed "
+                + "means lie "
                 + "between 12 mm before it and 36 mm behind; " + where + ", " + Words.fixed(most, 0)
                 + " of them off. No text remarks on it.";
     }
@@ -287,8 +311,10 @@ final class ContradictionSection implements Section {
                 .orElseThrow();
         double plane = OBJECTS.stream().flatMapToDouble(id -> Arrays.stream(std("8.8", "plane-4-high", id))).max()
                 .orElseThrow();
-        return "**Table 8.16 against its own tables.** \"Between 1 and 2 mm\" for four references with one raised at 20 mm: "
-                + "Table 8.9 has " + Words.fixed(raised, 2) + " mm. \"Between 2 and 5 mm\" for four in the plane: Table 8.8 has "
+        return "**Table 8.16 against its own tables.** \"Between 1 and 2 mm\" for four references with one raised at "
+                + "20 mm: "
+                + "Table 8.9 has " + Words.fixed(raised, 2) + " mm. \"Between 2 and 5 mm\" for four in the plane: "
+                + "Table 8.8 has "
                 + Words.fixed(plane, 2) + " mm.";
     }
 }

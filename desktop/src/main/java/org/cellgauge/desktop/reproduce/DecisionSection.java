@@ -24,6 +24,11 @@ final class DecisionSection implements Section {
     }
 
     @Override
+    public List<String> alsoCalled() {
+        return List.of("decisions");
+    }
+
+    @Override
     public String title() {
         return "Table 8.16: which set-up reaches which accuracy";
     }
@@ -40,12 +45,16 @@ final class DecisionSection implements Section {
         double px = work.noisesPx()[0];
         double fine = work.noisesPx()[1];
         page.heading(3, title());
-        page.paragraph("Objects lie in the plane as for Table 8.8; every figure is a root mean square over the three, in "
-                + "mm: the worst axis, in brackets the worse of x and y. \"Camera part\" is what placement and noise of the "
-                + "references leave; the corner noise of the object itself comes on top, and stands in columns of its own.");
+        page.paragraph("Objects lie in the plane as for Table 8.8; every figure is a root mean square over the three, "
+                + "in "
+                + "mm: the worst axis, in brackets the worse of x and y. \"Camera part\" is what placement and noise "
+                + "of the "
+                + "references leave; the corner noise of the object itself comes on top, and stands in columns of its "
+                + "own.");
         page.paragraph("**What the thesis advises, and what comes of it** (" + Words.number(size) + " mm markers, " + px
                 + " px unless said otherwise):");
-        page.table(List.of("goal", "placed to", "references", "printed promise holds?", "camera part, thesis' likelihood",
+        page.table(List.of("goal", "placed to", "references", "printed promise holds?", "camera part, thesis' "
+                + "likelihood",
                 "camera part, rigid", "with own noise of " + fine + " px", "with own noise of " + px + " px"),
                 adviceRows(table, size, px, fine));
         page.paragraph(agreement(results, table, size, px));
@@ -76,7 +85,8 @@ final class DecisionSection implements Section {
         List<List<String>> rows = new ArrayList<>();
         for (DataNode item : advice.at("advice").items()) {
             List<DataNode> cells = item.items();
-            Layout layout = new Layout(cells.get(4).text(), (int) cells.get(3).number(), cells.get(2).number(), size, px);
+            Layout layout = new Layout(cells.get(4).text(), (int) cells.get(3).number(), cells.get(2).number(), size,
+                    px);
             Layout finer = new Layout(layout.arrangement(), layout.references(), layout.stdMm(), size, fine);
             double bound = cells.get(1).number();
             double[] cube = table.stdMm(LikelihoodModel.CORNER_CUBE, layout);
@@ -120,7 +130,8 @@ final class DecisionSection implements Section {
                 for (String std : arrangements.at(arrangement).keys()) {
                     String[] printed = arrangements.at(arrangement).at(std).text().split(" ");
                     for (int i = 0; i < printed.length; i++) {
-                        Layout layout = new Layout(arrangement, Layout.FEWEST + i / 2, Double.parseDouble(std), size, px);
+                        Layout layout = new Layout(arrangement, Layout.FEWEST + i / 2, Double.parseDouble(std),
+                                size, px);
                         double[] ours = table.stdMm(model, layout);
                         double off = beyondRounding(printed[i],
                                 i % 2 == 0 ? DecisionTable.worst(ours) : DecisionTable.lateral(ours));
@@ -140,9 +151,11 @@ final class DecisionSection implements Section {
                 + " deviations (2 to 6 references, 1, 5 and 20 mm) they are " + Words.percent(most)
                 + " off at most. The thesis' likelihood is sampled from " + Words.number(DecisionWork.SAMPLED_FROM_MM)
                 + " mm on. Against an independent implementation (" + counted[0] + " and " + counted[1]
-                + " figures), beyond the rounding of its figures: rigid " + Words.percent(apart[0]) + " off at most, thesis' "
+                + " figures), beyond the rounding of its figures: rigid " + Words.percent(apart[0]) + " off at most, "
+                + "thesis' "
                 + Words.percent(apart[1]) + (beyond.isEmpty() ? "." : "; by more than 5 %: "
-                        + String.join("; ", beyond) + ". Two references at 20 mm lean on a weak prior of the pose, which "
+                        + String.join("; ", beyond) + ". Two references at 20 mm lean on a weak prior of the pose, "
+                        + "which "
                         + "is about the first estimate here and about the truth there.");
     }
 
@@ -156,7 +169,8 @@ final class DecisionSection implements Section {
 
     /** The coarsest placement that reaches a goal. */
     private void goals(Page page, DecisionTable table) {
-        page.paragraph("**The table that should have stood there**: the coarsest placement of the grid, in mm, with which "
+        page.paragraph("**The table that should have stood there**: the coarsest placement of the grid, in mm, with "
+                + "which "
                 + "the worst axis reaches the goal, rigid likelihood. First for the camera part alone, then with the "
                 + "object's own noise; a dash where even " + Words.number(work.stdsMm()[0]) + " mm does not do.");
         for (double size : work.sizesMm()) {

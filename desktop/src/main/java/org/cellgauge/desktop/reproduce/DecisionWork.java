@@ -2,6 +2,7 @@ package org.cellgauge.desktop.reproduce;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.settings.ObjectNoise;
@@ -70,7 +71,7 @@ final class DecisionWork {
         return work("decision-forecasts", this::forecast);
     }
 
-    private Work work(String name, java.util.function.Supplier<Figures> figures) {
+    private Work work(String name, Supplier<Figures> figures) {
         return new Work(name, effort + "\n" + assumptions.identity() + assumptions.at("layouts").text(), figures);
     }
 

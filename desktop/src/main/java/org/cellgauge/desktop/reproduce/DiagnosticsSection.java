@@ -36,8 +36,10 @@ final class DiagnosticsSection implements Section {
     @Override
     public void write(Page page, Results results) {
         page.heading(3, title());
-        page.paragraph("R-hat (rank-normalised, split; Vehtari et al. 2021) of four chains of each experiment, the largest of "
-                + "any position; effective draws of the 5000 that each chain keeps, the smallest; median over groups of four. "
+        page.paragraph("R-hat (rank-normalised, split; Vehtari et al. 2021) of four chains of each experiment, the "
+                + "largest of "
+                + "any position; effective draws of the 5000 that each chain keeps, the smallest; median over groups "
+                + "of four. "
                 + "Below 1.01, and 100 of each of four chains, is what counts as converged.");
         List<List<String>> rows = new ArrayList<>();
         int groups = 0;

@@ -40,9 +40,10 @@ final class EvolutionSection implements Section {
     @Override
     public void write(Page page, Results results) {
         page.heading(3, title());
-        page.paragraph("Focal length explored, 20 mm; geometric means over the objects, as in Table 9.6. The printed curves "
-                + "fall to four references and stay; what is right falls on, as the root of their number, and the printed "
-                + "level is not reached.");
+        page.paragraph("Focal length explored, 20 mm; geometric means over the objects, as in Table 9.6. From two "
+                + "references "
+                + "to six: " + Words.and(List.of(change("plane", 0, results), change("plane", 2, results),
+                        change("raised", 0, results), change("raised", 2, results))) + ".");
         for (String arrangement : List.of("plane", "raised")) {
             for (int axis = 0; axis < AXES.size(); axis += 2) {
                 page.picture("figure-9.4-" + arrangement + "-" + AXES.get(axis) + ".svg",
@@ -52,14 +53,26 @@ final class EvolutionSection implements Section {
         }
     }
 
+    /** How a deviation goes from the fewest references to the most. */
+    private String change(String arrangement, int axis, Results results) {
+        Comparison.Coordinate few = coordinate(arrangement, FEWEST, axis, results);
+        Comparison.Coordinate many = coordinate(arrangement, MOST, axis, results);
+        return AXES.get(axis) + (arrangement.equals("plane") ? " in the plane" : " with one raised") + " printed "
+                + Words.std(few.printed()) + " to " + Words.std(many.printed()) + ", right " + Words.std(few.right())
+                + " to " + Words.std(many.right()) + " mm";
+    }
+
+    private Comparison.Coordinate coordinate(String arrangement, int count, int axis, Results results) {
+        String name = "focal-" + arrangement + "-" + count;
+        return Comparison.of(printed.row(name, "objects", "std"), results.of(name), objects).coordinates().get(axis);
+    }
+
     private Svg diagram(String arrangement, int axis, Results results) {
         double[] counts = new double[MOST - FEWEST + 1];
         double[][] curves = new double[6][counts.length];
         for (int i = 0; i < counts.length; i++) {
             counts[i] = FEWEST + i;
-            String name = "focal-" + arrangement + "-" + (FEWEST + i);
-            Comparison.Coordinate c = Comparison.of(printed.row(name, "objects", "std"), results.of(name), objects)
-                    .coordinates().get(axis);
+            Comparison.Coordinate c = coordinate(arrangement, FEWEST + i, axis, results);
             curves[0][i] = c.printed();
             curves[1][i] = Words.median(c.repeated());
             curves[2][i] = c.same();

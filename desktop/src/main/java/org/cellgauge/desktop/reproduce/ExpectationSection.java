@@ -48,6 +48,11 @@ final class ExpectationSection implements Section {
     }
 
     @Override
+    public List<String> alsoCalled() {
+        return List.of("8.1");
+    }
+
+    @Override
     public String title() {
         return "Tables 8.1 and 8.15: expectations, and what came of them";
     }
@@ -60,8 +65,10 @@ final class ExpectationSection implements Section {
     @Override
     public void write(Page page, Results results) {
         page.heading(3, title());
-        page.paragraph("By what factor the deviation changes (root mean square over the objects): as printed, by chains of the "
-                + "thesis (median, lowest to highest), converged, and by default. (The last row of Table 8.15 is missing in "
+        page.paragraph("By what factor the deviation changes (root mean square over the objects): as printed, by "
+                + "chains of the "
+                + "thesis (median, lowest to highest), converged, and by default. (The last row of Table 8.15 is "
+                + "missing in "
                 + "the copy; the text has it.)");
         List<List<String>> rows = new ArrayList<>();
         for (Factor factor : FACTORS) {
@@ -83,9 +90,12 @@ final class ExpectationSection implements Section {
         }
         page.table(List.of("factor", "expected (8.1)", "found (8.15)", "printed", "repeated", "converged", "right",
                 "does it matter?"), rows);
-        page.paragraph("By the rigid likelihood a raised reference changes little where placement is the largest error, since "
-                + "every reference then tells its own tilt by its four corners; it does lower z where corners count on their "
-                + "own, or where placement is fine ([decision table](#table-816-which-set-up-reaches-which-accuracy)).");
+        page.paragraph("By the rigid likelihood a raised reference changes little where placement is the largest "
+                + "error, since "
+                + "every reference then tells its own tilt by its four corners; it does lower z where corners count "
+                + "on their "
+                + "own, or where placement is fine ([decision "
+                + "table](#table-816-which-set-up-reaches-which-accuracy)).");
     }
 
     private static double[] chains(Figures figures, int axis) {

@@ -3,6 +3,7 @@ package org.cellgauge.desktop.reproduce;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /** The further work that the thesis asks for, answered. */
 final class FurtherSection implements Section {
@@ -31,7 +32,8 @@ final class FurtherSection implements Section {
     public void write(Page page, Results results) {
         page.heading(3, title());
         page.paragraph("On exact corners with a noise of 0.1 px stated; the rest as in the assumptions. "
-                + "`cellgauge reproduce further` prints this part alone; each answer also names the command that gives the "
+                + "`cellgauge reproduce further` prints this part alone; each answer also names the command that "
+                + "gives the "
                 + "like for a cell of one's own.");
         corners(page, results.of("further-corners"));
         grip(page, results.of("further-grip"));
@@ -42,8 +44,10 @@ final class FurtherSection implements Section {
     }
 
     private static void corners(Page page, Figures figures) {
-        page.paragraph("**Four corners that move together.** The rigid likelihood has them so. Cells of four references "
-                + "were drawn with rigid placement errors of 5 mm; errors of the objects over what was stated of them, root "
+        page.paragraph("**Four corners that move together.** The rigid likelihood has them so. Cells of four "
+                + "references "
+                + "were drawn with rigid placement errors of 5 mm; errors of the objects over what was stated of "
+                + "them, root "
                 + "mean square, should be 1:");
         List<List<String>> rows = new ArrayList<>();
         List.of("cube 0.5", "cube 1", "rigid").forEach(model -> rows.add(List.of(
@@ -54,7 +58,8 @@ final class FurtherSection implements Section {
     }
 
     private void grip(Page page, Figures figures) {
-        page.paragraph("**Translation and rotation as one: the gripping point**, 100 mm above the object. Worst axis of "
+        page.paragraph("**Translation and rotation as one: the gripping point**, 100 mm above the object. Worst axis "
+                + "of "
                 + "any object, mm, four references, objects lifted:");
         List<List<String>> rows = new ArrayList<>();
         for (String name : List.of("lifted-plane-4-high", "lifted-raised-4-high")) {
@@ -70,7 +75,8 @@ final class FurtherSection implements Section {
     }
 
     private void intrinsics(Page page, Figures figures) {
-        page.paragraph("**All intrinsics, not only the focal length.** Six references; worst axis of the objects (root mean "
+        page.paragraph("**All intrinsics, not only the focal length.** Six references; worst axis of the objects "
+                + "(root mean "
                 + "square over them, mm), and deviations of fx and cx, px:");
         List<List<String>> rows = new ArrayList<>();
         for (String name : List.of("focal-plane-6", "focal-raised-6")) {
@@ -92,7 +98,8 @@ final class FurtherSection implements Section {
     }
 
     private void starts(Page page, Figures figures) {
-        page.paragraph("**A random focal length to start with.** The true one is 581 px; chains of the thesis, no prior, "
+        page.paragraph("**A random focal length to start with.** The true one is 581 px; chains of the thesis, no "
+                + "prior, "
                 + "20 mm, against the default with N(start, 200 px):");
         List<List<String>> rows = new ArrayList<>();
         for (String name : work.started()) {
@@ -101,7 +108,7 @@ final class FurtherSection implements Section {
                 double[] mean = figures.all(key + " mean");
                 double[] std = figures.all(key + " std");
                 double[] right = figures.all(key + " right");
-                long held = java.util.stream.IntStream.range(0, mean.length)
+                long held = IntStream.range(0, mean.length)
                         .filter(i -> Math.abs(mean[i] - 581) < 2 * std[i]).count();
                 rows.add(List.of(name.contains("raised") ? "6, one raised" : "3, in the plane",
                         Words.number(start) + " px", Words.fixed(Words.min(mean), 0) + " to "
@@ -149,8 +156,10 @@ final class FurtherSection implements Section {
     }
 
     private static void misplaced(Page page, Figures figures) {
-        page.paragraph("**RANSAC against the average with one misplaced reference.** Six references, one raised, said to be "
-                + "placed to 5 mm; one stands 50 mm off. Errors of the objects against what is stated, root mean squares, "
+        page.paragraph("**RANSAC against the average with one misplaced reference.** Six references, one raised, said "
+                + "to be "
+                + "placed to 5 mm; one stands 50 mm off. Errors of the objects against what is stated, root mean "
+                + "squares, "
                 + "mm:");
         List<List<String>> rows = new ArrayList<>();
         for (String start : List.of("average", "ransac")) {
@@ -163,7 +172,8 @@ final class FurtherSection implements Section {
         rows.add(List.of("default", Words.std(figures.all("right")[0]), Words.std(figures.all("right")[1]),
                 named(figures)));
         page.table(List.of("", "error", "stated", "what is said of the references"), rows);
-        page.paragraph("RANSAC changes where the chain starts and nothing of what it samples, so Table 9.7 could show no "
+        page.paragraph("RANSAC changes where the chain starts and nothing of what it samples, so Table 9.7 could show "
+                + "no "
                 + "misplacement whatever stood wrong. `cellgauge check` tests every reference "
                 + "([misplaced references](misplaced.md)).");
     }

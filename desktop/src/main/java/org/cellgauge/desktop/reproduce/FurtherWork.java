@@ -84,7 +84,8 @@ final class FurtherWork {
         }
         all.add(work("further-misplaced", this::misplaced));
         for (int count : more()) {
-            all.add(SetUpWork.of("further-thesis-" + count, withReferences("focal-plane-6", count), assumptions, effort));
+            all.add(SetUpWork.of("further-thesis-" + count, withReferences("focal-plane-6", count), assumptions,
+                    effort));
         }
         return all;
     }
@@ -270,8 +271,8 @@ final class FurtherWork {
     }
 
     /**
-     * Errors of objects (root mean square over objects and x, y, z, mm) and what was stated of them, where one reference
-     * stands off: of every chain of the thesis by its start, and of the default.
+     * Errors of objects (root mean square over objects and x, y, z, mm) and what was stated of them, where one
+     * reference stands off: of every chain of the thesis by its start, and of the default.
      */
     private Figures misplaced() {
         SetUp setUp = setUp("focal-raised-6").placedTo(OFF_OF_MM).exploring(Estimate.NONE);

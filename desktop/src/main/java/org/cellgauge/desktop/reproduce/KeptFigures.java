@@ -16,8 +16,8 @@ import java.util.Optional;
 import org.cellgauge.desktop.ResultFolder;
 
 /**
- * Figures of earlier runs in a folder, a file for each piece of work: the file's name says what made them, so that other
- * settings, assumptions or versions find none of it.
+ * Figures of earlier runs in a folder, a file for each piece of work: the file's name says what made them, so that
+ * other settings, assumptions or versions find none of it.
  */
 final class KeptFigures {
     private static final int DIGITS = 16;

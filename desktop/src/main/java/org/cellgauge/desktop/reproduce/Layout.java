@@ -3,6 +3,7 @@ package org.cellgauge.desktop.reproduce;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.MarkerFamily;
@@ -79,7 +80,7 @@ record Layout(String arrangement, int references, double stdMm, double sizeMm, d
         }
         double[] squares = new double[3];
         for (int id : prediction.objects()) {
-            double[] std = java.util.Objects.requireNonNull(prediction.object(id)).std();
+            double[] std = Objects.requireNonNull(prediction.object(id)).std();
             for (int i = 0; i < squares.length; i++) {
                 squares[i] += std[i] * std[i] / prediction.objects().size();
             }

@@ -2,6 +2,7 @@ package org.cellgauge.desktop.reproduce;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -36,7 +37,7 @@ final class Page {
     /** A table; a row may have empty cells. */
     Page table(List<String> head, List<List<String>> rows) {
         row(head);
-        row(new ArrayList<>(java.util.Collections.nCopies(head.size(), "---")));
+        row(new ArrayList<>(Collections.nCopies(head.size(), "---")));
         rows.forEach(this::row);
         text.append('\n');
         return this;

@@ -63,9 +63,12 @@ public final class Reproduction {
      *
      * @return their titles by what they are called: numbers of tables, {@code figure-7.2}, {@code conclusions}
      */
-    public static Map<String, String> parts() {
+    public Map<String, String> parts() {
         Map<String, String> parts = new LinkedHashMap<>();
-        new Contents(Effort.FULL).sections().forEach(section -> parts.put(section.id(), section.title()));
+        contents.sections().forEach(section -> {
+            parts.put(section.id(), section.title());
+            section.alsoCalled().forEach(name -> parts.put(name, section.title()));
+        });
         return parts;
     }
 
@@ -105,7 +108,8 @@ public final class Reproduction {
      * @throws ResultFolder.UnwritableException if the folder takes no figures
      */
     public Optional<String> text(List<String> parts, int threads, StopSignal stop, Listener listener) {
-        List<Section> sections = contents.sections().stream().filter(s -> parts.contains(s.id())).toList();
+        List<Section> sections = contents.sections().stream()
+                .filter(s -> parts.contains(s.id()) || s.alsoCalled().stream().anyMatch(parts::contains)).toList();
         Map<String, Figures> figures = figures(sections, threads, stop, listener);
         if (stop.isGiven()) {
             return Optional.empty();

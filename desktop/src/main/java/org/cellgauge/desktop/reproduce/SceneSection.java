@@ -1,6 +1,9 @@
 package org.cellgauge.desktop.reproduce;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -46,7 +49,13 @@ final class SceneSection implements Section {
 
     @Override
     public String id() {
-        return "scenes";
+        return "8.2";
+    }
+
+    @Override
+    public List<String> alsoCalled() {
+        return List.of("figure-7.1", "figure-8.2", "figure-8.5", "figure-8.6", "figure-8.7", "figure-9.1", "figure-9.2",
+                "figure-9.3");
     }
 
     @Override
@@ -62,9 +71,12 @@ final class SceneSection implements Section {
     @Override
     public void write(Page page, Results results) {
         page.heading(3, title());
-        page.paragraph("The thesis took photos; these are rendered (blur, noise, sRGB, no distortion), and their markers were "
-                + "detected in them. Of Table 8.2, the three scenarios, little is left in the copy: one object inside the grid, "
-                + "one outside, one turned; scenario 2 has one of them on a book, scenario 3 one turned by 60 degrees about x.");
+        page.paragraph("The thesis took photos; these are rendered (blur, noise, sRGB, no distortion), and their "
+                + "markers were "
+                + "detected in them. Of Table 8.2, the three scenarios, little is left in the copy: one object inside "
+                + "the grid, "
+                + "one outside, one turned; scenario 2 has one of them on a book, scenario 3 one turned by 60 degrees "
+                + "about x.");
         List<String> names = new ArrayList<>();
         scenes.values().forEach(of -> names.add((names.size() + 1) + " "
                 + String.join(", ", of.stream().map(SetUp::name).toList())));
@@ -78,7 +90,7 @@ final class SceneSection implements Section {
         int height = (int) size[1];
         int rows = (works.size() + COLUMNS - 1) / COLUMNS;
         byte[] pixels = new byte[COLUMNS * (width + 4) * rows * (height + 4)];
-        java.util.Arrays.fill(pixels, (byte) WHITE);
+        Arrays.fill(pixels, (byte) WHITE);
         for (int i = 0; i < works.size(); i++) {
             double[] grey = results.of(works.get(i).name()).all("grey");
             int left = i % COLUMNS * (width + 4) + 2;
@@ -89,8 +101,8 @@ final class SceneSection implements Section {
         }
         try {
             return GreyJpeg.encode(GreyImage.packed(pixels, COLUMNS * (width + 4), rows * (height + 4)), QUALITY);
-        } catch (java.io.IOException e) {
-            throw new java.io.UncheckedIOException(e);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 }

@@ -7,6 +7,11 @@ interface Section {
     /** What a user asks for it by: the number of a table, or a word. */
     String id();
 
+    /** What else it is asked for by: numbers of other tables and figures that it covers. */
+    default List<String> alsoCalled() {
+        return List.of();
+    }
+
     /** Its heading. */
     String title();
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
@@ -83,7 +84,7 @@ record SetUp(String name, List<String> references, double stdMm, String objects,
         List<ObjectMarker> objectMarkers = assumptions.objects(objects).keySet().stream()
                 .map(id -> new ObjectMarker(id, assumptions.sizeMm(), null)).collect(Collectors.toList());
         return new Cell(assumptions.camera(), MarkerFamily.SQUARE_BINARY, assumptions.references(references, stdMm),
-                objectMarkers, assumptions.pixelStdPx(), java.util.OptionalDouble.empty());
+                objectMarkers, assumptions.pixelStdPx(), OptionalDouble.empty());
     }
 
     /** The photo, rendered. */

@@ -4,6 +4,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.InitialEstimate;
 import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.settings.ObjectNoise;
 import org.cellgauge.vision.Detections;
@@ -38,7 +39,7 @@ final class SetUpWork {
         Detections detections = setUp.detections(assumptions);
         CheckSettings.Builder thesis = assumptions.asInThesis().estimate(setUp.estimate());
         if (setUp.ransac()) {
-            thesis.initial(org.cellgauge.settings.InitialEstimate.RANSAC);
+            thesis.initial(InitialEstimate.RANSAC);
         }
         Figures.Builder figures = new Figures.Builder();
         figures.putAll("", ThesisChains.run(cell, detections, thesis, effort.seeds()));

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * A diagram as SVG: axes, lines, points, words. Readable on light and dark ground: it brings its own. Coordinates of its
- * methods are those of the data; logarithmic axes take positive values. Not safe for several threads.
+ * A diagram as SVG: axes, lines, points, words. Readable on light and dark ground: it brings its own. Coordinates of
+ * its methods are those of the data; logarithmic axes take positive values. Not safe for several threads.
  */
 final class Svg {
     /** Colours that people who see no red or green can tell apart (Okabe and Ito 2008). */
@@ -166,7 +166,8 @@ final class Svg {
 
     private void segment(double x1, double y1, double x2, double y2, String colour, double thickness) {
         body.append(String.format(Locale.ROOT,
-                "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%.1f\"/>%n", x1, y1, x2,
+                "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" "
+                        + "stroke-width=\"%.1f\"/>%n", x1, y1, x2,
                 y2, colour, thickness));
     }
 

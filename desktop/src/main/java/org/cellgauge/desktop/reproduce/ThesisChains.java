@@ -23,9 +23,9 @@ import org.cellgauge.vision.Detections;
  * The thesis' algorithm run on one photo with many seeds: what one chain says depends on which one it is.
  *
  * <p>Figures, a row for each seed: {@code camera}, {@code object.ID} and {@code focal}, each with {@code .mean} and
- * {@code .std} (x, y, z in mm, psi, theta, phi in rad; fx, fy in px); {@code accepted.PROPOSAL} (accepted, rejected) and
- * {@code accepted.all}; {@code turned} (1 where the camera has turned at all among the kept draws). A row for each four
- * of them: {@code rhat.camera} and {@code rhat.objects} (the largest of any position), {@code ess.camera} and
+ * {@code .std} (x, y, z in mm, psi, theta, phi in rad; fx, fy in px); {@code accepted.PROPOSAL} (accepted, rejected)
+ * and {@code accepted.all}; {@code turned} (1 where the camera has turned at all among the kept draws). A row for
+ * each four of them: {@code rhat.camera} and {@code rhat.objects} (the largest of any position), {@code ess.camera} and
  * {@code ess.objects} (the smallest, per chain).
  */
 final class ThesisChains {

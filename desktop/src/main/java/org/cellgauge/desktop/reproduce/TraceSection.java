@@ -1,7 +1,9 @@
 package org.cellgauge.desktop.reproduce;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import org.cellgauge.cell.Cell;
@@ -23,15 +25,17 @@ final class TraceSection implements Section {
     private static final List<Axis> AXES = List.of(Axis.X, Axis.Y, Axis.Z);
 
     private final String id;
+    private final List<String> alsoCalled;
     private final String title;
     private final SetUp setUp;
     /** Whose traces; 0 for the camera. */
     private final int objectId;
     private final Work work;
 
-    TraceSection(String id, String title, String setUpName, int objectId, Assumptions assumptions,
+    TraceSection(List<String> ids, String title, String setUpName, int objectId, Assumptions assumptions,
             Map<String, SetUp> setUps) {
-        this.id = id;
+        this.id = ids.get(0);
+        alsoCalled = ids.subList(1, ids.size());
         this.title = title;
         this.setUp = Objects.requireNonNull(setUps.get(setUpName));
         this.objectId = objectId;
@@ -41,6 +45,11 @@ final class TraceSection implements Section {
     @Override
     public String id() {
         return id;
+    }
+
+    @Override
+    public List<String> alsoCalled() {
+        return alsoCalled;
     }
 
     @Override
@@ -81,7 +90,7 @@ final class TraceSection implements Section {
                     }
                 }
                 figures.put("trace." + axis + "." + chain, thin).put("mean." + axis + "." + chain, mean);
-                kept[axis][chain] = java.util.Arrays.copyOfRange(all, all.length / 2, all.length);
+                kept[axis][chain] = Arrays.copyOfRange(all, all.length / 2, all.length);
                 ChainDiagnostics alone = ChainDiagnostics.of(new double[][] {kept[axis][chain]});
                 figures.append("stated." + axis, alone.mean(), alone.std());
             }
@@ -114,7 +123,7 @@ final class TraceSection implements Section {
     }
 
     private static String name(int axis) {
-        return AXES.get(axis).name().toLowerCase(java.util.Locale.ROOT);
+        return AXES.get(axis).name().toLowerCase(Locale.ROOT);
     }
 
     private Svg diagram(Figures figures, int axis) {

@@ -1,6 +1,6 @@
 /**
- * The experiments of the thesis that the library began with, run again: as the thesis ran them, until they converge, and
- * as the library would have it, beside what was printed.
+ * The experiments of the thesis that the library began with, run again: as the thesis ran them, until they converge,
+ * and as the library would have it, beside what was printed.
  *
  * <p>What is printed, what is assumed and which experiments there are is data ({@code printed.yaml},
  * {@code assumptions.yaml}, {@code setups.yaml} beside the classes). {@link org.cellgauge.desktop.reproduce.Work} is

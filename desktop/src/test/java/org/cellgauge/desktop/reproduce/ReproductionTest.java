@@ -111,8 +111,9 @@ class ReproductionTest {
     void printedTablesAreWhole() {
         Map<String, PrintedTable> tables = PrintedTable.all();
         Map<String, SetUp> setUps = SetUp.all();
-        assertEquals(List.of("7.1", "7.2", "7.3", "8.3", "8.4", "8.5", "8.6", "8.7", "8.8", "8.9", "8.10", "8.11", "8.12",
-                "8.13", "8.14", "9.1", "9.2", "9.3", "9.4", "9.5", "9.6", "9.7", "9.8"), List.copyOf(tables.keySet()));
+        assertEquals(List.of("7.1", "7.2", "7.3", "8.3", "8.4", "8.5", "8.6", "8.7", "8.8", "8.9", "8.10", "8.11",
+                "8.12", "8.13", "8.14", "9.1", "9.2", "9.3", "9.4", "9.5", "9.6", "9.7", "9.8"),
+                List.copyOf(tables.keySet()));
         tables.values().forEach(table -> assertTrue(setUps.keySet().containsAll(table.setUps()), table.number()));
         // totals that the thesis prints
         assertEquals(List.of("2864", "7135"), tables.get("7.2").row("camera-3", "all", "accepted").figures());
@@ -147,7 +148,8 @@ class ReproductionTest {
         assertEquals("does not agree: y below all 2 chains; z above all 2", comparison.verdict());
         assertFalse(comparison.agrees());
         PrintedTable.Row rounded = new PrintedTable.Row("any", "5", "std", List.of("2.0", "0.5", "6"));
-        assertEquals("agrees within the spread, a factor of 6.4", Comparison.of(rounded, figures, List.of(5)).verdict());
+        assertEquals("agrees within the spread, a factor of 6.4",
+                Comparison.of(rounded, figures, List.of(5)).verdict());
     }
 
     /** What does not fit together any more is made again: other assumptions, another version, a damaged file. */
