@@ -149,6 +149,11 @@ record Comparison(PrintedTable.Row row, List<Coordinate> coordinates) {
         return judged().stream().noneMatch(c -> c.isBelow() || c.isAbove());
     }
 
+    /** Whether a printed figure lies below those of all chains. */
+    boolean hasBelow() {
+        return judged().stream().anyMatch(Coordinate::isBelow);
+    }
+
     /** In words. */
     String verdict() {
         List<Coordinate> printed = judged();

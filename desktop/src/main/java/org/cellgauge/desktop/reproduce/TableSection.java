@@ -93,6 +93,12 @@ final class TableSection implements Section {
                 + " rows agree within the spread of " + effort.seeds() + " chains.** ");
         words.append("R-hat of four chains, ").append(of).append(": ").append(Words.fixed(rHat, 2))
                 .append(" (median), effective draws of each 5000: ").append(Words.std(ess)).append(". ");
+        long smaller = comparisons.stream().filter(c -> c.row().what().equals("std") && c.hasBelow()).count();
+        if (smaller > 0) {
+            words.append("In ").append(smaller).append(smaller == 1 ? " row" : " rows")
+                    .append(" a printed deviation is smaller than that of every chain: as described, and with the box ")
+                    .append("that gives the acceptance of Table 7.2, the algorithm does not give it. ");
+        }
         double[] ofConverged = ratios(comparisons, c -> Words.median(c.repeated()) / c.same());
         if (ofConverged.length > 0) {
             words.append("A chain of the thesis states ").append(Words.fixed(Words.median(ofConverged), 2))
