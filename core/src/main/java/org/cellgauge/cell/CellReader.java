@@ -41,6 +41,7 @@ public final class CellReader {
     private static final CellPhrase WHAT = CellPhrase.CELL_FILE;
     private static final String PLACEMENT_EXAMPLE = "placement: {std_mm: [5, 5, 5], std_deg: 0.5}";
     private static final String MARKERS_EXAMPLE = "markers: {family: square-binary, size_mm: 47}";
+    private static final String NAMED_EXAMPLE = "camera: {file: camchain.yaml, name: cam0}";
     private static final String POSITION = "[x, y, z] in mm";
     private static final double MIN_SIZE_MM = 0.5;
     private static final double MAX_LENGTH_MM = 1e6;
@@ -52,7 +53,7 @@ public final class CellReader {
 
     /** Reads the camera file that a value of the cell file names. */
     @FunctionalInterface
-    private interface CameraFile {
+    private interface NamedFile {
         YamlValue read(YamlValue value, String name);
     }
 
@@ -119,7 +120,7 @@ public final class CellReader {
         return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> camera);
     }
 
-    private static Cell cell(String text, String displayName, CameraFile cameraFile) {
+    private static Cell cell(String text, String displayName, NamedFile cameraFile) {
         CellReader reader = new CellReader();
         return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES),
                 file -> reader.camera(file.required("camera", CellPhrase.CAMERA), cameraFile));
@@ -138,6 +139,10 @@ public final class CellReader {
         if (camera == null) {
             return new StatedCamera(StatedCamera.Kind.NONE, null);
         }
+        if (isNamed(camera)) {
+            YamlMapping named = camera.mapping(NAMED_EXAMPLE);
+            return new StatedCamera(StatedCamera.Kind.FILE, named.at("file").text(CellPhrase.CAMERA));
+        }
         return camera.isMapping() ? new StatedCamera(StatedCamera.Kind.INLINE, null)
                 : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CellPhrase.CAMERA));
     }
@@ -147,7 +152,7 @@ public final class CellReader {
         YamlMapping file = top.mapping(CellPhrase.A_CELL_FILE);
         YamlValue version = file.optional("cellgauge");
         if (version == null) {
-            if (file.optional("pinhole") != null) {
+            if (CameraFormat.of(file) != null) {
                 throw top.refused(CellRefusal.IS_CAMERA_FILE);
             }
             if (file.optional("corners_px") != null || file.optional("image") != null) {
@@ -219,12 +224,26 @@ public final class CellReader {
     }
 
     /** The camera of an inline mapping or of the file it names, what is said of its tone curve kept aside. */
-    private PinholeCamera camera(YamlValue value, CameraFile cameraFile) {
-        YamlValue top = value.isMapping() ? value : cameraFile.read(value, value.text(CellPhrase.CAMERA));
-        PinholeCamera camera = CameraReader.of(top);
-        cameraToneCurve = CameraReader.toneCurveOf(top);
-        calibration = CameraReader.calibrationOf(top, camera.lens());
-        return camera;
+    private PinholeCamera camera(YamlValue value, NamedFile cameraFile) {
+        CameraFile camera;
+        if (isNamed(value)) {
+            YamlMapping named = value.mapping(NAMED_EXAMPLE, "file", "name");
+            YamlValue file = named.required("file", NAMED_EXAMPLE);
+            YamlValue name = named.optional("name");
+            camera = CameraReader.file(cameraFile.read(file, file.text(CellPhrase.CAMERA)),
+                    name == null ? null : name.text("name: cam0"));
+        } else {
+            camera = CameraReader.file(value.isMapping() ? value
+                    : cameraFile.read(value, value.text(CellPhrase.CAMERA)), null);
+        }
+        cameraToneCurve = camera.toneCurve();
+        calibration = camera.calibration();
+        return camera.camera();
+    }
+
+    /** Whether what stands after {@code camera:} names a file and perhaps one of several cameras in it. */
+    private static boolean isNamed(YamlValue camera) {
+        return camera.isMapping() && camera.mapping(NAMED_EXAMPLE).optional("file") != null;
     }
 
     private static YamlValue from(CameraSource cameras, YamlValue value, String name) {

@@ -20,23 +20,23 @@ class CameraCalibrationTest {
         359.7, 0, -0.3, 0.12, 0, 0.001, -0.002});
     private static final List<List<Double>> COVARIANCE = List.of(List.of(0.4, 0.38, 1e-4),
             List.of(0.38, 0.41, 2e-4), List.of(1e-4, 2e-4, 1.7e-6));
-    private static final String TEXT = CalibratedCameraText.text(CAMERA, List.of("fx", "fy", "k1"), COVARIANCE,
-            20, 0.21, 1.3);
+    private static final String TEXT = CameraWriter.text(CAMERA)
+            + CalibratedCameraText.block(List.of("fx", "fy", "k1"), COVARIANCE, 20, 0.21, 1.3);
 
     private static InputRefusedException refused(String text) {
-        return assertThrows(InputRefusedException.class, () -> CameraReader.calibration(text, "camera.yaml"));
+        return assertThrows(InputRefusedException.class, () -> CameraReader.file(text, "camera.yaml", null));
     }
 
     @Test
     void fileComesBackAsItWasWritten() {
-        CameraCalibration read = CameraReader.calibration(TEXT, "camera.yaml");
+        CameraCalibration read = CameraReader.file(TEXT, "camera.yaml", null).calibration();
         assertNotNull(read);
         assertEquals(List.of("fx", "fy", "k1"), read.parameters());
         assertArrayEquals(new double[] {0.4, 0.38, 1e-4, 0.38, 0.41, 2e-4, 1e-4, 2e-4, 1.7e-6}, read.covariance(), 0);
         assertEquals(20, read.photos());
         assertArrayEquals(new int[] {PinholeCamera.FX, PinholeCamera.FY, BrownLens.K1}, read.indices(CAMERA.lens()));
         assertArrayEquals(CAMERA.intrinsics(), CameraReader.read(TEXT, "camera.yaml").intrinsics(), 0);
-        assertNull(CameraReader.calibration(CameraWriter.text(CAMERA), "camera.yaml"));
+        assertNull(CameraReader.file(CameraWriter.text(CAMERA), "camera.yaml", null).calibration());
     }
 
     @Test
@@ -45,7 +45,7 @@ class CameraCalibrationTest {
                 + "placement: {std_mm: [1, 1, 1], std_deg: 0.5}\npixel_std_px: 0.3\n"
                 + "references:\n  944: {position_mm: [0, 0, 0], rotation_deg: [0, 0, 0]}\n";
         Cell read = CellReader.read(cell, "cell.yaml", name -> TEXT);
-        assertEquals(CameraReader.calibration(TEXT, "camera.yaml"), read.calibration());
+        assertEquals(CameraReader.file(TEXT, "camera.yaml", null).calibration(), read.calibration());
         assertEquals(read.calibration(), read.withPixelStdPx(java.util.OptionalDouble.of(1)).calibration());
         assertNull(read.withCamera(CAMERA).calibration(), "another camera's calibration is another one");
     }

@@ -293,7 +293,7 @@ class CellReaderTest {
         // a camera known otherwise: nothing is read of the file's
         assertEquals(inCell == null ? "auto" : expected, words(CellReader.read(ofCell, "cell.yaml", cell.camera())));
         assertEquals(expected, words(CellReader.read(ofCell, "cell.yaml", cell.camera(),
-                CameraReader.toneCurve(camera, "camera.yaml"))));
+                CameraReader.file(camera, "camera.yaml", null).toneCurve())));
     }
 
     @Test

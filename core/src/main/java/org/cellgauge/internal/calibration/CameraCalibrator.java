@@ -165,8 +165,8 @@ public final class CameraCalibrator {
         if (seen.size() < FEWEST_FOR_HALVES) {
             return usual;
         }
-        List<LensChoice> lenses = usual.choice.lens() == LensChoice.usual().lens() ? LensChoice.ladder()
-                : List.of(usual.choice);
+        List<LensChoice> lenses = LensChoice.ladder().stream().anyMatch(c -> c.name().equals(usual.choice.name()))
+                ? LensChoice.ladder() : List.of(usual.choice);
         List<BoardShape> boards = new ArrayList<>(List.of(usual.board));
         if (points.isFlat() && options.warp() == CalibrationOptions.BY_PHOTOS) {
             boards.add(new BoardShape(points, USUAL_WARP, usual.board.aspect));

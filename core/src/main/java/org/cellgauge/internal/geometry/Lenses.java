@@ -4,6 +4,7 @@ import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RationalLens;
 import org.jspecify.annotations.Nullable;
 
 /** The lens models there are, by their names. */
@@ -21,7 +22,7 @@ public final class Lenses {
      * @return the model; null where there is none of that name
      */
     public static @Nullable Lens named(String modelName) {
-        for (Lens lens : new Lens[] {BrownLens.MODEL, KannalaBrandtLens.MODEL}) {
+        for (Lens lens : new Lens[] {BrownLens.MODEL, KannalaBrandtLens.MODEL, RationalLens.MODEL}) {
             if (lens.modelName().equals(modelName)) {
                 return lens;
             }
