@@ -4,6 +4,7 @@ import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.cell.CellPhrase;
+import org.cellgauge.internal.geometry.Lenses;
 
 /**
  * Refuses cameras that cannot be: values that no lens has, and distortion that shows one pixel twice within the image.
@@ -23,8 +24,6 @@ record CameraJudge(YamlValue fx, YamlValue fy, YamlValue cx, YamlValue cy, YamlV
     private static final double MAX_FOCAL_RATIO = 3;
     /** How far from the middle the principal points of whole images are, at most, in sides. */
     private static final double MIDDLE_SHARE = 0.1;
-    private static final int BORDER_POINTS = 16;
-    private static final int STEPS_FROM_CENTRE = 32;
 
     /**
      * The camera of values that can be.
@@ -120,33 +119,10 @@ record CameraJudge(YamlValue fx, YamlValue fy, YamlValue cx, YamlValue cy, YamlV
 
     /** Refuses a distortion that shows two directions at one pixel of the image: such a lens model has no inverse. */
     private void judgeDistortion(PinholeCamera camera) {
-        double[] point = new double[2];
-        for (int i = 0; i < BORDER_POINTS; i++) {
-            double s = i / (double) BORDER_POINTS;
-            double w = camera.widthPx();
-            double h = camera.heightPx();
-            double[][] border = {{s * w, 0}, {w, s * h}, {w - s * w, h}, {0, h - s * h}};
-            for (double[] uv : border) {
-                if (!camera.toNormalised(uv[0], uv[1], point) || foldsBefore(camera, point)) {
-                    throw lens.refused(CellRefusal.DISTORTION_FOLDS, (int) Math.round(uv[0]),
-                            (int) Math.round(uv[1]));
-                }
-            }
+        double[] fold = Lenses.foldWithin(camera);
+        if (fold != null) {
+            throw lens.refused(CellRefusal.DISTORTION_FOLDS, (int) Math.round(fold[0]), (int) Math.round(fold[1]));
         }
-    }
-
-    private static boolean foldsBefore(PinholeCamera camera, double[] point) {
-        double[] uv = new double[2];
-        double[] d = new double[6];
-        for (int i = 1; i <= STEPS_FROM_CENTRE; i++) {
-            double s = i / (double) STEPS_FROM_CENTRE;
-            camera.lens().projectWithDerivatives(camera.intrinsics(), s * point[0], s * point[1], 1, uv, d, null);
-            // rows of the 2x3 derivative; at z = 1 the first two columns are those by the normalised point
-            if (!(d[0] * d[4] - d[1] * d[3] > 0)) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private static String plain(double value) {

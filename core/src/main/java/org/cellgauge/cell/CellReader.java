@@ -95,29 +95,28 @@ public final class CellReader {
      *
      * @param text YAML
      * @param displayName the name that messages give it
-     * @param camera the camera of the cell
+     * @param camera the camera of the cell, which counts as exact
      * @return the cell
      * @throws InputRefusedException if the cell is faulty
      */
     public static Cell read(String text, String displayName, PinholeCamera camera) {
-        return read(text, displayName, camera, null);
+        return new CellReader().cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> camera);
     }
 
     /**
-     * Reads a cell file's text for a camera that is known otherwise, and with it how it makes grey values of light.
+     * Reads a cell file's text for a camera file that was read already, in place of what the cell file says of the
+     * camera.
      *
      * @param text YAML
      * @param displayName the name that messages give it
-     * @param camera the camera of the cell
-     * @param toneCurve what is stated with that camera; null: nothing. What the cell file states goes before it
+     * @param camera the camera of the cell with what its file says of it; a tone curve of the cell file goes before
+     *     its own
      * @return the cell
      * @throws InputRefusedException if the cell is faulty
      */
-    public static Cell read(String text, String displayName, PinholeCamera camera,
-            @Nullable ToneCurve toneCurve) {
+    public static Cell read(String text, String displayName, CameraFile camera) {
         CellReader reader = new CellReader();
-        reader.cameraToneCurve = toneCurve;
-        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> camera);
+        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> reader.kept(camera));
     }
 
     private static Cell cell(String text, String displayName, NamedFile cameraFile) {
@@ -137,14 +136,16 @@ public final class CellReader {
     public static StatedCamera statedCamera(String text, String displayName) {
         YamlValue camera = cellFile(YamlValue.parse(text, displayName, WHAT, MAX_BYTES)).optional("camera");
         if (camera == null) {
-            return new StatedCamera(StatedCamera.Kind.NONE, null);
+            return new StatedCamera(StatedCamera.Kind.NONE, null, null);
         }
         if (isNamed(camera)) {
             YamlMapping named = camera.mapping(NAMED_EXAMPLE);
-            return new StatedCamera(StatedCamera.Kind.FILE, named.at("file").text(CellPhrase.CAMERA));
+            YamlValue cameraName = named.optional("name");
+            return new StatedCamera(StatedCamera.Kind.FILE, named.at("file").text(CellPhrase.CAMERA),
+                    cameraName == null ? null : cameraName.text("name: cam0"));
         }
-        return camera.isMapping() ? new StatedCamera(StatedCamera.Kind.INLINE, null)
-                : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CellPhrase.CAMERA));
+        return camera.isMapping() ? new StatedCamera(StatedCamera.Kind.INLINE, null, null)
+                : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CellPhrase.CAMERA), null);
     }
 
     /** The mapping at the top of a cell file, its kind and version judged. */
@@ -236,6 +237,10 @@ public final class CellReader {
             camera = CameraReader.file(value.isMapping() ? value
                     : cameraFile.read(value, value.text(CellPhrase.CAMERA)), null);
         }
+        return kept(camera);
+    }
+
+    private PinholeCamera kept(CameraFile camera) {
         cameraToneCurve = camera.toneCurve();
         calibration = camera.calibration();
         return camera.camera();
