@@ -53,7 +53,7 @@ public final class CameraReader {
      * @throws InputRefusedException if it is missing, not readable, of another lens or contradicts itself
      */
     public static PinholeCamera read(Path file) {
-        return read(InputFiles.text(file, WHAT, MAX_BYTES), file.toString());
+        return file(file, null).camera();
     }
 
     /**
@@ -66,6 +66,18 @@ public final class CameraReader {
      */
     public static PinholeCamera read(String text, String displayName) {
         return file(text, displayName, null).camera();
+    }
+
+    /**
+     * All that a camera file says.
+     *
+     * @param file camera file of any form
+     * @param camera which camera, where the file holds several; null where it holds one
+     * @return the camera, and what is known of it
+     * @throws InputRefusedException as {@link #file(String, String, String)}, or if it is missing or not readable
+     */
+    public static CameraFile file(Path file, @Nullable String camera) {
+        return file(InputFiles.text(file, WHAT, MAX_BYTES), file.toString(), camera);
     }
 
     /**

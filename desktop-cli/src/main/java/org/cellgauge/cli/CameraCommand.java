@@ -18,8 +18,6 @@ import org.cellgauge.desktop.WholeFiles;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RationalLens;
 import org.cellgauge.internal.cell.CameraExport;
-import org.cellgauge.internal.cell.CellPhrase;
-import org.cellgauge.internal.cell.InputFiles;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 import picocli.CommandLine.Command;
@@ -70,8 +68,7 @@ public final class CameraCommand implements Callable<Integer> {
     public Integer call() {
         CameraFormat format = to == null ? CameraFormat.BOOFCV : CameraForm.of(spec.commandLine(), to);
         try {
-            CameraFile read = CameraReader.file(InputFiles.text(file, CellPhrase.CAMERA_FILE, CameraReader.MAX_BYTES),
-                    file.toString(), name);
+            CameraFile read = CameraReader.file(file, name);
             if (to == null && out == null) {
                 print(table(read));
             } else {

@@ -112,7 +112,7 @@ class CameraFilesTest {
                 + "rational: {radial: [0.52, -2.4, 1.5, 0.4, -2.3, 1.42], t1: 9e-4, t2: -3e-4, prism: [0.02, -0.01, "
                 + "-0.015, 0.007]}\n");
         SmallCell.writePhotos(cell, folder.resolve("photos"), "photo", 1);
-        Path photo = folder.resolve("photos").resolve("photo-1.png");
+        Path photo = folder.resolve("photos").resolve("photo.png");
         JsonObject result = checked(cell, photo.toString());
         double[] mean = numbers(result, "objects", "5", "pose", "mean");
         double[] std = numbers(result, "objects", "5", "pose", "std");
