@@ -51,9 +51,11 @@ final class Scenes {
               intrinsics: [581.25, 582.5, 640.125, 359.75]
               resolution: [1280, 720]
             """, """
-            {	"resolution": {"width": 1280.0, "height": 720.0}, "cameraIntrinsics": {"rows": 3, "cols": 3,
-            "data": [581.25, 0, 640.125, 0, 582.5, 359.75, 0, 0, 1]}, "observations": [{"snapshotData": "AbC/+", "c": [{}]}],
-            "distCoeffs": {"rows": 1, "cols": 5, "data": [-0.28, 0.09, 0.001, -0.0005, -0.01]}, "lensmodel": "LENSMODEL_OPENCV"}
+            {\t"resolution": {"width": 1280.0, "height": 720.0}, "cameraIntrinsics": {"rows": 3, "cols": 3,
+            "data": [581.25, 0, 640.125, 0, 582.5, 359.75, 0, 0, 1]},
+            "observations": [{"snapshotData": "AbC/+", "c": [{}]}],
+            "distCoeffs": {"rows": 1, "cols": 5, "data": [-0.28, 0.09, 0.001, -0.0005, -0.01]},
+            "lensmodel": "LENSMODEL_OPENCV"}
             """, """
             {"width": 1280, "height": 720, "ppx": 640.125, "ppy": 359.75, "fx": 581.25, "fy": 582.5,
             "model": "Brown Conrady", "coeffs": [-0.28, 0.09, 0.001, -0.0005, -0.01]}
@@ -115,7 +117,7 @@ final class Scenes {
         for (String text : OTHER_CAMERAS) {
             cameras.add(text.getBytes(StandardCharsets.UTF_8));
         }
-        for (String name : new String[] {"opencv-14.yml", "opencv-8.json", "opencv-fisheye.yml", "mrcal-12.cameramodel"}) {
+        for (String name : List.of("opencv-14.yml", "opencv-8.json", "opencv-fisheye.yml", "mrcal-12.cameramodel")) {
             cameras.add(Files.readAllBytes(root.resolve(CAMERAS + name)));
         }
         return cameras;

@@ -62,8 +62,8 @@ public final class CameraCalibration {
      * The same calibration where the camera's images are delivered in another size.
      *
      * @param factor new size over old one, positive
-     * @return what the scaled camera leaves open: focal lengths, principal point and skew grow by the factor, what bends
-     *     the rays stays, since it is about directions
+     * @return what the scaled camera leaves open: focal lengths, principal point and skew grow by the factor, what
+     *     bends the rays stays, since it is about directions
      */
     CameraCalibration scaled(double factor) {
         int n = parameters.size();

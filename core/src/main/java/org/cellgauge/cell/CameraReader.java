@@ -23,11 +23,11 @@ import org.jspecify.annotations.Nullable;
  * programs ({@link CameraFormat}). The keys of any of them may stand in a cell file.
  *
  * <p>Two keys may stand beside theirs: {@code tone_curve}, how the camera makes grey values of light ({@code auto},
- * {@code srgb}, {@code linear} or {@code gamma G}); and {@code cellgauge_calibration}, how well the intrinsics are known
- * ({@code parameters}, {@code covariance}, {@link CameraCalibration}). Of BoofCV's, {@code skew}, the radial
- * coefficients (up to 3) and {@code t1}, {@code t2} are 0 where they are left out. Of a fisheye, {@code symmetric} holds
- * up to 5 coefficients of the angle's odd powers; the first is taken into the focal lengths and the skew. Its asymmetric
- * part ({@code radial} and {@code tangent} with their {@code _trig}) is refused where it is not 0. The model
+ * {@code srgb}, {@code linear} or {@code gamma G}); and {@code cellgauge_calibration}, how well the intrinsics are
+ * known ({@code parameters}, {@code covariance}, {@link CameraCalibration}). Of BoofCV's, {@code skew}, the radial
+ * coefficients (up to 3) and {@code t1}, {@code t2} are 0 where they are left out. Of a fisheye, {@code symmetric}
+ * holds up to 5 coefficients of the angle's odd powers; the first is taken into the focal lengths and the skew. Its
+ * asymmetric part ({@code radial} and {@code tangent} with their {@code _trig}) is refused where it is not 0. The model
  * {@code pinhole_rational}, which BoofCV has not, takes {@code rational} with {@code radial} (k1 to k6), {@code t1},
  * {@code t2} and {@code prism} (s1 to s4).
  */

@@ -105,11 +105,11 @@ public final class Cell {
      * @param widthPx width of the images
      * @param heightPx height of the images
      * @return a new cell
-     * @throws IllegalArgumentException if a size is not positive, or the shape is another, so that it cannot be the whole
-     *     image
+     * @throws IllegalArgumentException if a size is not positive, or the shape is another, so that it cannot be the
+     *     whole image
      */
     public Cell scaledTo(int widthPx, int heightPx) {
-        if ((long) widthPx * camera.heightPx() != (long) heightPx * camera.widthPx()) {
+        if (!camera.hasShape(widthPx, heightPx)) {
             throw new IllegalArgumentException(widthPx + " x " + heightPx + " px is of another shape than "
                     + camera.widthPx() + " x " + camera.heightPx() + " px");
         }

@@ -12,7 +12,6 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RationalLens;
 import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.internal.warning.Listing;
-import org.cellgauge.warning.Refusal;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -296,7 +296,8 @@ public final class RationalLens implements Lens {
         double quotient = (numerator + denominator) / (1 - denominator);
         double byR2 = (3 * numerator + 3 * denominator * (1 + quotient)) / (1 - denominator);
         double rest = 8 * Math.sqrt(r2) * (Math.abs(p[P1]) + Math.abs(p[P2]))
-                + 2 * Math.sqrt(r2) * (Math.abs(p[S1]) + Math.abs(p[S3]) + 2 * r2 * (Math.abs(p[S2]) + Math.abs(p[S4])));
+                + 2 * Math.sqrt(r2) * (Math.abs(p[S1]) + Math.abs(p[S3])
+                        + 2 * r2 * (Math.abs(p[S2]) + Math.abs(p[S4])));
         if (denominator < 1 && quotient + 2 * byR2 + rest < 1) {
             return true;
         }

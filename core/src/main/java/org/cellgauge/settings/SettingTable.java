@@ -105,7 +105,8 @@ public final class SettingTable {
             "Whether intrinsics are as uncertain as the calibration in the camera file says, or count as exact");
 
     /** Whether the camera is scaled to photos of another size. */
-    public static final Setting<Boolean> SCALE_CAMERA = Setting.of(Part.MODEL, "scale_camera", SettingForm.flag(), false,
+    public static final Setting<Boolean> SCALE_CAMERA = Setting.of(Part.MODEL, "scale_camera", SettingForm.flag(),
+            false,
             "Whether the camera is scaled to photos of another size than it is calibrated for, which holds where they "
                     + "show the whole image, binned or scaled; other shapes are refused all the same");
 

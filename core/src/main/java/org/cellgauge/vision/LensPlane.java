@@ -10,12 +10,13 @@ import org.cellgauge.geometry.PinholeCamera;
 /**
  * A lens that BoofCV has not, as its square detector takes one: a plane without distortion for the whole image.
  *
- * <p>Of a lens that is not wide that plane is z = 1. No plane has that for a fisheye: up to {@value #STRAIGHT_DEGREES} degrees off the axis, directions meet the plane
- * z = 1, where lines are straight, so that markers of any size have straight sides: on the bent image itself, a marker
- * of 24 degrees is lost from 30 degrees off the axis on. Beyond, where that plane would go on to infinity at 90
- * degrees, the distance from the middle grows with the angle at the rate it has there. That far out the detector looks
- * at the bent image as well, where small markers, whose sides hardly bend, are found up to 90 degrees and beyond.
- * Corners are of no account here: {@link MarkerEdges} finds them anew. Immutable.
+ * <p>Of a lens that is not wide that plane is z = 1. No plane has that for a fisheye: up to {@value #STRAIGHT_DEGREES}
+ * degrees off the axis, directions meet the plane z = 1, where lines are straight, so that markers of any size have
+ * straight sides: on the bent image itself, a marker of 24 degrees is lost from 30 degrees off the axis on. Beyond,
+ * where that plane would go on to infinity at 90 degrees, the distance from the middle grows with the angle at the rate
+ * it has there. That far out the detector looks at the bent image as well, where small markers, whose sides hardly
+ * bend, are found up to 90 degrees and beyond. Corners are of no account here: {@link MarkerEdges} finds them anew.
+ * Immutable.
  */
 final class LensPlane implements LensDistortionNarrowFOV {
     static final int STRAIGHT_DEGREES = 70;

@@ -56,7 +56,8 @@ class CameraCalibrationTest {
         for (int[] size : new int[][] {{640, 480}, {720, 1280}, {360, 640}, {641, 360}}) {
             String message = assertThrows(InputRefusedException.class, () -> InputChecks.ofSize(cell, size[0], size[1],
                     "a.png", true)).getMessage();
-            assertTrue(message.contains(size[0] + " x " + size[1] + " px") && message.contains("1280 x 720 px"), message);
+            assertTrue(message.contains(size[0] + " x " + size[1] + " px"), message);
+            assertTrue(message.contains("1280 x 720 px"), message);
             assertTrue(message.contains(size[0] == 720 ? "EXIF" : "cut"), message);
         }
         assertThrows(InputRefusedException.class, () -> InputChecks.ofSize(cell, 640, 360, "a.png", false));

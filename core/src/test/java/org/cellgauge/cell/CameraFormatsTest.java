@@ -50,7 +50,8 @@ class CameraFormatsTest {
             + "  intrinsics: [581.25, 582.5, 640.125, 359.75]\n  resolution: [1280, 720]\n";
     private static final String PHOTON = "{\n\t\"resolution\": {\"width\": 1280.0, \"height\": 720.0},\n"
             + "\t\"cameraIntrinsics\": {\"rows\": 3, \"cols\": 3, \"type\": 6, \"data\": [581.25, 0.0, 640.125, 0.0, "
-            + "582.5, 359.75, 0.0, 0.0, 1.0]},\n\t\"observations\": [{\"snapshotData\": \"LONG\", \"c\": [{\"x\": 1}]}],\n"
+            + "582.5, 359.75, 0.0, 0.0, 1.0]},\n"
+            + "\t\"observations\": [{\"snapshotData\": \"LONG\", \"c\": [{\"x\": 1}]}],\n"
             + "\t\"distCoeffs\": {\"rows\": 1, \"cols\": 5, \"type\": 6, \"data\": [-0.28, 0.09, 0.001, -0.0005, "
             + "-0.01]},\n\t\"lensmodel\": \"LENSMODEL_OPENCV\"\n}\n";
     private static final String REALSENSE = "{\"width\": 1280, \"height\": 720, \"ppx\": 640.125, \"ppy\": 359.75, "
@@ -180,7 +181,8 @@ class CameraFormatsTest {
     @ParameterizedTest
     @MethodSource
     void faults(String text, List<String> words) {
-        String message = assertThrows(InputRefusedException.class, () -> CameraReader.read(text, "camera")).getMessage();
+        String message = assertThrows(InputRefusedException.class, () -> CameraReader.read(text, "camera"))
+                .getMessage();
         assertTrue(message.startsWith("camera"), message);
         for (String word : words) {
             assertTrue(message.contains(word), word + " in: " + message);
@@ -199,7 +201,8 @@ class CameraFormatsTest {
 
     private static Stream<PinholeCamera> cameras() {
         double third = 1.0 / 3;
-        return Stream.of(camera(BrownLens.MODEL), camera(BrownLens.MODEL, -0.3 + 1e-3 * third, 0.1, -0.01, 1e-5 * third, 2e-4),
+        return Stream.of(camera(BrownLens.MODEL),
+                camera(BrownLens.MODEL, -0.3 + 1e-3 * third, 0.1, -0.01, 1e-5 * third, 2e-4),
                 camera(KannalaBrandtLens.MODEL, -0.012, 0.006 * third, -0.004, 5e-4),
                 camera(RationalLens.MODEL, 0.52, -2.4, 1.5, 0.4, -2.3, 1.42 + 1e-3 * third, 9e-4, -3e-4, 0, 0, 0, 0),
                 camera(RationalLens.MODEL, 0.52, -2.4, 1.5, 0.4, -2.3, 1.42, 9e-4, -3e-4, 0.002, -0.001, 1e-7, 0));

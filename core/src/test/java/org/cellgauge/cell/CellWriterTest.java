@@ -203,6 +203,7 @@ class CellWriterTest {
         String camera = CameraWriter.text(cell.camera(), curve);
         assertEquals(words, CameraReader.file(camera, "camera.yaml", null).toneCurve().words());
         assertArrayEquals(cell.camera().intrinsics(), CameraReader.read(camera, "camera.yaml").intrinsics());
-        assertNull(CameraReader.file(CameraWriter.text(cell.camera(), (ToneCurve) null), "camera.yaml", null).toneCurve());
+        assertNull(CameraReader.file(CameraWriter.text(cell.camera(), (ToneCurve) null), "camera.yaml", null)
+                .toneCurve());
     }
 }

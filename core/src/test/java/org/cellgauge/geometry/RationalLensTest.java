@@ -38,7 +38,7 @@ class RationalLensTest {
         assertEquals(BrownLens.MODEL.reachRad(brown), LENS.reachRad(rational), 1e-9);
     }
 
-    /** 1 / (1 - r²) goes to infinity at a radius of 1: every pixel shows something nearer, and nothing beyond is seen. */
+    /** 1 / (1 - r²) goes to infinity at a radius of 1: every pixel shows something nearer, and nothing beyond. */
     @Test
     void nothingIsSeenBeyondAPole() {
         double[] pole = values(0, 0, 0, -1);

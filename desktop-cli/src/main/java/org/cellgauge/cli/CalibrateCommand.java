@@ -88,8 +88,8 @@ public final class CalibrateCommand implements Callable<Integer> {
 
     @Option(names = "--lens", paramLabel = "MODEL", defaultValue = CalibrationOptions.AUTO,
             description = "auto, radial-1, radial-2, brown-4 (with p1, p2), brown-5 (with k3), rational-8 (with k4 to "
-                    + "k6), prism-12 (with s1 to s4) or fisheye (${DEFAULT-VALUE}: radial-2, or a richer one where it explains photos better that were held "
-                    + "out).")
+                    + "k6), prism-12 (with s1 to s4) or fisheye (${DEFAULT-VALUE}: radial-2, or one up to rational-8 "
+                    + "where it explains photos better that were held out).")
     private String lens;
 
     @Option(names = "--warp", paramLabel = "N", defaultValue = "auto",

@@ -92,7 +92,8 @@ public final class CameraCommand implements Callable<Integer> {
         try {
             text = CameraExport.text(read.camera(), format)
                     + (calibration == null ? "" : CameraExport.calibration(calibration))
-                    + (read.toneCurve() == null ? "" : CameraReader.TONE_CURVE + ": " + read.toneCurve().words() + "\n");
+                    + (read.toneCurve() == null ? ""
+                            : CameraReader.TONE_CURVE + ": " + read.toneCurve().words() + "\n");
         } catch (InputRefusedException e) {
             throw new InputRefusedException(e.refusal().withPlace(Place.of(file.toString())), e);
         }

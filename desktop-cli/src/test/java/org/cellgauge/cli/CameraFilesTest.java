@@ -79,11 +79,12 @@ class CameraFilesTest {
         CommandCall refused = CommandCall.of("check", "--cell", cell.toString(), "--detections", corners.toString());
         assertEquals(3, refused.code());
         String words = refused.err().replaceAll("\\s+", " ");
-        assertTrue(words.contains("640 x 480 px") && words.contains("1280 x 960 px") && words.contains("--scale-camera"),
-                words);
+        assertTrue(words.contains("640 x 480 px") && words.contains("1280 x 960 px"), words);
+        assertTrue(words.contains("--scale-camera"), words);
         JsonObject scaled = checked(cell, "--scale-camera", "--detections", corners.toString());
         for (String key : new String[] {"mean", "std"}) {
-            assertArrayEquals(numbers(own, "objects", "20", "pose", key), numbers(scaled, "objects", "20", "pose", key), 0);
+            assertArrayEquals(numbers(own, "objects", "20", "pose", key),
+                    numbers(scaled, "objects", "20", "pose", key), 0);
         }
         assertTrue(scaled.getAsJsonObject("settings").get("scale_camera").getAsBoolean());
         assertEquals(600, scaled.getAsJsonObject("settings").getAsJsonObject("camera_intrinsics").get("fx_px")
@@ -102,13 +103,14 @@ class CameraFilesTest {
         CommandCall other = CommandCall.of("check", "--cell", cut.toString(), "--scale-camera", "--detections",
                 corners.toString());
         assertEquals(3, other.code());
-        assertTrue(other.err().replaceAll("\\s+", " ").contains("it is cut, or the camera was in another mode"), other.err());
+        assertTrue(other.err().replaceAll("\\s+", " ").contains("it is cut, or the camera was in another mode"),
+                other.err());
     }
 
     /** A lens that BoofCV has not: rendered, found, checked and planned with. */
     @Test
     void rationalLensWithPrismWorksFromPhotoToResult() throws IOException {
-        Path cell = cell("model: pinhole_rational\npinhole: {fx: 600, fy: 600, cx: 320, cy: 240, width: 640, height: 480}\n"
+        Path cell = cell(SmallCell.CAMERA_YAML.replace("pinhole\n", "pinhole_rational\n")
                 + "rational: {radial: [0.52, -2.4, 1.5, 0.4, -2.3, 1.42], t1: 9e-4, t2: -3e-4, prism: [0.02, -0.01, "
                 + "-0.015, 0.007]}\n");
         SmallCell.writePhotos(cell, folder.resolve("photos"), "photo", 1);

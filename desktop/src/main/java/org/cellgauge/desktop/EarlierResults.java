@@ -81,7 +81,7 @@ final class EarlierResults {
     /** The cell as a photo showed it whose camera was, where settings have it, scaled. */
     private Cell shownIn(PinholeCamera camera) {
         boolean scaled = settings.model().get(SettingTable.SCALE_CAMERA)
-                && (long) camera.widthPx() * cell.camera().heightPx() == (long) camera.heightPx() * cell.camera().widthPx();
+                && cell.camera().hasShape(camera.widthPx(), camera.heightPx());
         return scaled ? cell.scaledTo(camera.widthPx(), camera.heightPx()) : cell;
     }
 

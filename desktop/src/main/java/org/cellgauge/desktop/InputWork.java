@@ -323,7 +323,8 @@ final class InputWork {
 
     /** The cell in photos of a size. */
     private Cell shown(int widthPx, int heightPx, String name) {
-        return InputChecks.ofSize(cell, widthPx, heightPx, name, plan.settings().model().get(SettingTable.SCALE_CAMERA));
+        return InputChecks.ofSize(cell, widthPx, heightPx, name,
+                plan.settings().model().get(SettingTable.SCALE_CAMERA));
     }
 
     /** With the remark that the camera was scaled, where it was. */
@@ -342,8 +343,8 @@ final class InputWork {
     }
 
     private Picture picture(ResultView view, Found found) {
-        BufferedImage painted = OverlayPainter.paint(found.photo(), CellOverlay.of(found.cell(), found.detections(), view,
-                OverlayStyle.PHOTO));
+        BufferedImage painted = OverlayPainter.paint(found.photo(), CellOverlay.of(found.cell(), found.detections(),
+                view, OverlayStyle.PHOTO));
         try {
             return new Picture(Pictures.png(painted), Pictures.jpeg(painted, plan.reportWidthPx()));
         } catch (IOException e) {

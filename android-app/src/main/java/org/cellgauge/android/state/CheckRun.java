@@ -57,7 +57,7 @@ final class CheckRun {
     private static Cell seenBy(CellDocument document, PinholeCamera camera) {
         PinholeCamera calibration = document.calibration();
         boolean calibrated = calibration != null && camera.lens() == calibration.lens()
-                && (long) camera.widthPx() * calibration.heightPx() == (long) camera.heightPx() * calibration.widthPx()
+                && calibration.hasShape(camera.widthPx(), camera.heightPx())
                 && Arrays.equals(camera.intrinsics(),
                         calibration.resized(camera.widthPx(), camera.heightPx()).intrinsics());
         return calibrated ? document.cell().scaledTo(camera.widthPx(), camera.heightPx())

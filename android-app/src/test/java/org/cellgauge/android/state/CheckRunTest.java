@@ -17,11 +17,11 @@ public class CheckRunTest {
 
     private static Cell checked(PinholeCamera camera, boolean calibrated) {
         Cell cell = CellReader.read("cellgauge: 1\nmarkers: {family: square-binary, size_mm: 47}\n"
-                + "placement: {std_mm: [5, 5, 5], std_deg: 0.5}\nreferences: {944: {position_mm: [0, 0, 0]}}\n", "cell.yaml",
-                CAMERA).withCalibration(new CameraCalibration(Arrays.asList("fx", "k1"),
+                + "placement: {std_mm: [5, 5, 5], std_deg: 0.5}\nreferences: {944: {position_mm: [0, 0, 0]}}\n",
+                "cell.yaml", CAMERA).withCalibration(new CameraCalibration(Arrays.asList("fx", "k1"),
                         new double[] {4, 1e-3, 1e-3, 1e-6}, 20));
-        return new CheckRun(1, new CellDocument("cell.yaml", null, cell, calibrated ? CAMERA : null), camera, false, null)
-                .cell();
+        CellDocument document = new CellDocument("cell.yaml", null, cell, calibrated ? CAMERA : null);
+        return new CheckRun(1, document, camera, false, null).cell();
     }
 
     @Test

@@ -109,7 +109,7 @@ public final class CameraExport {
             camera.get(PinholeCamera.FY), camera.get(PinholeCamera.CY) - shift, 0, 0, 1};
     }
 
-    /** As many as the lens needs, in OpenCV's order: k1, k2, p1, p2, k3, k4, k5, k6, s1 to s4; of a fisheye k1 to k4. */
+    /** As many as the lens needs, in OpenCV's order: k1, k2, p1, p2, k3 to k6, s1 to s4; of a fisheye k1 to k4. */
     private static double[] coefficients(PinholeCamera camera) {
         if (camera.lens() == KannalaBrandtLens.MODEL) {
             return of(camera, KannalaBrandtLens.K1, KannalaBrandtLens.K2, KannalaBrandtLens.K3, KannalaBrandtLens.K4);

@@ -42,7 +42,7 @@ public final class InputChecks {
         CellPhrase remedy;
         if (widthPx == height && heightPx == width) {
             remedy = CellPhrase.IMAGE_TURNED;
-        } else if ((long) widthPx * height == (long) heightPx * width) {
+        } else if (cell.camera().hasShape(widthPx, heightPx)) {
             if (scale) {
                 return cell.scaledTo(widthPx, heightPx);
             }

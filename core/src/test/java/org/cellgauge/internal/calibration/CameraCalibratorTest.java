@@ -185,9 +185,9 @@ class CameraCalibratorTest {
                 .withWarp(0).withAspect(CalibrationOptions.Aspect.STATED)), 2);
     }
 
-    /** A wide lens of a quotient, the lens of a depth camera: leaner models leave errors, and the rung above is taken. */
+    /** A lens as of a depth camera. */
     @Test
-    void findsARationalLensAndNeedsIt() {
+    void findsARationalLens() {
         double[] truth = new double[RationalLens.PARAMETERS];
         System.arraycopy(new double[] {605, 606, 648, 355, 0, 0.52, -2.4, 1.5, 0.4, -2.3, 1.42, 9e-4, -3e-4}, 0, truth,
                 0, 13);
