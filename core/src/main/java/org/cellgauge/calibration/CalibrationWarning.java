@@ -23,6 +23,9 @@ public enum CalibrationWarning implements WarningKind {
     /** Odd and even photos differ somewhat: ratio. */
     SOME_MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: "
             + "chance is possible, a small error of lens model or target too"),
+    /** Other lenses explain photos held out about as well: the chosen lens, the others, their weight, %. */
+    LENS_OPEN("the photos do not decide between %s and %s, which explain photos held out about as well (weight %s %%): "
+            + "the stated deviations allow for both; name the lens model where it is known, or take more photos"),
     /** Too few photos for the gate: how many it takes. */
     NOT_CROSS_VALIDATED("too few photos to calibrate odd and even ones apart: nothing tells an error of the lens "
             + "model; take at least %s"),

@@ -5,10 +5,14 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
+import org.cellgauge.calibration.CalibrationOptions;
+import org.cellgauge.calibration.CalibrationResult;
+import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.internal.geometry.Rotations;
 import org.cellgauge.vision.TargetObservation;
 import org.cellgauge.vision.TargetPoints;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Are stated deviations of calibrations right? Calibrations simulated with a known camera: errors of every parameter
@@ -19,8 +23,12 @@ public final class CalibrationStudy {
     public enum Scene {
         /** 20 photos all over the image, tilted by 15 to 45 degrees to all sides, near and far. */
         GOOD("good photos", 0, 20, false, 0, 0),
+        /** The same, lens and board chosen by the photos. */
+        GOOD_CHOSEN("good, all chosen", 0, 20, false, 0, CalibrationOptions.BY_PHOTOS),
         /** 8 photos in the middle of the image, tilted by at most 20 degrees, from one distance. */
         POOR("poor photos", 1, 8, true, 0, 0),
+        /** The same, lens and board chosen by the photos. */
+        POOR_CHOSEN("poor, all chosen", 1, 8, true, 0, CalibrationOptions.BY_PHOTOS),
         /** The good photos of a board that is bent by 0.5 mm over 300 mm, taken for flat. */
         BENT_TAKEN_FOR_FLAT("bent, taken for flat", 2, 20, false, 0.5, 0),
         /** The same with two coefficients of warp unknown. */
@@ -118,29 +126,26 @@ public final class CalibrationStudy {
         int beyond = 0;
         int failed = 0;
         for (int s = 0; s < simulations; s++) {
-            CalibrationFit fit = CalibrationFit.of(choice, points, photos(scene, s), scene.modelled, false);
-            double[] covariance = fit.covariance;
+            Estimate estimate = estimate(scene, photos(scene, s));
             progress.accept(s + 1);
-            if (covariance == null) {
+            if (estimate == null) {
                 failed++;
                 continue;
             }
             for (int k = 0; k < unknowns; k++) {
-                double error = fit.values[choice.parameter(k)] - truth[choice.parameter(k)];
+                double error = estimate.values[choice.parameter(k)] - truth[choice.parameter(k)];
                 errors[k] += error * error;
-                variances[k] += covariance[k * (fit.globals + 1)];
+                int u = estimate.choice.unknown(choice.parameter(k));
+                variances[k] += u < 0 ? 0 : estimate.covariance[u * (estimate.size + 1)];
             }
-            ProjectionMap map = new ProjectionMap(choice, fit.values, WIDTH, HEIGHT,
-                    new Coverage(fit.photos, WIDTH, HEIGHT));
-            double[] shifts = map.difference(fit.values, truth);
+            double[] shifts = estimate.map.difference(estimate.values, truth);
             for (int k = 0; k < 9; k++) {
                 int place = PLACE_ROWS[k / 3] * ProjectionMap.COLUMNS + PLACE_COLUMNS[k % 3];
                 placeErrors[k] += shifts[2 * place] * shifts[2 * place] + shifts[2 * place + 1] * shifts[2 * place + 1];
-                double[] c = map.covariance(place, covariance, fit.globals);
+                double[] c = estimate.map.covariance(place, estimate.covariance, estimate.size);
                 placeVariances[k] += c[0] + c[2];
             }
-            CrossValidation cross = CrossValidation.of(fit, map, half(scene, 0), half(scene, 1));
-            beyond += cross.ratio() > 2 ? 1 : 0;
+            beyond += estimate.crossRatio > 2 ? 1 : 0;
         }
         List<String> names = new ArrayList<>();
         List<Double> ratios = new ArrayList<>();
@@ -155,6 +160,46 @@ public final class CalibrationStudy {
             std += Math.sqrt(placeVariances[k] / 2 / (simulations - failed)) / 9;
         }
         return new Outcome(names, ratios, places, std, (double) beyond / simulations, failed);
+    }
+
+    /** What one calibration says: values of the lens first, covariance of the unknowns of a choice first. */
+    private record Estimate(LensChoice choice, double[] values, double[] covariance, int size, ProjectionMap map,
+            double crossRatio) {
+    }
+
+    /** The calibration of a scene's photos; null where they determine none. */
+    private @Nullable Estimate estimate(Scene scene, List<TargetObservation> photos) {
+        if (scene.modelled == CalibrationOptions.BY_PHOTOS) {
+            return chosen(photos);
+        }
+        CalibrationFit fit = CalibrationFit.of(choice, points, photos, scene.modelled, false);
+        double[] covariance = fit.covariance;
+        if (covariance == null) {
+            return null;
+        }
+        ProjectionMap map = new ProjectionMap(choice, fit.values, WIDTH, HEIGHT,
+                new Coverage(fit.photos, WIDTH, HEIGHT));
+        CrossValidation cross = CrossValidation.of(fit, map, half(scene, 0), half(scene, 1));
+        return new Estimate(choice, fit.values, covariance, fit.globals, map, cross.ratio());
+    }
+
+    private @Nullable Estimate chosen(List<TargetObservation> photos) {
+        CalibrationResult result;
+        try {
+            result = new CameraCalibrator(points, photos, CalibrationOptions.USUAL).run();
+        } catch (InputRefusedException e) {
+            return null;
+        }
+        int n = result.parameters().size();
+        double[] covariance = new double[n * n];
+        for (int i = 0; i < covariance.length; i++) {
+            covariance[i] = result.covariance().get(i / n).get(i % n);
+        }
+        LensChoice of = LensChoice.ladder().stream().filter(c -> c.unknowns() == n).findFirst().orElseThrow();
+        double[] values = result.camera().intrinsics();
+        Coverage coverage = new Coverage(photos.stream().map(p -> new TargetPhoto(p, false)).toList(), WIDTH, HEIGHT);
+        return new Estimate(of, values, covariance, n, new ProjectionMap(of, values, WIDTH, HEIGHT, coverage),
+                result.figures().crossRatio());
     }
 
     private static List<Integer> half(Scene scene, int parity) {

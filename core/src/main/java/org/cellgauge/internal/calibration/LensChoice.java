@@ -75,6 +75,16 @@ final class LensChoice {
         return free[unknown];
     }
 
+    /** Which unknown a parameter of the lens is; -1 where it is known. */
+    int unknown(int parameter) {
+        for (int k = 0; k < free.length; k++) {
+            if (free[k] == parameter) {
+                return k;
+            }
+        }
+        return -1;
+    }
+
     /** Takes the unknown columns out of a lens's derivative. */
     void select(double[] byLens, double[] rowU, double[] rowV) {
         int second = lens.parameterCount();

@@ -221,6 +221,20 @@ public final class IntrinsicsPrior {
     }
 
     /**
+     * The same with a wide deviation in the place of a flat one, for searches that go by deviations.
+     *
+     * @return half of the mean where nothing is known
+     */
+    public IntrinsicsPrior proper() {
+        return new IntrinsicsPrior(indices, means, proper(stds), slopes, proper(ownStds), estimated);
+    }
+
+    private double[] proper(double[] deviations) {
+        return IntStream.range(0, deviations.length)
+                .mapToDouble(i -> Double.isInfinite(deviations[i]) ? means[i] / 2 : deviations[i]).toArray();
+    }
+
+    /**
      * Whether an intrinsic is unknown.
      *
      * @param index index of {@link PinholeCamera}
@@ -253,9 +267,12 @@ public final class IntrinsicsPrior {
      * @param stdPx standard deviation of fx, px, positive; +infinity for a flat prior
      * @param aspectStd standard deviation of {@code fy / fx} as a share of the camera's, positive
      * @return the prior of fx and fy
-     * @throws IllegalArgumentException if a deviation is not positive
+     * @throws IllegalArgumentException if a deviation is not positive, or that of the aspect ratio infinite
      */
     public static IntrinsicsPrior focalAndAspect(PinholeCamera camera, double stdPx, double aspectStd) {
+        if (Double.isInfinite(aspectStd)) {
+            throw new IllegalArgumentException("two focal lengths that know nothing of each other have no aspect ratio");
+        }
         double fx = camera.get(PinholeCamera.FX);
         double fy = camera.get(PinholeCamera.FY);
         double ofAspect = fy * aspectStd;
@@ -272,15 +289,16 @@ public final class IntrinsicsPrior {
      *
      * @param camera gives the means
      * @param indices indices of {@link PinholeCamera}; copied
-     * @param stds standard deviations in the units of the values, positive; +infinity where nothing is known; copied
+     * @param stds standard deviations in the units of the values, positive; +infinity of a focal length where nothing is
+     *     known of it; copied
      * @return the prior
-     * @throws IllegalArgumentException if a deviation is not positive
+     * @throws IllegalArgumentException if a deviation is not positive, or infinite and not a focal length's
      */
     public static IntrinsicsPrior of(PinholeCamera camera, int[] indices, double[] stds) {
         double[] means = new double[indices.length];
         for (int i = 0; i < indices.length; i++) {
             means[i] = camera.get(indices[i]);
-            if (!(stds[i] > 0)) {
+            if (!(stds[i] > 0) || Double.isInfinite(stds[i]) && indices[i] > PinholeCamera.FY) {
                 throw new IllegalArgumentException("prior deviation must be positive, not " + stds[i]);
             }
         }
