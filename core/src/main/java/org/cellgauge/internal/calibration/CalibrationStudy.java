@@ -7,6 +7,7 @@ import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.cellgauge.calibration.CalibrationOptions;
 import org.cellgauge.calibration.CalibrationResult;
+import org.cellgauge.calibration.CalibrationWarning;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.internal.geometry.Rotations;
@@ -69,10 +70,11 @@ public final class CalibrationStudy {
      * @param places the same of the projection at nine places, row by row
      * @param meanStdPx stated deviation of the projection, mean over the nine places, px
      * @param beyondTwo share of calibrations whose odd and even photos differ by more than 2 deviations
+     * @param bent share of calibrations that call the board bent in a way that is not modelled
      * @param failed calibrations without a covariance
      */
     public record Outcome(List<String> names, List<Double> ratios, List<Double> places, double meanStdPx,
-            double beyondTwo, int failed) {
+            double beyondTwo, double bent, int failed) {
     }
 
     private static final int WIDTH = 1280;
@@ -124,6 +126,7 @@ public final class CalibrationStudy {
         double[] placeErrors = new double[9];
         double[] placeVariances = new double[9];
         int beyond = 0;
+        int bent = 0;
         int failed = 0;
         for (int s = 0; s < simulations; s++) {
             Estimate estimate = estimate(scene, photos(scene, s));
@@ -146,6 +149,7 @@ public final class CalibrationStudy {
                 placeVariances[k] += c[0] + c[2];
             }
             beyond += estimate.crossRatio > 2 ? 1 : 0;
+            bent += estimate.bent ? 1 : 0;
         }
         List<String> names = new ArrayList<>();
         List<Double> ratios = new ArrayList<>();
@@ -159,12 +163,13 @@ public final class CalibrationStudy {
             places.add(Math.sqrt(placeErrors[k] / placeVariances[k]));
             std += Math.sqrt(placeVariances[k] / 2 / (simulations - failed)) / 9;
         }
-        return new Outcome(names, ratios, places, std, (double) beyond / simulations, failed);
+        return new Outcome(names, ratios, places, std, (double) beyond / simulations,
+                (double) bent / simulations, failed);
     }
 
     /** What one calibration says: values of the lens first, covariance of the unknowns of a choice first. */
     private record Estimate(LensChoice choice, double[] values, double[] covariance, int size, ProjectionMap map,
-            double crossRatio) {
+            double crossRatio, boolean bent) {
     }
 
     /** The calibration of a scene's photos; null where they determine none. */
@@ -180,7 +185,9 @@ public final class CalibrationStudy {
         ProjectionMap map = new ProjectionMap(choice, fit.values, WIDTH, HEIGHT,
                 new Coverage(fit.photos, WIDTH, HEIGHT));
         CrossValidation cross = CrossValidation.of(fit, map, half(scene, 0), half(scene, 1));
-        return new Estimate(choice, fit.values, covariance, fit.globals, map, cross.ratio());
+        BoardBend bend = BoardBend.of(fit, cross.ratio());
+        return new Estimate(choice, fit.values, covariance, fit.globals, map, cross.ratio(),
+                bend != null && bend.isThere());
     }
 
     private @Nullable Estimate chosen(List<TargetObservation> photos) {
@@ -199,7 +206,8 @@ public final class CalibrationStudy {
         double[] values = result.camera().intrinsics();
         Coverage coverage = new Coverage(photos.stream().map(p -> new TargetPhoto(p, false)).toList(), WIDTH, HEIGHT);
         return new Estimate(of, values, covariance, n, new ProjectionMap(of, values, WIDTH, HEIGHT, coverage),
-                result.figures().crossRatio());
+                result.figures().crossRatio(), result.warnings().stream().anyMatch(w -> w.kind()
+                        == CalibrationWarning.BENT || w.kind() == CalibrationWarning.BENT_OTHERWISE));
     }
 
     private static List<Integer> half(Scene scene, int parity) {

@@ -307,6 +307,7 @@ public final class CameraCalibrator {
                 : new ProjectionMap(choice, fit.values, width, height, coverage);
         warnOfChoice(fit, average);
         warnOfPhotos(coverage, photos);
+        warnOfBend(fit, cross.ratio());
         double[] field = {fieldDeg(camera, 0, height / 2.0, width, height / 2.0),
             fieldDeg(camera, width / 2.0, 0, width / 2.0, height)};
         if (field[0] < 5 || field[0] > 120 && !camera.lens().isWide()) {
@@ -455,6 +456,14 @@ public final class CameraCalibrator {
                     Listing.and(ladder.keySet().stream().filter(l -> l != fit.choice
                             && average.weight(l) > MUCH_WEIGHT / ladder.size()).map(LensChoice::name).toList()),
                     Decimal.of(100 * others, 0)));
+        }
+    }
+
+    private void warnOfBend(CalibrationFit fit, double crossRatio) {
+        BoardBend bend = points.isFlat() ? BoardBend.of(fit, crossRatio) : null;
+        if (bend != null && bend.isThere()) {
+            warnings.add(Warning.of(fit.board.warp == 0 ? CalibrationWarning.BENT : CalibrationWarning.BENT_OTHERWISE,
+                    Decimal.of(bend.heightMm(), 2), Decimal.of(bend.stdMm(), 2)));
         }
     }
 

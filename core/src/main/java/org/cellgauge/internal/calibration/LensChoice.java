@@ -58,6 +58,11 @@ final class LensChoice {
         return new LensChoice(name, lens, new int[] {PinholeCamera.FX, PinholeCamera.SKEW + 1}, true);
     }
 
+    /** The same lens with nothing unknown: for poses alone. */
+    LensChoice known() {
+        return new LensChoice(name, lens, new int[0], false);
+    }
+
     String name() {
         return name;
     }
