@@ -8,8 +8,11 @@ import java.util.stream.IntStream;
 import org.cellgauge.calibration.CalibrationOptions;
 import org.cellgauge.calibration.CalibrationResult;
 import org.cellgauge.calibration.CalibrationWarning;
+import org.cellgauge.cell.CameraCalibration;
+import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Rotations;
 import org.cellgauge.vision.TargetObservation;
 import org.cellgauge.vision.TargetPoints;
@@ -77,28 +80,36 @@ public final class CalibrationStudy {
             double beyondTwo, double bent, int failed) {
     }
 
-    private static final int WIDTH = 1280;
-    private static final int HEIGHT = 720;
     private static final int ROWS = 8;
     private static final int COLUMNS = 11;
     private static final double SQUARE_MM = 30;
-    private static final double FOCAL_PX = 900;
+    /** Of a camera whose image is as wide as 1280 px are with 900 px of focal length; others go nearer or farther. */
+    private static final double FOCAL_SHARE = 900.0 / 1280;
+    private static final PinholeCamera CAMERA = PinholeCamera.of(BrownLens.MODEL, 1280, 720,
+            new double[] {900, 902, 649, 354, 0, -0.2, 0.08, 0, 5e-4, -3e-4});
     private static final int[] PLACE_COLUMNS = {1, ProjectionMap.COLUMNS / 2, ProjectionMap.COLUMNS - 2};
     private static final int[] PLACE_ROWS = {1, ProjectionMap.ROWS / 2, ProjectionMap.ROWS - 2};
 
     private final TargetPoints points;
     private final LensChoice choice = LensChoice.ladder().get(2);
+    private final PinholeCamera camera;
     private final double[] truth;
     private final double noisePx;
     private final long seed;
 
     /**
-     * A study.
+     * A study of a usual camera.
      *
      * @param noisePx deviation of a corner's coordinate, px
      * @param seed of all that is drawn
      */
     public CalibrationStudy(double noisePx, long seed) {
+        this(CAMERA, noisePx, seed);
+    }
+
+    private CalibrationStudy(PinholeCamera camera, double noisePx, long seed) {
+        this.camera = camera;
+        truth = camera.intrinsics();
         this.noisePx = noisePx;
         this.seed = seed;
         double[] xy = new double[2 * ROWS * COLUMNS];
@@ -108,7 +119,30 @@ public final class CalibrationStudy {
             xy[2 * i + 1] = (row - (ROWS - 1) / 2.0) * SQUARE_MM;
         }
         points = TargetPoints.flat(xy);
-        truth = new double[] {FOCAL_PX, FOCAL_PX + 2, WIDTH / 2.0 + 9, HEIGHT / 2.0 - 6, 0, -0.2, 0.08, 0, 5e-4, -3e-4};
+    }
+
+    /**
+     * A cell whose camera has been calibrated as users do it: from simulated photos of a board, all over the image,
+     * lens and board chosen by the photos.
+     *
+     * @param cell with the true camera, of a lens that is not wide
+     * @param photos how many photos the calibration takes
+     * @param noisePx deviation of a corner's coordinate, px
+     * @param seed of all that is drawn
+     * @return the cell with the camera that was found and with what the calibration leaves open of it
+     * @throws InputRefusedException if the photos determine no camera
+     */
+    public static Cell calibrated(Cell cell, int photos, double noisePx, long seed) {
+        CalibrationStudy study = new CalibrationStudy(cell.camera(), noisePx, seed);
+        CalibrationResult result = new CameraCalibrator(study.points, study.photos(Scene.GOOD, photos, 0),
+                CalibrationOptions.USUAL).run();
+        List<String> names = result.parameters().stream().map(p -> CameraCalibration.name(p.name())).toList();
+        return cell.withCamera(result.camera())
+                .withCalibration(new CameraCalibration(names, flat(result.covariance()), photos));
+    }
+
+    private static double[] flat(List<List<Double>> rows) {
+        return rows.stream().flatMap(List::stream).mapToDouble(v -> v).toArray();
     }
 
     /**
@@ -182,8 +216,8 @@ public final class CalibrationStudy {
         if (covariance == null) {
             return null;
         }
-        ProjectionMap map = new ProjectionMap(choice, fit.values, WIDTH, HEIGHT,
-                new Coverage(fit.photos, WIDTH, HEIGHT));
+        ProjectionMap map = new ProjectionMap(choice, fit.values, camera.widthPx(), camera.heightPx(),
+                new Coverage(fit.photos, camera.widthPx(), camera.heightPx()));
         CrossValidation cross = CrossValidation.of(fit, map, half(scene, 0), half(scene, 1));
         BoardBend bend = BoardBend.of(fit, cross.ratio());
         return new Estimate(choice, fit.values, covariance, fit.globals, map, cross.ratio(),
@@ -198,14 +232,11 @@ public final class CalibrationStudy {
             return null;
         }
         int n = result.parameters().size();
-        double[] covariance = new double[n * n];
-        for (int i = 0; i < covariance.length; i++) {
-            covariance[i] = result.covariance().get(i / n).get(i % n);
-        }
+        double[] covariance = flat(result.covariance());
         LensChoice of = LensChoice.ladder().stream().filter(c -> c.unknowns() == n).findFirst().orElseThrow();
         double[] values = result.camera().intrinsics();
-        Coverage coverage = new Coverage(photos.stream().map(p -> new TargetPhoto(p, false)).toList(), WIDTH, HEIGHT);
-        return new Estimate(of, values, covariance, n, new ProjectionMap(of, values, WIDTH, HEIGHT, coverage),
+        Coverage coverage = new Coverage(photos.stream().map(p -> new TargetPhoto(p, false)).toList(), camera.widthPx(), camera.heightPx());
+        return new Estimate(of, values, covariance, n, new ProjectionMap(of, values, camera.widthPx(), camera.heightPx(), coverage),
                 result.figures().crossRatio(), result.warnings().stream().anyMatch(w -> w.kind()
                         == CalibrationWarning.BENT || w.kind() == CalibrationWarning.BENT_OTHERWISE));
     }
@@ -225,9 +256,13 @@ public final class CalibrationStudy {
 
     /** The photos of one simulated calibration. */
     List<TargetObservation> photos(Scene scene, int simulation) {
+        return photos(scene, scene.photos, simulation);
+    }
+
+    private List<TargetObservation> photos(Scene scene, int count, int simulation) {
         SplittableRandom random = new SplittableRandom(seed * 1_000_003 + scene.stream * 100_003L + simulation);
         List<TargetObservation> photos = new ArrayList<>();
-        for (int p = 0; p < scene.photos; p++) {
+        for (int p = 0; p < count; p++) {
             photos.add(photo(scene, random, "photo " + p));
         }
         return photos;
@@ -245,9 +280,11 @@ public final class CalibrationStudy {
             Rotations.exp(0, 0, Math.toRadians(scene.poor ? 20 : 90) * (2 * random.nextDouble() - 1), turned);
             TargetPhoto.multiply(tilted, turned, rotation);
             double z = scene.poor ? 700 * (0.97 + 0.06 * random.nextDouble()) : 350 + 600 * random.nextDouble();
+            double focal = truth[PinholeCamera.FX];
+            z *= focal / camera.widthPx() / FOCAL_SHARE;
             double reach = scene.poor ? 0.1 : 0.45;
-            double[] t = {z * reach * WIDTH / FOCAL_PX * (2 * random.nextDouble() - 1),
-                z * reach * HEIGHT / FOCAL_PX * (2 * random.nextDouble() - 1), z};
+            double[] t = {z * reach * camera.widthPx() / focal * (2 * random.nextDouble() - 1),
+                z * reach * camera.heightPx() / focal * (2 * random.nextDouble() - 1), z};
             if (project(scene, rotation, t, uv)) {
                 break;
             }
@@ -255,7 +292,7 @@ public final class CalibrationStudy {
         for (int i = 0; i < uv.length; i++) {
             uv[i] += noisePx * random.nextGaussian();
         }
-        return new TargetObservation(name, WIDTH, HEIGHT, IntStream.range(0, points.count()).toArray(), uv);
+        return new TargetObservation(name, camera.widthPx(), camera.heightPx(), IntStream.range(0, points.count()).toArray(), uv);
     }
 
     /** Images of all corners; false unless all are in the image. */
@@ -266,9 +303,9 @@ public final class CalibrationStudy {
             double y = xyz[3 * i + 1];
             double across = 2 * x / ((COLUMNS - 1) * SQUARE_MM);
             double z = scene.warpMm * (1 - across * across);
-            if (!BrownLens.MODEL.project(truth, r[0] * x + r[1] * y + r[2] * z + t[0],
+            if (!camera.lens().project(truth, r[0] * x + r[1] * y + r[2] * z + t[0],
                     r[3] * x + r[4] * y + r[5] * z + t[1], r[6] * x + r[7] * y + r[8] * z + t[2], uv, 2 * i)
-                    || uv[2 * i] < 0 || uv[2 * i] > WIDTH || uv[2 * i + 1] < 0 || uv[2 * i + 1] > HEIGHT) {
+                    || uv[2 * i] < 0 || uv[2 * i] > camera.widthPx() || uv[2 * i + 1] < 0 || uv[2 * i + 1] > camera.heightPx()) {
                 return false;
             }
         }
