@@ -540,7 +540,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
                     pixel(mean(corners, 1))));
             return null;
         }
-        MarkerObservation observation = marker.observation(id, light.noiseOfSides(marker));
+        MarkerObservation observation = marker.observation(id, light.noiseOfSides(marker), light.shiftStdPx());
         if (thinMargin) {
             observation = withSidesInDoubt(observation,
                     Math.min(MOST_DOUBT_PX, DOUBT_BY_MARGIN_PX * (whiteOverMargin - 1)));
