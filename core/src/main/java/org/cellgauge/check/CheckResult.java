@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.chains.CameraTarget;
 import org.cellgauge.internal.pose.CameraState;
@@ -12,6 +13,7 @@ import org.cellgauge.internal.posterior.CameraPosterior;
 import org.cellgauge.internal.statistics.ParetoTail;
 import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.NoiseFit;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.sampling.AcceptanceCount;
@@ -72,6 +74,11 @@ public final class CheckResult {
         Warning open = modes.directionOpen();
         if (open != null) {
             warnings.add(open);
+        }
+        IntrinsicsEstimate intrinsics = sampled.estimate.intrinsics();
+        List<String> notLearned = intrinsics == null ? List.of() : intrinsics.notLearned();
+        if (!notLearned.isEmpty()) {
+            warnings.add(Warning.of(CheckWarning.INTRINSICS_NOT_LEARNED, Listing.and(notLearned)));
         }
         Warning apart = sampled.againstLaplace().warning();
         if (apart != null) {
