@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  * is {@code auto}, {@code tone_curve} what the camera file says and else {@code auto}, {@code objects} and
  * {@code target} are none; deviations of prints are those of {@link PrintPrecision#USUAL}. {@code placement} may be
  * left out where every reference states its own; a reference's {@code placement} and a reference's or object's
- * {@code size_mm} replace only what they state. Every refusal names file, line, key and remedy.
+ * {@code size_mm} and {@code target} replace only what they state. Every refusal names file, line, key and remedy.
  */
 public final class CellReader {
     /** Largest cell file that is read, bytes. */
@@ -183,15 +183,13 @@ public final class CellReader {
 
         Map<Integer, YamlValue> lines = new HashMap<>();
         List<Reference> references = references(file, markers, family, placement, lines);
-        List<ObjectMarker> objects = objects(file.optional("objects"), markers, family, lines);
-        OptionalDouble target = OptionalDouble.empty();
-        if (file.optional("target") != null) {
-            target = OptionalDouble.of(file.optional("target")
-                    .mapping(Refusal.of(CellPhrase.OR_DELETE, "{std_mm: 1.0}"), "std_mm")
-                    .required("std_mm", "std_mm: 1.0").positive(CellPhrase.TARGET_STD));
-        }
+        YamlValue statedTarget = file.optional("target");
+        Requirement target = statedTarget == null ? Requirement.NONE : requirement(statedTarget, Requirement.NONE);
+        Map<Integer, Requirement> ownTargets = new HashMap<>();
+        List<ObjectMarker> objects = objects(file.optional("objects"), markers, family, lines, target, ownTargets);
         YamlValue toneCurve = file.optional(CameraReader.TONE_CURVE);
-        return new Cell(camera, family, references, objects, pixelStdPx, target, prints(markers))
+        return new Cell(camera, family, references, objects, pixelStdPx, OptionalDouble.empty(), prints(markers))
+                .withTarget(new Target(target, ownTargets))
                 .withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve))
                 .withCalibration(calibration);
     }
@@ -413,8 +411,58 @@ public final class CellReader {
         return size(stated);
     }
 
+    /** What is asked of objects; one of its own inherits what it leaves out. */
+    private static Requirement requirement(YamlValue value, Requirement general) {
+        YamlMapping stated = value.mapping(Refusal.of(CellPhrase.OR_DELETE, "{std_mm: 1.0}"), "std_mm", "tolerance_mm",
+                "distance_mm", "tolerance_deg", "probability");
+        Requirement found = new Requirement(limits(stated, "std_mm", CellPhrase.TARGET_STD, general.stdMm()),
+                limits(stated, "tolerance_mm", CellPhrase.TARGET_TOLERANCE, general.toleranceMm()),
+                limit(stated, "distance_mm", CellPhrase.TARGET_DISTANCE, general.distanceMm()),
+                limit(stated, "tolerance_deg", CellPhrase.TARGET_TURN, general.toleranceDeg()),
+                probability(stated, general.probability()));
+        if (!found.isAny()) {
+            throw stated.missing("std_mm", CellRefusal.MISSING, "std_mm: 1.0");
+        }
+        if (!found.asksForProbability() && stated.optional("probability") != null) {
+            throw stated.missing("tolerance_mm", CellRefusal.MISSING, "tolerance_mm: 1.0");
+        }
+        return found;
+    }
+
+    private static Requirement.Axes limits(YamlMapping stated, String key, CellPhrase remedy,
+            Requirement.Axes general) {
+        YamlValue value = stated.optional(key);
+        if (value == null) {
+            return general;
+        }
+        if (!value.isList()) {
+            return Requirement.Axes.all(value.positive(remedy));
+        }
+        value.numbers(3, remedy);
+        double[] limits = value.items().stream().mapToDouble(item -> item.positive(remedy)).toArray();
+        return new Requirement.Axes(limits[0], limits[1], limits[2]);
+    }
+
+    private static double limit(YamlMapping stated, String key, CellPhrase remedy, double general) {
+        YamlValue value = stated.optional(key);
+        return value == null ? general : value.positive(remedy);
+    }
+
+    private static double probability(YamlMapping stated, double general) {
+        YamlValue value = stated.optional("probability");
+        if (value == null) {
+            return general;
+        }
+        double probability = value.positive(CellPhrase.TARGET_PROBABILITY);
+        if (!(probability < 1)) {
+            throw value.refused(CellRefusal.NOT_BELOW_ONE, CameraReader.plain(probability),
+                    CellPhrase.TARGET_PROBABILITY);
+        }
+        return probability;
+    }
+
     private List<ObjectMarker> objects(@Nullable YamlValue value, YamlMapping markers, MarkerFamily family,
-            Map<Integer, YamlValue> lines) {
+            Map<Integer, YamlValue> lines, Requirement target, Map<Integer, Requirement> ownTargets) {
         List<ObjectMarker> objects = new ArrayList<>();
         if (value == null || value.isEmpty()) {
             return objects;
@@ -432,9 +480,13 @@ public final class CellReader {
                 }
                 size = size(generalSize);
             } else {
-                YamlMapping entry = e.getValue().mapping(CellPhrase.OBJECT, "grip_mm", "size_mm");
+                YamlMapping entry = e.getValue().mapping(CellPhrase.OBJECT, "grip_mm", "size_mm", "target");
                 grip = entry.optional("grip_mm") == null ? null : point(entry.optional("grip_mm"));
                 size = size(entry, markers);
+                YamlValue own = entry.optional("target");
+                if (own != null) {
+                    ownTargets.put(id, requirement(own, target));
+                }
             }
             objects.add(new ObjectMarker(id, size, grip));
         }

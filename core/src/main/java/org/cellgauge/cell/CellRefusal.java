@@ -40,6 +40,8 @@ public enum CellRefusal implements RefusalKind {
     EXPECTED("expected %s, got %s; write %s%s"),
     /** Zero or negative: what stands there, what to write. */
     NOT_POSITIVE("must be greater than 0, got %s; write %s"),
+    /** A share or probability of 1 or more: what stands there, what to write. */
+    NOT_BELOW_ONE("must be less than 1, got %s; write %s"),
     /** A whole number out of its range: smallest, largest, what stands there, what to write. */
     OUT_OF_RANGE("must be from %s to %s, got %s; write %s"),
     /** A tag of YAML: its name. */

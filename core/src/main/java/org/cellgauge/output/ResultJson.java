@@ -6,9 +6,13 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalInt;
+import java.util.TreeMap;
+import org.cellgauge.cell.Requirement;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.placement.Misfit;
@@ -155,7 +159,16 @@ public final class ResultJson {
         json.name("reason").value(view.reason());
         files(record);
         json.name("target").beginObject();
-        number("std_mm", view.targetStdMm().orElse(Double.NaN));
+        requirement(view.target().general());
+        if (!view.target().own().isEmpty()) {
+            json.name("objects").beginObject();
+            for (Map.Entry<Integer, Requirement> own : new TreeMap<>(view.target().own()).entrySet()) {
+                json.name(String.valueOf(own.getKey())).beginObject();
+                requirement(own.getValue());
+                json.endObject();
+            }
+            json.endObject();
+        }
         json.endObject();
         json.name("settings");
         settings(Objects.requireNonNull(view.run()), view.cell(), noise, references);
@@ -236,6 +249,43 @@ public final class ResultJson {
         json.name("version").value(record.version());
         json.endObject();
         json.flush();
+    }
+
+    // ---- the target
+
+    private void requirement(Requirement asked) throws IOException {
+        limits("std_mm", asked.stdMm());
+        if (asked.asksForProbability()) {
+            limits("tolerance_mm", asked.toleranceMm());
+            number("distance_mm", asked.distanceMm());
+            number("tolerance_deg", asked.toleranceDeg());
+            number("probability", asked.probability());
+        }
+    }
+
+    private void limits(String name, Requirement.Axes limits) throws IOException {
+        if (limits.isUniform() || !limits.isAny()) {
+            number(name, limits.x());
+        } else {
+            numbers(name, new double[] {limits.x(), limits.y(), limits.z()});
+        }
+    }
+
+    private void conformity(String name, List<Conformity> all) throws IOException {
+        if (all.isEmpty()) {
+            return;
+        }
+        json.name(name).beginArray();
+        for (Conformity c : all) {
+            json.beginObject();
+            json.name("of").value(c.of().key());
+            number("tolerance_" + c.of().unit(), c.tolerance());
+            number("probability", c.probability());
+            number("mcse", c.mcse());
+            number("asked", c.asked());
+            json.endObject();
+        }
+        json.endArray();
     }
 
     // ---- what it is of
@@ -465,6 +515,10 @@ public final class ResultJson {
         verdict("position_verdict", object);
         if (grip != null) {
             verdict("grip_verdict", grip);
+        }
+        conformity("position_conformity", object.conformities());
+        if (grip != null) {
+            conformity("grip_conformity", grip.conformities());
         }
         json.name("pose").beginObject();
         poseMembers(Objects.requireNonNull(object.pose()));

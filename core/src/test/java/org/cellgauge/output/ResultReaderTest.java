@@ -14,8 +14,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.ThesisScene;
@@ -144,6 +147,18 @@ class ResultReaderTest {
         ResultView view = ResultReader.of(ResultJson.of(between, RECORD), "r.json");
         assertEquals(Verdict.PASS, view.object(5).verdict());
         assertEquals(Verdict.FAIL, view.grip(5).verdict());
+    }
+
+    @Test
+    void probabilitiesOfTolerancesAreReadBack() {
+        Requirement asked = new Requirement(Requirement.Axes.NONE, new Requirement.Axes(4, 4, 9), 12, 2, 0.9);
+        CheckResult judged = whole.withTarget(new Target(asked, Map.of(30, Requirement.ofStdMm(5))));
+        assertReadBack(judged);
+        ResultView view = ResultReader.of(ResultJson.of(judged, RECORD), "r.json");
+        assertEquals(judged.cell().target(), view.target());
+        assertEquals(5, view.object(5).conformities().size());
+        assertEquals(4, view.grip(5).conformities().size());
+        assertEquals(List.of(), view.object(30).conformities());
     }
 
     @Test

@@ -10,6 +10,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Target;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.output.CellView;
 import org.cellgauge.output.ResultReader;
@@ -31,6 +32,7 @@ final class EarlierResults {
     private final CellFile files;
     private final boolean calibrated;
     private final CellView cell;
+    private final Target target;
     private final CheckSettings settings;
 
     /**
@@ -38,7 +40,7 @@ final class EarlierResults {
      *
      * @param folder where they are
      * @param files what the cell stands in
-     * @param cell what they must rest on, but for its target
+     * @param cell what they must rest on, but for its target, which must be one that can be held against them
      * @param settings what they must have been made with, but for the target
      */
     EarlierResults(ResultFolder folder, CellFile files, Cell cell, CheckSettings settings) {
@@ -46,6 +48,7 @@ final class EarlierResults {
         this.files = files;
         calibrated = cell.calibration() != null;
         this.cell = CellView.of(cell);
+        target = cell.target();
         this.settings = settings;
     }
 
@@ -73,6 +76,9 @@ final class EarlierResults {
         if (!sampledAs(view).equals(view.run().settings().toBuilder()
                 .set(SettingTable.TARGET_STD_MM, OptionalDouble.empty()).build())) {
             throw refused(input, BatchRefusal.OTHER_SETTINGS);
+        }
+        if (!view.canBeHeldAgainst(target)) {
+            throw refused(input, BatchRefusal.TOLERANCE_NEEDS_DRAWS);
         }
         return stored;
     }

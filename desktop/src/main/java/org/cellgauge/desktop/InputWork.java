@@ -191,7 +191,7 @@ final class InputWork {
         /** A stored result as the target and the files of now have it; what it says already stays as it is. */
         private Result judged(Read read, StoredResult stored) {
             stage("stored result");
-            ResultView judged = stored.view().withTarget(plan.targetStdMm());
+            ResultView judged = stored.view().withTarget(plan.target());
             ResultRecord record = plan.cellFile().in(stored.record()).withCommand(plan.command().apply(input));
             boolean anew = !judged.equals(stored.view());
             computed = new StoredResult(judged, anew ? record.withJudgedOn(plan.day()) : record);

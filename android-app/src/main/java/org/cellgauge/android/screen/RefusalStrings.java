@@ -60,6 +60,8 @@ final class RefusalStrings {
                 return R.string.refusal_cell_second_document;
             case EXPECTED:
                 return R.string.refusal_cell_expected;
+            case NOT_BELOW_ONE:
+                return R.string.refusal_cell_not_below_one;
             case NOT_POSITIVE:
                 return R.string.refusal_cell_not_positive;
             case OUT_OF_RANGE:
@@ -246,6 +248,14 @@ final class RefusalStrings {
                 return R.string.refusal_part_object;
             case TARGET_STD:
                 return R.string.refusal_part_target_std;
+            case TARGET_TOLERANCE:
+                return R.string.refusal_part_target_tolerance;
+            case TARGET_DISTANCE:
+                return R.string.refusal_part_target_distance;
+            case TARGET_TURN:
+                return R.string.refusal_part_target_turn;
+            case TARGET_PROBABILITY:
+                return R.string.refusal_part_target_probability;
             case SIZE_STD:
                 return R.string.refusal_part_size_std;
             case FLATNESS_STD:

@@ -74,6 +74,14 @@ public enum CellPhrase implements RefusalKind {
     OBJECT("{} or {grip_mm: [x, y, z]}"),
     /** The target. */
     TARGET_STD("the largest deviation allowed, in mm"),
+    /** A tolerance of coordinates. */
+    TARGET_TOLERANCE("how far a coordinate may be off, in mm: one number, or [x, y, z]"),
+    /** A tolerance of points. */
+    TARGET_DISTANCE("how far a point may be off, in mm"),
+    /** A tolerance of orientations. */
+    TARGET_TURN("how far an object may be turned, in degrees"),
+    /** The probability of a tolerance. */
+    TARGET_PROBABILITY("the probability of keeping the tolerance, such as 0.95"),
     /** A deviation of prints. */
     SIZE_STD("the deviation of printed sizes in mm, such as 0.1"),
     /** A deviation of prints. */

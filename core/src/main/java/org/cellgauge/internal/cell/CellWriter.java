@@ -2,6 +2,7 @@ package org.cellgauge.internal.cell;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.cell.Cell;
@@ -10,6 +11,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.cell.Requirement;
 import org.cellgauge.geometry.RigidTransform;
 
 /**
@@ -74,14 +76,33 @@ public final class CellWriter {
                 if (grip != null) {
                     out.append(", grip_mm: ").append(numbers(grip));
                 }
-                out.append("}\n");
+                Requirement own = cell.target().own().get(object.id());
+                out.append(own == null ? "" : ", target: " + requirement(own)).append("}\n");
             }
         }
-        if (cell.targetStdMm().isPresent()) {
-            out.append("target: {std_mm: ").append(CameraWriter.number(cell.targetStdMm().getAsDouble()))
-                    .append("}\n");
+        if (cell.target().general().isAny()) {
+            out.append("target: ").append(requirement(cell.target().general())).append('\n');
         }
         return out.toString();
+    }
+
+    private static String requirement(Requirement asked) {
+        List<String> parts = new ArrayList<>();
+        limits(parts, "std_mm", asked.stdMm());
+        limits(parts, "tolerance_mm", asked.toleranceMm());
+        limits(parts, "distance_mm", Requirement.Axes.all(asked.distanceMm()));
+        limits(parts, "tolerance_deg", Requirement.Axes.all(asked.toleranceDeg()));
+        if (asked.asksForProbability()) {
+            parts.add("probability: " + CameraWriter.number(asked.probability()));
+        }
+        return "{" + String.join(", ", parts) + "}";
+    }
+
+    private static void limits(List<String> parts, String key, Requirement.Axes limits) {
+        if (limits.isAny()) {
+            parts.add(key + ": " + (limits.isUniform() ? CameraWriter.number(limits.x())
+                    : numbers(limits.x(), limits.y(), limits.z())));
+        }
     }
 
     private static void print(StringBuilder out, String key, double stdMm, double usualMm) {
