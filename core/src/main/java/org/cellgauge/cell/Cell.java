@@ -19,6 +19,7 @@ public final class Cell {
     private final @Nullable ToneCurve toneCurve;
     private final @Nullable CameraCalibration calibration;
     private final PrintPrecision prints;
+    private final Planning planning;
 
     /**
      * A cell whose markers are printed as usual.
@@ -52,12 +53,13 @@ public final class Cell {
      */
     public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints) {
-        this(camera, family, references, objects, pixelStdPx, Target.ofStdMm(targetStdMm), prints, null, null);
+        this(camera, family, references, objects, pixelStdPx, Target.ofStdMm(targetStdMm), prints, null, null,
+                Planning.NONE);
     }
 
     private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, Target target, PrintPrecision prints,
-            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration) {
+            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration, Planning planning) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
@@ -76,6 +78,7 @@ public final class Cell {
         this.toneCurve = toneCurve;
         this.calibration = calibration;
         this.prints = prints;
+        this.planning = planning;
     }
 
     private static void addOnce(java.util.Set<Integer> ids, int id) {
@@ -92,7 +95,7 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withCamera(PinholeCamera other) {
-        return new Cell(other, family, references, objects, pixelStdPx, target, prints, toneCurve, null);
+        return new Cell(other, family, references, objects, pixelStdPx, target, prints, toneCurve, null, planning);
     }
 
     /**
@@ -103,7 +106,7 @@ public final class Cell {
      * @throws IllegalArgumentException if there is none, or an id stands twice in the cell then
      */
     public Cell withReferences(List<Reference> others) {
-        return new Cell(camera, family, others, objects, pixelStdPx, target, prints, toneCurve, calibration);
+        return new Cell(camera, family, others, objects, pixelStdPx, target, prints, toneCurve, calibration, planning);
     }
 
     /**
@@ -114,7 +117,8 @@ public final class Cell {
      * @throws IllegalArgumentException if an id stands twice in the cell then
      */
     public Cell withObjects(List<ObjectMarker> others) {
-        return new Cell(camera, family, references, others, pixelStdPx, target, prints, toneCurve, calibration);
+        return new Cell(camera, family, references, others, pixelStdPx, target, prints, toneCurve, calibration,
+                planning);
     }
 
     /**
@@ -135,7 +139,8 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withTarget(Target other) {
-        return new Cell(camera, family, references, objects, pixelStdPx, other, prints, toneCurve, calibration);
+        return new Cell(camera, family, references, objects, pixelStdPx, other, prints, toneCurve, calibration,
+                planning);
     }
 
     /**
@@ -146,7 +151,7 @@ public final class Cell {
      * @throws IllegalArgumentException if the deviation is not positive
      */
     public Cell withPixelStdPx(OptionalDouble px) {
-        return new Cell(camera, family, references, objects, px, target, prints, toneCurve, calibration);
+        return new Cell(camera, family, references, objects, px, target, prints, toneCurve, calibration, planning);
     }
 
     /**
@@ -156,7 +161,7 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withToneCurve(@Nullable ToneCurve stated) {
-        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, stated, calibration);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, stated, calibration, planning);
     }
 
     /**
@@ -170,7 +175,26 @@ public final class Cell {
         if (stated != null) {
             stated.indices(camera.lens());
         }
-        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, stated);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, stated, planning);
+    }
+
+    /**
+     * The same cell with something else said for planning.
+     *
+     * @param other where things may be and what changes cost
+     * @return a new cell
+     */
+    public Cell withPlanning(Planning other) {
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration, other);
+    }
+
+    /**
+     * What is said for planning alone.
+     *
+     * @return {@link Planning#NONE} where nothing is
+     */
+    public Planning planning() {
+        return planning;
     }
 
     /**

@@ -9,12 +9,11 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalInt;
-import java.util.TreeMap;
-import org.cellgauge.cell.Requirement;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Conformity;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.output.TargetJson;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.settings.CheckSettings;
@@ -158,18 +157,8 @@ public final class ResultJson {
         json.name("decided").value(view.decided());
         json.name("reason").value(view.reason());
         files(record);
-        json.name("target").beginObject();
-        requirement(view.target().general());
-        if (!view.target().own().isEmpty()) {
-            json.name("objects").beginObject();
-            for (Map.Entry<Integer, Requirement> own : new TreeMap<>(view.target().own()).entrySet()) {
-                json.name(String.valueOf(own.getKey())).beginObject();
-                requirement(own.getValue());
-                json.endObject();
-            }
-            json.endObject();
-        }
-        json.endObject();
+        json.name("target");
+        TargetJson.write(view.target(), json);
         json.name("settings");
         settings(Objects.requireNonNull(view.run()), view.cell(), noise, references);
         PhotoLight light = view.light();
@@ -252,24 +241,6 @@ public final class ResultJson {
     }
 
     // ---- the target
-
-    private void requirement(Requirement asked) throws IOException {
-        limits("std_mm", asked.stdMm());
-        if (asked.asksForProbability()) {
-            limits("tolerance_mm", asked.toleranceMm());
-            number("distance_mm", asked.distanceMm());
-            number("tolerance_deg", asked.toleranceDeg());
-            number("probability", asked.probability());
-        }
-    }
-
-    private void limits(String name, Requirement.Axes limits) throws IOException {
-        if (limits.isUniform() || !limits.isAny()) {
-            number(name, limits.x());
-        } else {
-            numbers(name, new double[] {limits.x(), limits.y(), limits.z()});
-        }
-    }
 
     private void conformity(String name, List<Conformity> all) throws IOException {
         if (all.isEmpty()) {

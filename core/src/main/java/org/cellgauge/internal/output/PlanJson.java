@@ -29,9 +29,9 @@ public final class PlanJson {
             out.setFormattingStyle(FormattingStyle.PRETTY.withIndent("  "));
             out.beginObject();
             out.name("schema").value(1);
-            out.name("verdict").value(plan.targetStdMm().isEmpty() ? "no-target" : plan.met() ? "pass" : "fail");
-            out.name("target_std_mm");
-            number(out, plan.targetStdMm().orElse(Double.NaN));
+            out.name("verdict").value(!plan.target().isAny() ? "no-target" : plan.met() ? "pass" : "fail");
+            out.name("target");
+            TargetJson.write(plan.target(), out);
             out.name("cameras").beginArray();
             for (RigidTransform pose : plan.layout().worldFromCameras()) {
                 out.beginArray();
@@ -57,10 +57,10 @@ public final class PlanJson {
             out.name("certificates").beginArray();
             for (Plan.Certificate certificate : plan.certificate()) {
                 out.beginObject().name("references").value(certificate.references());
-                out.name("found_std_mm");
-                number(out, certificate.foundStdMm());
-                out.name("bound_std_mm");
-                number(out, certificate.boundStdMm());
+                out.name("found_ratio");
+                number(out, certificate.foundRatio());
+                out.name("bound_ratio");
+                number(out, certificate.boundRatio());
                 out.name("proven").value(certificate.proven()).endObject();
             }
             out.endArray();
@@ -82,6 +82,8 @@ public final class PlanJson {
     private static void forecast(JsonWriter out, Forecast forecast) throws IOException {
         out.beginObject().name("worst_std_mm");
         number(out, forecast.worstStdMm());
+        out.name("ratio");
+        number(out, forecast.ratio());
         out.name("references").beginArray();
         for (int id : forecast.references()) {
             out.value(id);
@@ -99,6 +101,15 @@ public final class PlanJson {
             }
             out.endArray().name("own_std_mm");
             number(out, row.ownStdMm());
+            if (!row.grip()) {
+                out.name("turn_std_deg");
+                number(out, row.turnStdDeg());
+            }
+            out.name("ratio");
+            number(out, row.ratio());
+            if (!Double.isNaN(row.probability())) {
+                out.name("probability").value(row.probability());
+            }
             out.endObject();
         }
         out.endArray().endObject();
