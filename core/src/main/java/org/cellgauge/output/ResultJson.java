@@ -232,6 +232,7 @@ public final class ResultJson {
         if (view.action() != null) {
             json.name("action").value(view.action());
         }
+        advice(view.advice());
         if (record.command() != null) {
             json.name("command").value(record.command());
         }
@@ -241,6 +242,33 @@ public final class ResultJson {
     }
 
     // ---- the target
+
+    private void advice(List<AdviceView> advice) throws IOException {
+        if (advice.isEmpty()) {
+            return;
+        }
+        json.name("plan").beginArray();
+        for (AdviceView a : advice) {
+            json.beginObject();
+            json.name("changes").beginArray();
+            for (int i = 0; i < a.codes().size(); i++) {
+                json.beginObject();
+                json.name("code").value(a.codes().get(i));
+                json.name("sentence").value(a.sentences().get(i));
+                json.endObject();
+            }
+            json.endArray();
+            number("cost", a.cost());
+            json.name("object").value(a.objectId());
+            json.name("point").value(a.grip() ? "grip" : "marker");
+            json.name("axis").value("xyz".substring(a.axis(), a.axis() + 1));
+            number("now_std_mm", a.nowStdMm());
+            number("then_std_mm", a.thenStdMm());
+            number("worst_std_mm", a.worstStdMm());
+            json.endObject();
+        }
+        json.endArray();
+    }
 
     private void conformity(String name, List<Conformity> all) throws IOException {
         if (all.isEmpty()) {

@@ -167,6 +167,7 @@ public final class ResultReader {
                 .rows(rows).run(run(settings)).foundations(noise, references(root, cell))
                 .chains(chains(root.at("diagnostics"), root.at("acceptance"))).warnings(warnings(root))
                 .action(root.find("action") == null ? null : root.at("action").text());
+        view.advice(advice(root.find("plan")));
         Node light = root.find("light");
         if (light != null) {
             view.light(new PhotoLight(light.at("tone_curve").toneCurve(), light.at("tone_curve_estimated").bool(),
@@ -239,6 +240,29 @@ public final class ResultReader {
 
     private static double limit(double number) {
         return Double.isNaN(number) ? Double.POSITIVE_INFINITY : number;
+    }
+
+    private static List<AdviceView> advice(@Nullable Node all) {
+        List<AdviceView> found = new ArrayList<>();
+        if (all == null) {
+            return found;
+        }
+        for (Node node : all.elements()) {
+            List<String> codes = new ArrayList<>();
+            List<String> sentences = new ArrayList<>();
+            for (Node change : node.at("changes").elements()) {
+                codes.add(change.at("code").text());
+                sentences.add(change.at("sentence").text());
+            }
+            int axis = "xyz".indexOf(node.at("axis").text());
+            if (axis < 0) {
+                throw node.at("axis").refused(ResultRefusal.UNKNOWN_WORD, node.at("axis").text());
+            }
+            found.add(new AdviceView(codes, sentences, node.at("cost").number(), node.at("object").integer(),
+                    node.at("point").text().equals("grip"), axis, node.at("now_std_mm").number(),
+                    node.at("then_std_mm").number(), node.at("worst_std_mm").number()));
+        }
+        return found;
     }
 
     private static List<Conformity> conformity(@Nullable Node all) {

@@ -97,6 +97,7 @@ public final class ResultView extends Value {
     private @Nullable ChainsView chains;
     private List<WarningView> warnings = Collections.emptyList();
     private @Nullable String action;
+    private List<AdviceView> advice = Collections.emptyList();
 
     private ResultView(CellView cell) {
         this.cell = cell;
@@ -122,6 +123,7 @@ public final class ResultView extends Value {
             view.chains = like.chains;
             view.warnings = like.warnings;
             view.action = like.action;
+            view.advice = like.advice;
         }
 
         Builder judged(@Nullable Verdict verdict, boolean decided, @Nullable String reason, Target target) {
@@ -172,6 +174,11 @@ public final class ResultView extends Value {
 
         Builder action(@Nullable String action) {
             view.action = action;
+            return this;
+        }
+
+        Builder advice(List<AdviceView> advice) {
+            view.advice = Collections.unmodifiableList(new ArrayList<>(advice));
             return this;
         }
 
@@ -353,7 +360,7 @@ public final class ResultView extends Value {
             throw new IllegalArgumentException("only draws tell how probable it is to be within " + other);
         }
         TargetTest test = targetTest(other);
-        Builder judged = new Builder(this).run(run.withoutTarget());
+        Builder judged = new Builder(this).run(run.withoutTarget()).advice(Collections.emptyList());
         if (isTrusted(verdict)) {
             judged.judged(test.verdict(), test.decided(), test.reason().english(), other)
                     .rows(judged(rows, test.verdict(), test));
@@ -362,6 +369,25 @@ public final class ResultView extends Value {
             judged.judged(verdict, false, reason, other).rows(withoutConformities(rows));
         }
         return judged.build();
+    }
+
+    /**
+     * The same with changes of the set-up that would meet its target.
+     *
+     * @param other what {@link AdviceView#of} finds for it
+     * @return another view
+     */
+    public ResultView withAdvice(List<AdviceView> other) {
+        return new Builder(this).advice(other).build();
+    }
+
+    /**
+     * Changes of the set-up that would meet a target which is missed.
+     *
+     * @return unmodifiable, cheapest first; empty where none were looked for or found
+     */
+    public List<AdviceView> advice() {
+        return advice;
     }
 
     private static List<ResultRow> withoutConformities(List<ResultRow> rows) {
@@ -677,6 +703,6 @@ public final class ResultView extends Value {
     @Override
     @Nullable Object[] figures() {
         return new @Nullable Object[] {verdict, decided, reason, target, rows, intrinsics, intrinsicsCovariance,
-            cell, figures(light), run, noise, references, chains, warnings, action};
+            cell, figures(light), run, noise, references, chains, warnings, action, advice};
     }
 }

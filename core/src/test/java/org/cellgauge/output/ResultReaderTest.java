@@ -32,6 +32,7 @@ import org.cellgauge.sampling.Quantity;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.Message;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -159,6 +160,27 @@ class ResultReaderTest {
         assertEquals(5, view.object(5).conformities().size());
         assertEquals(4, view.grip(5).conformities().size());
         assertEquals(List.of(), view.object(30).conformities());
+    }
+
+    @Test
+    void whatWouldMeetAMissedTargetIsReadBack() {
+        ThesisScene scene = ThesisScene.inPlane(4).placement(2, 0.003).pixelStd(0.05).target(1.2);
+        CheckResult missed = CellCheck.run(scene.cell(), scene.exactDetections(), CheckSettings.builder().build());
+        ResultView view = ResultView.of(missed);
+        List<AdviceView> advice = AdviceView.of(missed.cell(), missed.settings(), view, Message::toString);
+        assertEquals(Verdict.FAIL, view.verdict());
+        assertTrue(advice.size() >= 1 && advice.size() <= 3, advice.toString());
+        for (AdviceView a : advice) {
+            assertTrue(a.worstStdMm() <= 1.2, a.line());
+            assertTrue(a.nowStdMm() > 1.2 && a.thenStdMm() <= 1.2, a.line());
+        }
+        StoredResult with = new StoredResult(view.withAdvice(advice), RECORD);
+        assertEquals(with, ResultReader.stored(ResultJson.of(with), "r.json"));
+        assertEquals(advice, ResultReader.of(ResultJson.of(with), "r.json").advice());
+        // of another target it says nothing
+        assertEquals(List.of(), with.view().withTarget(OptionalDouble.of(0.1)).advice());
+        CheckResult met = missed.withTarget(OptionalDouble.of(100));
+        assertEquals(List.of(), AdviceView.of(met.cell(), met.settings(), ResultView.of(met), Message::toString));
     }
 
     @Test

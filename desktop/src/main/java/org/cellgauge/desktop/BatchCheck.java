@@ -81,6 +81,7 @@ public final class BatchCheck {
         private boolean storedOnly;
         private boolean anew;
         private DrawFiles draws;
+        private boolean advice = true;
         private StopSignal stop = new StopSignal();
 
         private Builder(CellFile cellFile) {
@@ -106,6 +107,17 @@ public final class BatchCheck {
          */
         public Builder folder(ResultFolder value) {
             folder = value;
+            return this;
+        }
+
+        /**
+         * Sets whether results that miss their target say which changes of the set-up would meet it.
+         *
+         * @param value true, which is usual, costs some milliseconds for each of them
+         * @return this
+         */
+        public Builder advice(boolean value) {
+            advice = value;
             return this;
         }
 
@@ -225,7 +237,7 @@ public final class BatchCheck {
     /** What the work on each input of a run needs to know. */
     record Plan(CellFile cellFile, Cell cell, Target target, CheckSettings settings, ResultFolder folder,
             String version, String day, Function<? super Message, String> words, Function<CheckInput, String> command,
-            DrawFiles draws, boolean drawsUnwanted, boolean storedOnly, boolean anew, StopSignal stop, int count) {
+            DrawFiles draws, boolean drawsUnwanted, boolean advice, boolean storedOnly, boolean anew, StopSignal stop, int count) {
         /** Reports of many photos must stay small enough to open. */
         int reportWidthPx() {
             return count <= FEW ? LARGE_PICTURE_PX : count <= MANY ? MEDIUM_PICTURE_PX : SMALL_PICTURE_PX;
@@ -275,7 +287,7 @@ public final class BatchCheck {
             plan = new Plan(with.cellFile, cell, target,
                     with.settings.toBuilder().threads(Math.max(1, threads / workers)).build(), with.folder,
                     with.version, with.day, with.words, with.command, draws, with.draws == DrawFiles.NONE,
-                    with.storedOnly, with.anew, with.stop, inputs.size());
+                    with.advice, with.storedOnly, with.anew, with.stop, inputs.size());
             if (with.folder != null) {
                 try {
                     summary = new GrowingFile(with.folder.file(SUMMARY), 0);

@@ -100,6 +100,7 @@ public final class CheckText {
             }
             modes(view, text);
         }
+        advice(view, text);
         references(view, text);
         text.append('\n').append(diagnosticsLine(view)).append('\n').append(acceptanceLine(view)).append('\n')
                 .append(laplaceLine(view)).append('\n');
@@ -119,6 +120,13 @@ public final class CheckText {
             }
         }
         return text.toString();
+    }
+
+    private static void advice(ResultView view, StringBuilder text) {
+        if (!view.advice().isEmpty()) {
+            text.append("\nWhat would meet the target, cheapest first (forecast; cellgauge plan tells more)\n");
+            view.advice().forEach(a -> text.append(wrap("  - " + a.line(), "    ")));
+        }
     }
 
     /** What is known of the corners themselves. */

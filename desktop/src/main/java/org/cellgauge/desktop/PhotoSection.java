@@ -94,6 +94,11 @@ final class PhotoSection {
             view.warnings().forEach(w -> out.append("<li>").append(Html.escape(w.text())).append("</li>"));
             out.append("</ul>\n");
         }
+        if (!view.advice().isEmpty()) {
+            out.append("<h3>What would meet the target, cheapest first (forecast)</h3>\n<ol>");
+            view.advice().forEach(a -> out.append("<li>").append(Html.escape(a.line())).append("</li>"));
+            out.append("</ol>\n");
+        }
         if (view.showsFigures()) {
             objects(view);
             orientations(view);

@@ -16,6 +16,7 @@ import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.internal.geometry.Rotations;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.vision.CornerForecast;
@@ -36,6 +37,7 @@ final class Levers {
     private static final double[] LARGER = {1.25, 1.5, 2, 3};
     private static final double[] CLOSER = {0.85, 0.7, 0.5};
     private static final double[] ASLANT_DEG = {20, 35, 50};
+    private static final double[] ASLANT_QUICKLY_DEG = {35};
     private static final double[] LONGER = {1.33, 1.5, 2};
     private static final double TILT_DEG = 30;
     private static final int AROUND = 8;
@@ -90,8 +92,8 @@ final class Levers {
         this.options = options;
         this.quick = quick;
         forecast = new CornerForecast(options.toneCurve(), options.blurPx(), options.noiseGrey());
-        places = new ReferencePlaces(layout, options, quick || layout.worldFromCameras().size() > FEW_VIEWS
-                ? ReferencePlaces.Grid.COARSE : ReferencePlaces.Grid.FINE);
+        places = new ReferencePlaces(layout, options, quick ? ReferencePlaces.Grid.QUICK
+                : layout.worldFromCameras().size() > FEW_VIEWS ? ReferencePlaces.Grid.COARSE : ReferencePlaces.Grid.FINE);
         missed = layout.cell().target().isAny() && worst(layout, false) > 1;
         placements();
         added();
@@ -529,7 +531,7 @@ final class Levers {
                     whole(at[1]), whole(at[2]), whole(100 * share)),
                     options.cost(ChangeKind.CAMERA_CLOSER)), all -> seen(all.withCameras(nearer)), false);
         });
-        for (double degrees : ASLANT_DEG) {
+        for (double degrees : quick ? ASLANT_QUICKLY_DEG : ASLANT_DEG) {
             Step best = null;
             double least = Double.POSITIVE_INFINITY;
             for (int k = 0; k < AROUND; k++) {
@@ -619,8 +621,19 @@ final class Levers {
 
     /** A layout in which no reference is lost from sight that was seen before; null where one is. */
     private @Nullable Layout seen(Layout changed) {
-        int before = model(layout, false).forecast().references().size();
-        return model(changed, false).forecast().references().size() < before ? null : changed;
+        return seenReferences(changed) < seenReferences(layout) ? null : changed;
+    }
+
+    /** How many references every photo shows, from wherever the camera may stand. */
+    private static long seenReferences(Layout of) {
+        return of.cell().references().stream().filter(r -> of.worldFromCameras().stream().allMatch(camera ->
+                isSeen(of, camera, r) && of.cameraFromOthers().stream().allMatch(other ->
+                        isSeen(of, camera.compose(other), r)))).count();
+    }
+
+    private static boolean isSeen(Layout of, RigidTransform worldFromCamera, Reference r) {
+        return MarkerGeometry.seenPx(of.cell().camera(), worldFromCamera.inverse().compose(r.worldFromMarker()),
+                r.sizeMm()) != null;
     }
 
     private double[] centre() {

@@ -44,6 +44,7 @@ final class ReferencePlaces {
     record Grid(int columns, int rows, int heights) {
         static final Grid FINE = new Grid(20, 12, 4);
         static final Grid COARSE = new Grid(10, 6, 2);
+        static final Grid QUICK = new Grid(8, 5, 1);
     }
 
     ReferencePlaces(Layout layout, PlanOptions options, Grid grid) {
