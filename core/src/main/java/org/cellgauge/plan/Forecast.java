@@ -42,9 +42,10 @@ public record Forecast(List<Row> rows, List<Integer> references, List<Integer> u
      *     for any object, 0 where there is none for this one
      * @param ownRatio how much its own corners alone take
      * @param probability the least probability of keeping one of its tolerances; NaN where it has none
+     * @param xyCorrelation correlation of its errors along x and y where it takes most of what is asked
      */
     public record Row(int object, boolean grip, double xStdMm, double yStdMm, double zStdMm, double ownStdMm,
-            double turnStdDeg, double ratio, double ownRatio, double probability) {
+            double turnStdDeg, double ratio, double ownRatio, double probability, double xyCorrelation) {
         /**
          * Deviation along an axis.
          *

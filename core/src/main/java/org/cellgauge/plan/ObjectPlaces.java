@@ -61,14 +61,27 @@ public final class ObjectPlaces {
      * @return worldFromObject, the object's marker lying flat
      */
     public static List<RigidTransform> in(Cell cell, Area area) {
+        return in(cell, area, ALONG, ALONG);
+    }
+
+    /**
+     * The same on a grid of another fineness.
+     *
+     * @param cell the references
+     * @param area where the object may lie, seen from above
+     * @param columns places along x, two at least
+     * @param rows places along y, two at least
+     * @return worldFromObject, column by column from small x and y on
+     */
+    public static List<RigidTransform> in(Cell cell, Area area, int columns, int rows) {
         RigidTransform plane = cell.references().get(0).worldFromMarker();
         double[] r = plane.rotation();
         double[] origin = plane.translationMm();
         List<RigidTransform> places = new ArrayList<>();
-        for (int i = 0; i < ALONG; i++) {
-            for (int j = 0; j < ALONG; j++) {
-                double x = area.xLowMm() + (area.xHighMm() - area.xLowMm()) * i / (ALONG - 1);
-                double y = area.yLowMm() + (area.yHighMm() - area.yLowMm()) * j / (ALONG - 1);
+        for (int i = 0; i < columns; i++) {
+            for (int j = 0; j < rows; j++) {
+                double x = area.xLowMm() + (area.xHighMm() - area.xLowMm()) * i / (columns - 1);
+                double y = area.yLowMm() + (area.yHighMm() - area.yLowMm()) * j / (rows - 1);
                 // straight below or above in the plane; an upright plane has one height for all
                 double z = Math.abs(r[8]) < LEVEL ? origin[2]
                         : origin[2] - (r[2] * (x - origin[0]) + r[5] * (y - origin[1])) / r[8];

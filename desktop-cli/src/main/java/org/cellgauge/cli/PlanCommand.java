@@ -1,6 +1,8 @@
 package org.cellgauge.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -16,19 +18,26 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ChangeKind;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Planning;
 import org.cellgauge.cell.Wall;
+import org.cellgauge.check.SampledForecast;
+import org.cellgauge.desktop.PlanPage;
 import org.cellgauge.desktop.PlanText;
+import org.cellgauge.desktop.WholeFiles;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.cell.CellWriter;
 import org.cellgauge.internal.output.PlanJson;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.output.ResultReader;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.plan.CellPlanner;
+import org.cellgauge.plan.DecisionTable;
 import org.cellgauge.plan.Layout;
 import org.cellgauge.plan.ObjectPlaces;
 import org.cellgauge.plan.Plan;
 import org.cellgauge.plan.PlanOptions;
+import org.cellgauge.plan.Proposal;
 import org.cellgauge.settings.CheckSettings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -120,6 +129,22 @@ public final class PlanCommand implements Callable<Integer> {
                     + "minutes of work).")
     private List<String> costs = new ArrayList<>();
 
+    @Option(names = "--table", description = "Prints the decision table of this cell in place of a plan: what "
+            + "precision, number and arrangement of references reach.")
+    private boolean table;
+
+    @Option(names = "--no-sampling", description = "Leaves out that what is proposed is confirmed by chains, which "
+            + "takes a second or so for each proposal.")
+    private boolean noSampling;
+
+    @Option(names = "--out", paramLabel = "FILE.html", description = "Writes a page of pictures: the layout from above "
+            + "and from the camera, as it is and with each proposal, and a map of deviations over the table.")
+    private Path page;
+
+    @Option(names = "--apply", paramLabel = "CELL", description = "Writes the cell file with the first proposal "
+            + "applied that is one photo of independent references.")
+    private Path applied;
+
     @Option(names = "--json", description = "Writes the plan to standard output as JSON.")
     private boolean json;
 
@@ -145,15 +170,61 @@ public final class PlanCommand implements Callable<Integer> {
                 cell = cell.withTarget(OptionalDouble.of(targetStdMm));
             }
             ResultView like = photoLike == null ? null : ResultReader.read(photoLike);
-            Plan plan = CellPlanner.plan(layout(cell, poses, like), options(cell, like));
+            Layout layout = layout(cell, poses, like);
+            PlanOptions options = options(cell, like);
             PrintWriter out = spec.commandLine().getOut();
-            out.print(json ? PlanJson.of(plan) : PlanText.of(plan));
+            if (table) {
+                out.print(PlanText.of(DecisionTable.of(layout, options)));
+                out.flush();
+                return ExitCodes.OK;
+            }
+            Plan plan = CellPlanner.plan(layout, options);
+            List<SampledForecast> sampled = plan.met() || noSampling ? List.of()
+                    : plan.best().stream().map(proposal -> sampled(proposal, options)).toList();
+            String text = PlanText.of(plan, sampled);
+            out.print(json ? PlanJson.of(plan, sampled) : text);
             out.flush();
+            write(plan, options, text);
             return plan.met() ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
         } catch (InputRefusedException e) {
             spec.commandLine().getErr().println(CommandWords.of(e));
             return ExitCodes.INPUT_REFUSED;
+        } catch (IOException e) {
+            spec.commandLine().getErr().println("cannot write " + e.getMessage() + "; name another file, or make its "
+                    + "folder");
+            return ExitCodes.INPUT_REFUSED;
         }
+    }
+
+    private static SampledForecast sampled(Proposal proposal, PlanOptions options) {
+        return SampledForecast.of(proposal.layout(), options, options.settings());
+    }
+
+    private void write(Plan plan, PlanOptions options, String text) throws IOException {
+        Map<Path, WholeFiles.Content> files = new LinkedHashMap<>();
+        if (page != null) {
+            byte[] html = PlanPage.of(plan, options, text, RepeatingCommand.plan(spec.commandLine().getParseResult()))
+                    .getBytes(StandardCharsets.UTF_8);
+            files.put(page, stream -> stream.write(html));
+        }
+        if (applied != null) {
+            Proposal first = plan.best().stream().filter(p -> p.layout().isOnePhoto()).findFirst().orElse(null);
+            if (first == null || plan.met()) {
+                spec.commandLine().getErr().println(plan.met() ? "the target is met as it is: nothing to apply"
+                        : "no proposal is one photo of independent references: nothing to apply");
+            } else {
+                files.put(applied, stream -> stream.write(withProposal(first).getBytes(StandardCharsets.UTF_8)));
+            }
+        }
+        WholeFiles.writeContents(files);
+    }
+
+    private static String withProposal(Proposal proposal) {
+        Cell cell = proposal.layout().cell();
+        Planning stated = cell.planning();
+        return CellWriter.text(cell.withPlanning(new Planning(proposal.layout().worldFromCameras().get(0),
+                stated.cameraRange(), stated.regions(), stated.free(), stated.walls(), stated.maxHeightMm(),
+                stated.costs())), List.of("With changes of cellgauge plan: " + proposal.sentence()));
     }
 
     private Layout layout(Cell cell, Map<Integer, RigidTransform> stated, ResultView like) {

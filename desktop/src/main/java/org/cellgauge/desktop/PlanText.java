@@ -1,6 +1,9 @@
 package org.cellgauge.desktop;
 
+import java.util.List;
 import java.util.Locale;
+import org.cellgauge.check.SampledForecast;
+import org.cellgauge.plan.DecisionTable;
 import org.cellgauge.plan.Forecast;
 import org.cellgauge.plan.Plan;
 import org.cellgauge.plan.Proposal;
@@ -17,9 +20,11 @@ public final class PlanText {
      * The plan in words and tables.
      *
      * @param plan what was found
+     * @param sampled what chains say of each of {@link Plan#best()}, null where a check knows no such set-up; empty
+     *     where they were not asked
      * @return lines, each ended by a line feed
      */
-    public static String of(Plan plan) {
+    public static String of(Plan plan, List<SampledForecast> sampled) {
         StringBuilder out = new StringBuilder();
         double[] at = plan.layout().worldFromCameras().get(0).translationMm();
         int cameras = plan.layout().worldFromCameras().size();
@@ -45,7 +50,7 @@ public final class PlanText {
             table.row(String.valueOf(id), "", "-", "-", "-", "-", "not in view", "");
         }
         out.append(table.text("")).append('\n');
-        verdict(plan, out);
+        verdict(plan, sampled, out);
         single(plan, out);
         front(plan, out);
         for (Plan.Certificate c : plan.certificate()) {
@@ -59,7 +64,7 @@ public final class PlanText {
         return out.toString();
     }
 
-    private static void verdict(Plan plan, StringBuilder out) {
+    private static void verdict(Plan plan, List<SampledForecast> sampled, StringBuilder out) {
         if (plan.target().isAny()) {
             out.append(plan.met() ? "The target is met.\n" : "The target is missed.\n");
             if (!plan.referencesCouldMeetIt() && plan.now().unseen().isEmpty()) {
@@ -72,7 +77,7 @@ public final class PlanText {
                 boolean meets = !plan.best().isEmpty() && plan.isMetBy(plan.best().get(0).forecast());
                 out.append(meets ? "\nWhat meets it, cheapest first:\n"
                         : "\nNothing that was tried meets it. What comes nearest:\n");
-                proposals(plan, out);
+                proposals(plan, sampled, out);
             }
         } else {
             out.append("No target is set, so nothing is missed.\n");
@@ -80,12 +85,75 @@ public final class PlanText {
         out.append('\n');
     }
 
-    private static void proposals(Plan plan, StringBuilder out) {
+    private static void proposals(Plan plan, List<SampledForecast> sampled, StringBuilder out) {
         int number = 1;
         for (Proposal proposal : plan.best()) {
-            out.append(String.format(Locale.ROOT, "  %d. %s%n     -> %s (cost %.0f)%n", number++,
-                    proposal.sentence(), figure(plan, proposal.forecast()), proposal.cost()));
+            String chains = number <= sampled.size() ? "; " + chains(sampled.get(number - 1)) : "";
+            out.append(String.format(Locale.ROOT, "  %d. %s%n     -> %s (cost %.0f)%s%n", number++,
+                    proposal.sentence(), figure(plan, proposal.forecast()), proposal.cost(), chains));
         }
+    }
+
+    private static String chains(SampledForecast chains) {
+        if (chains == null) {
+            return "not sampled, because a check knows one photo of independent references";
+        }
+        return !chains.converged() ? "chains find no one pose or do not converge: do not trust this forecast"
+                : String.format(Locale.ROOT, "chains: %s mm, %+.1f %%%s", mm(chains.sampledStdMm()),
+                        100 * chains.difference(), chains.confirms() ? "" : ", so the forecast does not hold");
+    }
+
+    /**
+     * A decision table in words.
+     *
+     * @param table what a cell would reach
+     * @return lines, each ended by a line feed
+     */
+    public static String of(DecisionTable table) {
+        StringBuilder out = new StringBuilder("Largest deviation of any object and gripping point, mm, by placement of "
+                + "the references, their number and arrangement:\n\n");
+        TextTable text = new TextTable(2);
+        text.row("placement", "arrangement", "2 references", "3", "4", "5", "6");
+        for (DecisionTable.Row row : table.rows()) {
+            String[] cells = new String[2 + row.worstStdMm().size()];
+            cells[0] = CheckText.plain(row.stdMm()) + " mm";
+            cells[1] = arrangement(table, row);
+            for (int i = 0; i < row.worstStdMm().size(); i++) {
+                cells[2 + i] = mm(row.worstStdMm().get(i));
+            }
+            text.row(cells);
+        }
+        out.append(text.text("")).append("\nWhat reaches what:\n");
+        double low = 0;
+        for (double high : new double[] {0.2, 1, 2, 5, Double.POSITIVE_INFINITY}) {
+            goal(table, low, high, out);
+            low = high;
+        }
+        return out.toString();
+    }
+
+    private static void goal(DecisionTable table, double low, double high, StringBuilder out) {
+        out.append(high == Double.POSITIVE_INFINITY ? "  above " + CheckText.plain(low) + " mm: "
+                : "  " + CheckText.plain(low) + " to " + CheckText.plain(high) + " mm: ");
+        int before = out.length();
+        for (DecisionTable.Row row : table.rows()) {
+            StringBuilder numbers = new StringBuilder();
+            for (int i = 0; i < row.worstStdMm().size(); i++) {
+                double worst = row.worstStdMm().get(i);
+                if (worst > low && worst <= high) {
+                    numbers.append(numbers.length() == 0 ? "" : ", ").append(DecisionTable.LEAST + i);
+                }
+            }
+            if (numbers.length() > 0) {
+                out.append(out.length() == before ? "" : "; ").append(numbers).append(" placed to ")
+                        .append(CheckText.plain(row.stdMm())).append(" mm, ").append(arrangement(table, row));
+            }
+        }
+        out.append(out.length() == before ? "nothing in this table\n" : "\n");
+    }
+
+    private static String arrangement(DecisionTable table, DecisionTable.Row row) {
+        return row.raised() ? "one raised by " + CheckText.plain(table.raisedMm()) + " mm" : "one plane";
     }
 
     /** The largest deviation; with how much of the target it takes, where that is more than one deviation. */

@@ -6,11 +6,13 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.List;
+import org.cellgauge.check.SampledForecast;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.plan.Change;
 import org.cellgauge.plan.Forecast;
 import org.cellgauge.plan.Plan;
 import org.cellgauge.plan.Proposal;
+import org.jspecify.annotations.Nullable;
 
 /** A plan as JSON. Lengths are in mm, angles in rad; a deviation that is not determined is null. */
 public final class PlanJson {
@@ -21,9 +23,10 @@ public final class PlanJson {
      * The plan.
      *
      * @param plan what was found
+     * @param sampled what chains say of each of {@link Plan#best()}, null where they were not asked; or empty
      * @return one JSON object and a line feed
      */
-    public static String of(Plan plan) {
+    public static String of(Plan plan, List<@Nullable SampledForecast> sampled) {
         StringWriter text = new StringWriter();
         try (JsonWriter out = new JsonWriter(text)) {
             out.setFormattingStyle(FormattingStyle.PRETTY.withIndent("  "));
@@ -49,11 +52,11 @@ public final class PlanJson {
             out.name("bound_std_mm");
             number(out, plan.boundStdMm());
             out.name("proposals");
-            proposals(out, plan.best(), plan);
+            proposals(out, plan.best(), plan, sampled);
             out.name("front");
-            proposals(out, plan.front(), plan);
+            proposals(out, plan.front(), plan, List.of());
             out.name("single");
-            proposals(out, plan.single(), plan);
+            proposals(out, plan.single(), plan, List.of());
             out.name("certificates").beginArray();
             for (Plan.Certificate certificate : plan.certificate()) {
                 out.beginObject().name("references").value(certificate.references());
@@ -115,9 +118,11 @@ public final class PlanJson {
         out.endArray().endObject();
     }
 
-    private static void proposals(JsonWriter out, List<Proposal> proposals, Plan plan) throws IOException {
+    private static void proposals(JsonWriter out, List<Proposal> proposals, Plan plan,
+            List<@Nullable SampledForecast> sampled) throws IOException {
         out.beginArray();
-        for (Proposal proposal : proposals) {
+        for (int i = 0; i < proposals.size(); i++) {
+            Proposal proposal = proposals.get(i);
             out.beginObject().name("changes").beginArray();
             for (Change change : proposal.changes()) {
                 out.beginObject().name("code").value(change.kind().code());
@@ -128,6 +133,17 @@ public final class PlanJson {
             out.name("meets_target").value(plan.isMetBy(proposal.forecast()));
             out.name("forecast");
             forecast(out, proposal.forecast());
+            SampledForecast chains = i < sampled.size() ? sampled.get(i) : null;
+            if (chains != null) {
+                out.name("sampled").beginObject();
+                out.name("confirmed").value(chains.confirms());
+                out.name("converged").value(chains.converged());
+                out.name("std_mm");
+                number(out, chains.sampledStdMm());
+                out.name("forecast_std_mm");
+                number(out, chains.forecastStdMm());
+                out.endObject();
+            }
             out.endObject();
         }
         out.endArray();

@@ -366,7 +366,7 @@ public final class LayoutModel {
                 JointLayout.Known known = found.known();
                 Asked asked = asked(found.label().object());
                 double[] most = worst.computeIfAbsent(found.label(),
-                        label -> new double[] {0, 0, 0, 0, 0, 0, 0, Double.NaN});
+                        label -> new double[] {0, 0, 0, 0, 0, -1, 0, Double.NaN, 0});
                 for (int axis = 0; axis < 3; axis++) {
                     most[axis] = Math.max(most[axis], Math.sqrt(known.covarianceMm2()[4 * axis]));
                     most[3] = Math.max(most[3], Math.sqrt(known.ownMm2()[4 * axis]));
@@ -374,7 +374,12 @@ public final class LayoutModel {
                         most[4] = Math.max(most[4], Math.toDegrees(Math.sqrt(known.turnRad2()[4 * axis])));
                     }
                 }
-                most[5] = Math.max(most[5], asked.ratio(known.covarianceMm2(), known.turnRad2()));
+                double ratio = asked.ratio(known.covarianceMm2(), known.turnRad2());
+                if (ratio > most[5]) {
+                    double[] c = known.covarianceMm2();
+                    most[5] = ratio;
+                    most[8] = Double.isFinite(c[0]) ? c[1] / Math.sqrt(c[0] * c[4]) : 0;
+                }
                 most[6] = Math.max(most[6], asked.ratio(known.ownMm2(), known.ownTurnRad2()));
                 double probability = asked.probability(known.covarianceMm2(), known.turnRad2());
                 most[7] = most[7] < probability ? most[7] : probability;
@@ -384,7 +389,7 @@ public final class LayoutModel {
         worst.forEach((label, most) -> {
             if (!unseen.contains(label.object())) {
                 rows.add(new Forecast.Row(label.object(), label.grip(), most[0], most[1], most[2], most[3],
-                        label.grip() ? Double.NaN : most[4], most[5], most[6], most[7]));
+                        label.grip() ? Double.NaN : most[4], most[5], most[6], most[7], most[8]));
             }
         });
         return new Forecast(rows, List.copyOf(seenEverywhere), List.copyOf(unseen));
