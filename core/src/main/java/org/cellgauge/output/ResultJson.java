@@ -430,6 +430,7 @@ public final class ResultJson {
         number("noise_grey", light.noiseGrey());
         number("noise_degrees_of_freedom", light.noiseDegreesOfFreedom());
         number("edge_shift_std_px", light.edgeShiftStdPx());
+        number("outline_std_px", light.outlineStdPx());
         json.endObject();
     }
 

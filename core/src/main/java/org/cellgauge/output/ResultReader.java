@@ -170,9 +170,13 @@ public final class ResultReader {
         view.advice(advice(root.find("plan")));
         Node light = root.find("light");
         if (light != null) {
-            view.light(new PhotoLight(light.at("tone_curve").toneCurve(), light.at("tone_curve_estimated").bool(),
+            PhotoLight seen = new PhotoLight(light.at("tone_curve").toneCurve(),
+                    light.at("tone_curve_estimated").bool(),
                     light.at("blur_px").number(), light.at("noise_grey").number(),
-                    light.at("noise_degrees_of_freedom").number(), light.at("edge_shift_std_px").number()));
+                    light.at("noise_degrees_of_freedom").number(), light.at("edge_shift_std_px").number());
+            // results of earlier versions do not say it
+            view.light(light.find("outline_std_px") == null ? seen
+                    : seen.withOutlineStdPx(light.at("outline_std_px").number()));
         }
         Node unknown = root.find("intrinsics");
         if (unknown != null) {

@@ -697,7 +697,8 @@ public final class ResultView extends Value {
 
     private static @Nullable Object figures(@Nullable PhotoLight light) {
         return light == null ? null : Arrays.asList(light.toneCurve().words(), light.toneCurveEstimated(),
-                light.blurPx(), light.noiseGrey(), light.noiseDegreesOfFreedom(), light.edgeShiftStdPx());
+                light.blurPx(), light.noiseGrey(), light.noiseDegreesOfFreedom(), light.edgeShiftStdPx(),
+                light.outlineStdPx());
     }
 
     @Override

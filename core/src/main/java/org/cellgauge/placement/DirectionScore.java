@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 import org.apache.commons.math3.distribution.NormalDistribution;
+import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.internal.pose.ReferenceView;
@@ -121,33 +122,64 @@ final class DirectionScore {
             }
             first += cause.columnsPx.length;
         }
-        return tests.isEmpty() ? tests : withLimits(tests, scores.factor());
+        return tests.isEmpty() ? tests : withLimits(tests, scores);
     }
 
-    private static List<DirectionScore> withLimits(List<DirectionScore> tests, double[] factor) {
-        int width = (int) Math.round(Math.sqrt(factor.length));
-        double[][] rows = new double[tests.size()][width];
-        double[] weights = new double[rows.length];
-        for (int t = 0; t < rows.length; t++) {
-            DirectionScore test = tests.get(t);
-            weights[t] = test.weight;
-            double squares = 0;
-            for (int k = 0; k < width; k++) {
-                for (int c = 0; c < test.direction.length; c++) {
-                    rows[t][k] += test.direction[c] * factor[(test.first + c) * width + k];
-                }
-                squares += rows[t][k] * rows[t][k];
-            }
-            for (int k = 0; k < width; k++) {
-                rows[t][k] /= Math.sqrt(squares);
-            }
+    private static List<DirectionScore> withLimits(List<DirectionScore> tests, PlacementScores scores) {
+        double[] weights = new double[tests.size()];
+        for (int t = 0; t < weights.length; t++) {
+            weights[t] = tests.get(t).weight;
         }
-        double[] limits = SharedLevel.limits(rows, weights, LEVEL, RandomStreams.of(SEED));
+        double[] limits = SharedLevel.limits(new Joint(tests, scores), weights, LEVEL, RandomStreams.of(SEED));
         List<DirectionScore> out = new ArrayList<>();
-        for (int t = 0; t < rows.length; t++) {
+        for (int t = 0; t < weights.length; t++) {
             out.add(tests.get(t).withLimit(limits[t]));
         }
         return out;
+    }
+
+    /** All tests of a photo where nothing is to be found. */
+    private static final class Joint implements SharedLevel.Statistics {
+        private final List<DirectionScore> tests;
+        private final PlacementScores scores;
+        private final double[] values;
+
+        Joint(List<DirectionScore> tests, PlacementScores scores) {
+            this.tests = tests;
+            this.scores = scores;
+            values = new double[scores.size()];
+        }
+
+        @Override
+        public int count() {
+            return tests.size();
+        }
+
+        @Override
+        public void draw(RandomGenerator random, double[] out) {
+            scores.draw(random, values);
+            for (int t = 0; t < out.length; t++) {
+                out[t] = tests.get(t).along(values) / tests.get(t).sensitivity;
+            }
+        }
+
+        @Override
+        public void correlations(int test, double[] out) {
+            DirectionScore own = tests.get(test);
+            scores.covariances(own.first, own.direction, values);
+            for (int t = 0; t < out.length; t++) {
+                out[t] = tests.get(t).along(values) / (own.sensitivity * tests.get(t).sensitivity);
+            }
+        }
+    }
+
+    /** Sum along the direction of one value per score. */
+    private double along(double[] values) {
+        double sum = 0;
+        for (int c = 0; c < direction.length; c++) {
+            sum += direction[c] * values[first + c];
+        }
+        return sum;
     }
 
     /**

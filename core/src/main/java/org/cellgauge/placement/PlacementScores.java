@@ -1,6 +1,8 @@
 package org.cellgauge.placement;
 
+import java.util.Arrays;
 import java.util.List;
+import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.pose.CameraState;
@@ -36,16 +38,42 @@ final class PlacementScores {
     private final int size;
     private final double[] scores;
     private final double[] whole;
-    private final double[] covariance;
+    /** The whitened residuals' change by each coordinate, 8 values of its own reference's. */
+    private final double[][] directions;
+    /** By each column of a cause, those of all references. */
+    private final double[][] across;
+    /**
+     * What unknowns take of the scores: their covariance is that of the directions less the sum of f f^T over these
+     * columns, first those of the pose, then those swept out. Kept so, drawing and covariances cost as much as there
+     * are references, not its square.
+     */
+    private final double[][] taken;
+    private final int ofPose;
+    /** Derivative of each reference's whitened residuals by the pose's unknowns, 8 rows. */
+    private final double[][] jacobians;
+    /** The pose's columns by its own unknowns, and what priors add to their draws; lower triangles, row by row. */
+    private final double[] poseFactor;
+    private final double[] priorFactor;
+    /** Which column each of the others was made by. */
+    private final int[] swept;
 
     /** The same with the scores of a direction swept out. */
-    private PlacementScores(PlacementScores other, double[] scores, double[] covariance) {
+    private PlacementScores(PlacementScores other, double[] scores, double[] column, int by) {
         mode = other.mode;
         firstOfCauses = other.firstOfCauses;
         size = other.size;
         whole = other.whole;
+        directions = other.directions;
+        across = other.across;
+        ofPose = other.ofPose;
+        jacobians = other.jacobians;
+        poseFactor = other.poseFactor;
+        priorFactor = other.priorFactor;
         this.scores = scores;
-        this.covariance = covariance;
+        taken = Arrays.copyOf(other.taken, other.taken.length + 1);
+        taken[other.taken.length] = column;
+        swept = Arrays.copyOf(other.swept, other.swept.length + 1);
+        swept[other.swept.length] = by;
     }
 
     PlacementScores(ReferenceView view, PoseMode mode, List<CausePattern> causes) {
@@ -58,19 +86,28 @@ final class PlacementScores {
         size = firstOfCauses + columnsOfCauses;
         scores = new double[size];
         whole = new double[size];
-        covariance = new double[size * size];
-        int columns = mode.dimension();
+        ofPose = mode.dimension();
         RigidMarkerNoise geometry = new RigidMarkerNoise(view, 1).about(mode.placed());
         CameraState state = mode.state();
         double[] whitening = mode.whitening();
         double[] byPlacement = new double[8 * COORDINATES];
-        double[][] directions = new double[firstOfCauses][8];
-        double[][] byPose = new double[size][columns];
+        directions = new double[firstOfCauses][8];
+        double[][] byPose = new double[size][ofPose];
+        double[] information = new double[ofPose * ofPose];
+        jacobians = new double[view.size()][];
         for (int m = 0; m < view.size(); m++) {
             geometry.jacobian(state, m, byPlacement);
             Placement placement = view.references().get(m).placement();
             double[] residual = mode.whitenedResiduals(m);
             double[] jacobian = mode.jacobian(m);
+            jacobians[m] = jacobian;
+            for (int i = 0; i < 8; i++) {
+                for (int k = 0; k < ofPose; k++) {
+                    for (int l = 0; l < ofPose; l++) {
+                        information[k * ofPose + l] += jacobian[i * ofPose + k] * jacobian[i * ofPose + l];
+                    }
+                }
+            }
             for (int c = 0; c < COORDINATES; c++) {
                 int at = COORDINATES * m + c;
                 double std = c < 3 ? placement.stdMm(c) : placement.stdRad();
@@ -83,13 +120,13 @@ final class PlacementScores {
                     whole[at] += d * d;
                     // residuals are projected minus observed: a marker that is off by +s is predicted at -s
                     scores[at] -= d * residual[i];
-                    for (int k = 0; k < columns; k++) {
-                        byPose[at][k] += d * jacobian[i * columns + k];
+                    for (int k = 0; k < ofPose; k++) {
+                        byPose[at][k] += d * jacobian[i * ofPose + k];
                     }
                 }
             }
         }
-        double[][] across = new double[columnsOfCauses][];
+        across = new double[columnsOfCauses][];
         int next = 0;
         for (CausePattern cause : causes) {
             for (double[] column : cause.columnsPx) {
@@ -98,27 +135,124 @@ final class PlacementScores {
                 next++;
             }
         }
-        double[] ofPose = mode.covariance();
+        poseFactor = mode.covariance();
+        if (!Cholesky.factor(poseFactor, ofPose)) {
+            throw new IllegalStateException("covariance of the pose is not definite");
+        }
+        taken = new double[ofPose][size];
         for (int a = 0; a < size; a++) {
-            double[] gain = new double[columns];
-            for (int k = 0; k < columns; k++) {
-                for (int l = 0; l < columns; l++) {
-                    gain[l] += byPose[a][k] * ofPose[k * columns + l];
+            for (int k = 0; k < ofPose; k++) {
+                for (int l = k; l < ofPose; l++) {
+                    taken[k][a] += byPose[a][l] * poseFactor[l * ofPose + k];
                 }
             }
-            for (int b = 0; b <= a; b++) {
-                double s = 0;
-                if (a >= firstOfCauses) {
-                    s = b >= firstOfCauses ? product(across[a - firstOfCauses], 0, across[b - firstOfCauses])
-                            : product(across[a - firstOfCauses], 8 * (b / COORDINATES), directions[b]);
-                } else if (a / COORDINATES == b / COORDINATES) {
-                    s = product(directions[a], 0, directions[b]);
+        }
+        priorFactor = priorFactor(information);
+        swept = new int[0];
+    }
+
+    /**
+     * What is left of the identity where photos alone do not tell the unknowns, as a factor: with L the factor of their
+     * covariance, I - L^T J^T J L, which is nothing where there are no priors.
+     */
+    private double[] priorFactor(double[] information) {
+        double[] left = new double[ofPose * ofPose];
+        for (int a = 0; a < ofPose; a++) {
+            for (int b = 0; b < ofPose; b++) {
+                double sum = a == b ? 1 + NOTHING_LEFT : 0;
+                for (int k = a; k < ofPose; k++) {
+                    for (int l = b; l < ofPose; l++) {
+                        sum -= poseFactor[k * ofPose + a] * information[k * ofPose + l] * poseFactor[l * ofPose + b];
+                    }
                 }
-                for (int k = 0; k < columns; k++) {
-                    s -= gain[k] * byPose[b][k];
+                left[a * ofPose + b] = sum;
+            }
+        }
+        // rounding may leave less than nothing: then there are no priors
+        return Cholesky.factor(left, ofPose) ? left : new double[ofPose * ofPose];
+    }
+
+    /**
+     * Draws all scores as they are where nothing is off: normal numbers for every corner, taken through the fit.
+     *
+     * @param random source of randomness
+     * @param out receives one value per score
+     */
+    void draw(RandomGenerator random, double[] out) {
+        Arrays.fill(out, 0, size, 0);
+        double[] byPose = new double[ofPose];
+        double[] residual = new double[8];
+        for (int m = 0; m < firstOfCauses / COORDINATES; m++) {
+            for (int i = 0; i < 8; i++) {
+                residual[i] = random.nextGaussian();
+            }
+            for (int c = COORDINATES * m; c < COORDINATES * (m + 1); c++) {
+                for (int i = 0; i < 8; i++) {
+                    out[c] += directions[c][i] * residual[i];
                 }
-                covariance[a * size + b] = s;
-                covariance[b * size + a] = s;
+            }
+            for (int c = 0; c < across.length; c++) {
+                for (int i = 0; i < 8; i++) {
+                    out[firstOfCauses + c] += across[c][8 * m + i] * residual[i];
+                }
+            }
+            for (int i = 0; i < 8; i++) {
+                for (int k = 0; k < ofPose; k++) {
+                    byPose[k] += jacobians[m][i * ofPose + k] * residual[i];
+                }
+            }
+        }
+        double[] normal = new double[ofPose];
+        for (int k = 0; k < ofPose; k++) {
+            normal[k] = random.nextGaussian();
+        }
+        for (int k = 0; k < ofPose; k++) {
+            double of = 0;
+            for (int l = k; l < ofPose; l++) {
+                of += poseFactor[l * ofPose + k] * byPose[l];
+            }
+            for (int l = 0; l <= k; l++) {
+                of += priorFactor[k * ofPose + l] * normal[l];
+            }
+            for (int a = 0; a < size; a++) {
+                out[a] -= taken[k][a] * of;
+            }
+        }
+        for (int s = 0; s < swept.length; s++) {
+            double[] column = taken[ofPose + s];
+            double share = out[swept[s]] / column[swept[s]];
+            for (int a = 0; a < size; a++) {
+                out[a] -= column[a] * share;
+            }
+        }
+    }
+
+    /** Covariance of two scores. */
+    private double covariance(int a, int b) {
+        double s = 0;
+        if (a >= firstOfCauses && b >= firstOfCauses) {
+            s = product(across[a - firstOfCauses], 0, across[b - firstOfCauses]);
+        } else if (a >= firstOfCauses) {
+            s = product(across[a - firstOfCauses], 8 * (b / COORDINATES), directions[b]);
+        } else if (b >= firstOfCauses) {
+            s = product(across[b - firstOfCauses], 8 * (a / COORDINATES), directions[a]);
+        } else if (a / COORDINATES == b / COORDINATES) {
+            s = product(directions[a], 0, directions[b]);
+        }
+        for (double[] column : taken) {
+            s -= column[a] * column[b];
+        }
+        return s;
+    }
+
+    /** Covariances of the score of a direction with all scores. */
+    void covariances(int first, double[] direction, double[] out) {
+        Arrays.fill(out, 0, size, 0);
+        for (int c = 0; c < direction.length; c++) {
+            if (direction[c] != 0) {
+                for (int a = 0; a < size; a++) {
+                    out[a] += direction[c] * covariance(first + c, a);
+                }
             }
         }
     }
@@ -177,20 +311,19 @@ final class PlacementScores {
      * @return this where nothing is left of the column
      */
     PlacementScores without(int column) {
-        double own = covariance[column * size + column];
+        double own = covariance(column, column);
         if (!(own > ABSORBED * whole[column])) {
             return this;
         }
         double[] left = scores.clone();
-        double[] leftCovariance = covariance.clone();
+        double[] taking = new double[size];
+        double share = scores[column] / own;
         for (int a = 0; a < size; a++) {
-            double gain = covariance[a * size + column] / own;
-            left[a] -= gain * scores[column];
-            for (int b = 0; b < size; b++) {
-                leftCovariance[a * size + b] -= gain * covariance[column * size + b];
-            }
+            double with = covariance(a, column);
+            left[a] -= with * share;
+            taking[a] = with / Math.sqrt(own);
         }
-        return new PlacementScores(this, left, leftCovariance);
+        return new PlacementScores(this, left, taking, column);
     }
 
     /**
@@ -224,7 +357,7 @@ final class PlacementScores {
         double[] out = new double[columns * columns];
         for (int a = 0; a < columns; a++) {
             for (int b = 0; b < columns; b++) {
-                out[a * columns + b] = covariance[(first + a) * size + first + b];
+                out[a * columns + b] = covariance(first + a, first + b);
             }
             // what is left by rounding alone is nothing
             out[a * (columns + 1)] -= ABSORBED * whole[first + a];
@@ -234,7 +367,7 @@ final class PlacementScores {
 
     /** How much of chi-square an unknown size of a column takes: distributed like that of one degree of freedom. */
     double explained(int column) {
-        double own = covariance[column * size + column];
+        double own = covariance(column, column);
         return own > ABSORBED * whole[column] ? scores[column] * scores[column] / own : 0;
     }
 
@@ -270,25 +403,11 @@ final class PlacementScores {
         double sum = 0;
         for (int c = 0; c < direction.length; c++) {
             for (int e = 0; e < other.length; e++) {
-                sum += direction[c] * other[e] * covariance[(first + c) * size + second + e];
+                sum += direction[c] == 0 || other[e] == 0 ? 0
+                        : direction[c] * other[e] * covariance(first + c, second + e);
             }
         }
         return sum;
-    }
-
-    /**
-     * Scores as products with independent standard normal numbers: a lower triangular matrix, row by row, whose product
-     * with its own transpose is their covariance (but for a billionth, which keeps it definite).
-     */
-    double[] factor() {
-        double[] l = covariance.clone();
-        for (int i = 0; i < size; i++) {
-            l[i * size + i] += ABSORBED * (whole[i] > 0 ? whole[i] : 1);
-        }
-        if (!Cholesky.factor(l, size)) {
-            throw new IllegalStateException("covariance of scores is not definite");
-        }
-        return l;
     }
 
     /**

@@ -29,6 +29,9 @@ public enum DetectionWarning implements WarningKind {
     /** An unsharp mask was at work: overshoot in percent of the step from black to white. */
     SHARPENED("the photo is sharpened: grey values overshoot by %s %% of the step at the markers' edges; switch "
             + "sharpening off in the camera"),
+    /** Grey values went through a strongly compressed file. */
+    IN_BLOCKS("the photo is compressed so much that the blocks of its JPEG file show, which moves edges; save it at a "
+            + "higher quality"),
     /** Cells run into each other: id, blur (standard deviation), px, side of a cell, px. */
     TOO_BLURRED("marker %s is left out: a blur of %s px is too much for cells of %s px; focus, hold still or come "
             + "nearer"),

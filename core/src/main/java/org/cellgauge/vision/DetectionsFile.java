@@ -192,7 +192,8 @@ public final class DetectionsFile {
     private static void write(PhotoLight light, Appendable out) throws IOException {
         out.append(",\n \"light\": {\"tone_curve\": ").append(new JsonPrimitive(light.toneCurve().words()).toString())
                 .append(", \"tone_curve_estimated\": ").append(String.valueOf(light.toneCurveEstimated()))
-                .append(", \"edge_shift_std_px\": ").append(String.valueOf(light.edgeShiftStdPx()));
+                .append(", \"edge_shift_std_px\": ").append(String.valueOf(light.edgeShiftStdPx()))
+                .append(", \"outline_std_px\": ").append(String.valueOf(light.outlineStdPx()));
         String[] keys = {"blur_px", "noise_grey", "noise_degrees_of_freedom"};
         double[] values = {light.blurPx(), light.noiseGrey(), light.noiseDegreesOfFreedom()};
         for (int i = 0; i < keys.length; i++) {
@@ -289,12 +290,13 @@ public final class DetectionsFile {
         ToneCurve toneCurve = ToneCurve.LINEAR;
         boolean estimated = false;
         double edgeShiftStdPx = 0;
+        double outlineStdPx = Double.NaN;
         double blurPx = Double.NaN;
         double noiseGrey = Double.NaN;
         double degreesOfFreedom = Double.NaN;
         while (json.hasNext()) {
             switch (key(keys, "tone_curve", "tone_curve_estimated", "edge_shift_std_px", "blur_px", "noise_grey",
-                    "noise_degrees_of_freedom")) {
+                    "noise_degrees_of_freedom", "outline_std_px")) {
                 case "tone_curve":
                     toneCurve = toneCurve();
                     break;
@@ -305,6 +307,9 @@ public final class DetectionsFile {
                     break;
                 case "edge_shift_std_px":
                     edgeShiftStdPx = notNegative(DetectionsPhrase.EDGE_SHIFT_STD);
+                    break;
+                case "outline_std_px":
+                    outlineStdPx = notNegative(DetectionsPhrase.EDGE_SHIFT_STD);
                     break;
                 case "blur_px":
                     blurPx = notNegative(DetectionsPhrase.BLUR);
@@ -320,6 +325,7 @@ public final class DetectionsFile {
         require(keys, "edge_shift_std_px", "\"edge_shift_std_px\": 0.1");
         json.endObject();
         light = new PhotoLight(toneCurve, estimated, blurPx, noiseGrey, degreesOfFreedom, edgeShiftStdPx);
+        light = Double.isNaN(outlineStdPx) ? light : light.withOutlineStdPx(outlineStdPx);
     }
 
     private ToneCurve toneCurve() throws IOException {

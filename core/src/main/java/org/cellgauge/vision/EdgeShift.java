@@ -68,6 +68,34 @@ public final class EdgeShift {
     }
 
     /**
+     * How the corners of a marker move when ink has spread by 1 mm on the paper on all sides, by the homography from
+     * the paper to the image (the lens taken as straight over so small a distance).
+     *
+     * @param cornersPx 8 values: u, v of the four corners, in the order of the outline, px
+     * @param sizeMm side of the printed square, mm, positive
+     * @return 8 values, px per mm
+     */
+    public static double[] byInk(double[] cornersPx, double sizeMm) {
+        double[] h = new double[8];
+        double[] out = new double[8];
+        if (!Homography.ofUnitSquare(cornersPx, h)) {
+            return out;
+        }
+        for (int i = 0; i < 4; i++) {
+            double x = i == 1 || i == 2 ? 1 : 0;
+            double y = i >= 2 ? 1 : 0;
+            double w = h[6] * x + h[7] * y + 1;
+            // outwards by 1 mm in either direction
+            double dx = (2 * x - 1) / sizeMm;
+            double dy = (2 * y - 1) / sizeMm;
+            double dw = h[6] * dx + h[7] * dy;
+            out[2 * i] = (h[0] * dx + h[1] * dy - cornersPx[2 * i] * dw) / w;
+            out[2 * i + 1] = (h[3] * dx + h[4] * dy - cornersPx[2 * i + 1] * dw) / w;
+        }
+        return out;
+    }
+
+    /**
      * How the corners of a marker move when all its sides move by 1 px along their normals, inwards.
      *
      * @param cornersPx 8 values: u, v of the four corners, in either sense of turning, px

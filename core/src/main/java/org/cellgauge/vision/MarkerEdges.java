@@ -1176,9 +1176,10 @@ final class MarkerEdges {
      *
      * @param id its id
      * @param noiseGrey standard deviation of each side's noise, 4 values, grey levels
+     * @param shiftStdPx what the measured shift may be off by beside noise, px
      * @return corners with their covariance and the measured shift
      */
-    MarkerObservation observation(int id, double[] noiseGrey) {
+    MarkerObservation observation(int id, double[] noiseGrey, double shiftStdPx) {
         double[] byLines = new double[8 * 8];
         for (int j = 0; j < CORNERS; j++) {
             int i = (j + CORNERS - 1) % CORNERS;
@@ -1211,7 +1212,7 @@ final class MarkerEdges {
                     withCorners[r] += byLines[8 * r + k] * joint[9 * k + 8];
                 }
             }
-            shift = new EdgeShift(shiftPx, joint[80], withCorners);
+            shift = new EdgeShift(shiftPx, joint[80] + shiftStdPx * shiftStdPx, withCorners);
         }
         return new MarkerObservation(id, corners, covariance, shift);
     }

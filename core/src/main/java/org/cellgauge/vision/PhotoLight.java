@@ -4,6 +4,13 @@ import org.cellgauge.light.ToneCurve;
 
 /** What a detector found out about the light of one photo; immutable. */
 public final class PhotoLight {
+    /**
+     * How far the outlines of all markers lie, alike, from where their inner edges say, in rendered photos: px, and a
+     * share of the blur, with which it grows, as what is left of a tone curve moves edges by a share of their blur.
+     */
+    private static final double LEAST_OUTLINE_STD_PX = 0.002;
+    private static final double OUTLINE_STD_BY_BLUR = 0.004;
+
     private final ToneCurve toneCurve;
     private final boolean toneCurveEstimated;
     private final double blurPx;
@@ -11,6 +18,7 @@ public final class PhotoLight {
     private final double noiseDegreesOfFreedom;
     private final double edgeShiftStdPx;
     private final boolean toneCurveOpen;
+    private final double outlineStdPx;
 
     /**
      * Light of a photo.
@@ -26,11 +34,12 @@ public final class PhotoLight {
      */
     public PhotoLight(ToneCurve toneCurve, boolean toneCurveEstimated, double blurPx, double noiseGrey,
             double noiseDegreesOfFreedom, double edgeShiftStdPx) {
-        this(toneCurve, toneCurveEstimated, blurPx, noiseGrey, noiseDegreesOfFreedom, edgeShiftStdPx, false);
+        this(toneCurve, toneCurveEstimated, blurPx, noiseGrey, noiseDegreesOfFreedom, edgeShiftStdPx, false,
+                usualOutlineStdPx(blurPx));
     }
 
     private PhotoLight(ToneCurve toneCurve, boolean toneCurveEstimated, double blurPx, double noiseGrey,
-            double noiseDegreesOfFreedom, double edgeShiftStdPx, boolean toneCurveOpen) {
+            double noiseDegreesOfFreedom, double edgeShiftStdPx, boolean toneCurveOpen, double outlineStdPx) {
         this.toneCurve = toneCurve;
         this.toneCurveEstimated = toneCurveEstimated;
         this.blurPx = blurPx;
@@ -38,6 +47,7 @@ public final class PhotoLight {
         this.noiseDegreesOfFreedom = noiseDegreesOfFreedom;
         this.edgeShiftStdPx = edgeShiftStdPx;
         this.toneCurveOpen = toneCurveOpen;
+        this.outlineStdPx = outlineStdPx;
     }
 
     /**
@@ -47,7 +57,30 @@ public final class PhotoLight {
      */
     public PhotoLight withOpenToneCurve() {
         return new PhotoLight(toneCurve, toneCurveEstimated, blurPx, noiseGrey, noiseDegreesOfFreedom, edgeShiftStdPx,
-                true);
+                true, outlineStdPx);
+    }
+
+    /**
+     * The same light of a photo in which outlines and inner edges of markers are less alike than usual.
+     *
+     * @param stdPx how far the outlines of all markers may lie, alike, from where their inner edges say: standard
+     *     deviation along the normal, px, not negative
+     * @return light with that deviation
+     */
+    public PhotoLight withOutlineStdPx(double stdPx) {
+        return new PhotoLight(toneCurve, toneCurveEstimated, blurPx, noiseGrey, noiseDegreesOfFreedom, edgeShiftStdPx,
+                toneCurveOpen, stdPx);
+    }
+
+    /**
+     * How far outlines usually lie from where inner edges say, all alike.
+     *
+     * @param blurPx blur of the edges, standard deviation, px; NaN: not known
+     * @return standard deviation along the normal, px
+     */
+    public static double usualOutlineStdPx(double blurPx) {
+        return Double.isNaN(blurPx) ? LEAST_OUTLINE_STD_PX
+                : Math.hypot(LEAST_OUTLINE_STD_PX, OUTLINE_STD_BY_BLUR * blurPx);
     }
 
     /**
@@ -112,5 +145,14 @@ public final class PhotoLight {
      */
     public double edgeShiftStdPx() {
         return edgeShiftStdPx;
+    }
+
+    /**
+     * How far the outlines of all markers may lie, alike, from where their inner edges say.
+     *
+     * @return standard deviation along the normal, px, not negative
+     */
+    public double outlineStdPx() {
+        return outlineStdPx;
     }
 }

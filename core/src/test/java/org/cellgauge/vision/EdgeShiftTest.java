@@ -3,6 +3,9 @@ package org.cellgauge.vision;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.junit.jupiter.api.Test;
 
 class EdgeShiftTest {
@@ -30,5 +33,29 @@ class EdgeShiftTest {
             assertEquals(1, inside * (dx * d[2 * i + 1] - dy * d[2 * i]) / length, 1e-12);
             assertEquals(1, inside * (dx * d[2 * j + 1] - dy * d[2 * j]) / length, 1e-12);
         }
+    }
+
+    /** The image of a square on paper that is seen aslant, against that of a larger square. */
+    @Test
+    void inkMovesSidesByTheSameOnThePaper() {
+        PinholeCamera camera = PinholeCamera.ideal(1280, 720, 900, 900, 640, 360);
+        RigidTransform pose = RigidTransform.ofEuler(60, -40, 700, 3.0, 0.6, 0.4);
+        double sizeMm = 50;
+        double[] byInk = EdgeShift.byInk(corners(camera, pose, sizeMm), sizeMm);
+        double h = 0.01;
+        double[] larger = corners(camera, pose, sizeMm + 2 * h);
+        double[] smaller = corners(camera, pose, sizeMm - 2 * h);
+        for (int i = 0; i < 8; i++) {
+            assertEquals((larger[i] - smaller[i]) / (2 * h), byInk[i], 1e-5);
+        }
+    }
+
+    private static double[] corners(PinholeCamera camera, RigidTransform pose, double sizeMm) {
+        double[] points = MarkerGeometry.cornersMm(pose, sizeMm);
+        double[] px = new double[8];
+        for (int k = 0; k < 4; k++) {
+            System.arraycopy(camera.project(points[3 * k], points[3 * k + 1], points[3 * k + 2]), 0, px, 2 * k, 2);
+        }
+        return px;
     }
 }

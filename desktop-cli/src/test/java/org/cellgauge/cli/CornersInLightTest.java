@@ -4,9 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import org.cellgauge.desktop.render.Backdrop;
+import org.cellgauge.desktop.render.GreyJpeg;
 import org.cellgauge.desktop.render.Scene;
 import org.cellgauge.desktop.render.Sensor;
 import org.cellgauge.light.ToneCurve;
@@ -182,6 +184,37 @@ class CornersInLightTest {
                 null);
         assertTrue(warns(found, DetectionWarning.SHARPENED), found.toString());
         assertEquals(0, found.leftPx, 0.02, found.toString());
+    }
+
+    /**
+     * Blocks of a JPEG file leave noise and edges that look like a mask's doing, which must not be undone: corners are
+     * then as precise as stated but for what all outlines may be off by.
+     */
+    @Test
+    void blocksOfAStronglyCompressedFileAreNoMask() throws IOException {
+        MarkerField field = MarkerField.of(BINARY, SMALL_MM);
+        GreyImage photo = field.photo(sensor(0.7, ToneCurve.SRGB));
+        MarkerField.Found weak = field.find(GreyJpeg.roundTrip(photo, 97), null);
+        assertFalse(warns(weak, DetectionWarning.IN_BLOCKS), weak.toString());
+        MarkerField.Found strong = field.find(GreyJpeg.roundTrip(photo, 70), null);
+        assertTrue(warns(strong, DetectionWarning.IN_BLOCKS), strong.toString());
+        assertEquals(0, strong.leftPx, 2 * strong.detections.light().outlineStdPx(), strong.toString());
+        assertFalse(warns(strong, DetectionWarning.SHARPENED), strong.toString());
+        assertTrue(strong.chiSquareLessShift < 1.2, strong.toString());
+        // moved as in a cropped photo, the grid still shows
+        assertTrue(warns(field.find(moved(GreyJpeg.roundTrip(photo, 70), 3, 5), null), DetectionWarning.IN_BLOCKS));
+    }
+
+    private static GreyImage moved(GreyImage image, int dx, int dy) {
+        int width = image.widthPx();
+        int height = image.heightPx();
+        byte[] grey = new byte[width * height];
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                grey[y * width + x] = (byte) image.get(Math.min(width - 1, x + dx), Math.min(height - 1, y + dy));
+            }
+        }
+        return GreyImage.packed(grey, width, height);
     }
 
     /**

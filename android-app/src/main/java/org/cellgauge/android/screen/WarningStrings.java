@@ -41,6 +41,8 @@ final class WarningStrings {
                 return R.string.warning_whites_clipped;
             case BLACKS_CRUSHED:
                 return R.string.warning_blacks_crushed;
+            case IN_BLOCKS:
+                return R.string.warning_in_blocks;
             case SHARPENED:
                 return R.string.warning_sharpened;
             case TOO_BLURRED:

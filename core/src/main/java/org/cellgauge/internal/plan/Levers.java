@@ -44,6 +44,11 @@ final class Levers {
     private static final int HALVINGS = 12;
     /** No further apart than this are the sizes that a change is offered in: people set up to so many parts of it. */
     private static final double FINE = 0.02;
+    /**
+     * What a proposal may take of what is asked, squared: nine tenths. Deviations differ from photo to photo by some per
+     * cent, and a verdict leaves a guard band of twice their Monte Carlo error.
+     */
+    static final double MEETS = 0.81;
     /** References that are added at once, at most. */
     static final int MOST_ADDED = 3;
     /** More places of the camera than this, and places of references are tried on the coarser grid. */
@@ -206,12 +211,12 @@ final class Levers {
             if (Double.isInfinite(reached)) {
                 continue;
             }
-            if (reached <= 1 && missed) {
+            if (reached <= MEETS && missed) {
                 double meets = size;
                 double misses = before;
                 for (int i = 0; i < HALVINGS && Math.abs(meets - misses) > FINE * Math.abs(meets); i++) {
                     double middle = 0.5 * (meets + misses);
-                    if (worst(step.apply(middle).apply().apply(layout), false) <= 1) {
+                    if (worst(step.apply(middle).apply().apply(layout), false) <= MEETS) {
                         meets = middle;
                     } else {
                         misses = middle;
@@ -440,7 +445,7 @@ final class Levers {
             double reached = worst(tried.apply().apply(layout), false);
             if (!Double.isInfinite(reached)) {
                 steps.add(tried);
-                if (reached <= 1 && missed) {
+                if (reached <= MEETS && missed) {
                     return;
                 }
             }

@@ -68,7 +68,7 @@ public final class PlanSearch {
         all.removeIf(t -> !(t.worst() < worstNow * USEFUL));
         List<Tried> combined = mostUseful(all, COMBINED);
         combine(levers, combined, 2, all);
-        if (target.isAny() && all.stream().noneMatch(t -> t.worst() <= 1)) {
+        if (target.isAny() && all.stream().noneMatch(t -> t.worst() <= Levers.MEETS)) {
             combine(levers, combined, 3, all);
         }
         List<Tried> front = front(all);
@@ -98,11 +98,11 @@ public final class PlanSearch {
             return List.of();
         }
         List<Tried> all = singles(levers);
-        if (all.stream().filter(t -> t.worst() <= 1).map(t -> t.steps().get(0).group()).distinct().count()
+        if (all.stream().filter(t -> t.worst() <= Levers.MEETS).map(t -> t.steps().get(0).group()).distinct().count()
                 < MOST_ADVICE) {
             combine(levers, mostUseful(all, COMBINED_QUICKLY), 2, all);
         }
-        all.removeIf(t -> !(t.worst() <= 1));
+        all.removeIf(t -> !(t.worst() <= Levers.MEETS));
         List<Tried> best = best(all, layout.cell().target());
         return proposals(levers, best.subList(0, Math.min(MOST_ADVICE, best.size())));
     }
@@ -127,8 +127,8 @@ public final class PlanSearch {
 
     private static List<Tried> best(List<Tried> all, Target target) {
         List<Tried> best = new ArrayList<>(all);
-        if (target.isAny() && all.stream().anyMatch(t -> t.worst() <= 1)) {
-            best.removeIf(t -> !(t.worst() <= 1));
+        if (target.isAny() && all.stream().anyMatch(t -> t.worst() <= Levers.MEETS)) {
+            best.removeIf(t -> !(t.worst() <= Levers.MEETS));
             best.sort(Comparator.comparingDouble(Tried::cost).thenComparingDouble(Tried::worst));
             return withoutNeedless(best);
         }

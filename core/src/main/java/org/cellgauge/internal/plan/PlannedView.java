@@ -9,11 +9,13 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.internal.pose.AddedNoise;
+import org.cellgauge.internal.pose.EdgeModel;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.pose.PosePrior;
 import org.cellgauge.internal.vision.CornerForecast;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.vision.PhotoLight;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,10 +37,6 @@ import org.jspecify.annotations.Nullable;
 public final class PlannedView {
     /** Unknowns of the camera's pose. */
     public static final int POSE = 6;
-    /** The part of the error of measured shifts that all markers of a photo share, px, as the check has it. */
-    private static final double COMMON_DISCREPANCY_STD_PX = 0.003;
-    /** The part of it that each marker has of its own. */
-    private static final double DISCREPANCY_STD_PX = 0.01;
 
     private final PinholeCamera camera;
     private final RigidTransform worldFromCamera;
@@ -52,6 +50,7 @@ public final class PlannedView {
     private final double addedShare;
     private final IntrinsicsPrior intrinsics;
     private final boolean shifts;
+    private final double outlineStdPx;
     private final double printGainStdMm;
     private final double sizeStdMm;
     private final double flatnessMm;
@@ -80,6 +79,7 @@ public final class PlannedView {
         this.forecast = cell.pixelStdPx().isPresent() ? null : forecast;
         this.photos = photos;
         this.intrinsics = intrinsics;
+        outlineStdPx = PhotoLight.usualOutlineStdPx(forecast.blurPx());
         shifts = this.forecast != null;
         addedShare = shifts ? addedShare(markers) : 0;
         printGainStdMm = shifts ? cell.prints().printGainStdMm() : 0;
@@ -274,7 +274,8 @@ public final class PlannedView {
                 covariance[i * count + 8] = both[i] / photos;
                 covariance[8 * count + i] = both[i] / photos;
             }
-            covariance[8 * count + 8] = shift.variancePx2() / photos + DISCREPANCY_STD_PX * DISCREPANCY_STD_PX;
+            covariance[8 * count + 8] = shift.variancePx2() / photos + EdgeModel.DISCREPANCY_STD_PX
+                    * EdgeModel.DISCREPANCY_STD_PX;
             double[] byShift = EdgeShift.ofCorners(px);
             double perimeter = 0;
             for (int i = 0; i < 4; i++) {
@@ -286,11 +287,12 @@ public final class PlannedView {
             for (int i = 0; i < 9; i++) {
                 shared[i * after + column] = (i < 8 ? byShift[i] : 1) * CornerForecast.EDGE_SHIFT_STD_PX;
             }
-            shared[8 * after + column + 1] = COMMON_DISCREPANCY_STD_PX;
+            shared[8 * after + column + 1] = outlineStdPx;
             if (printGainStdMm > 0) {
+                double[] byInk = EdgeShift.byInk(px, sizeMm);
                 int gain = firstGain() - POSE + sizesMm.indexOf(sizeMm);
                 for (int i = 0; i < 9; i++) {
-                    shared[i * after + gain] = -pxPerMm * (i < 8 ? byShift[i] : 1) * printGainStdMm;
+                    shared[i * after + gain] = (i < 8 ? byInk[i] : -pxPerMm) * printGainStdMm;
                 }
             }
         }

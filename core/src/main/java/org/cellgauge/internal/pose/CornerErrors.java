@@ -173,18 +173,19 @@ public final class CornerErrors {
         }
         double[] columns = new double[8 * q];
         if (edges != null) {
-            double[] byShift = EdgeShift.ofCorners(corners);
             EdgeShift shift = m.observation.edgeShift();
             double mean = edges.mean(m);
+            double[] meanOfCorners = edges.meanOfCorners(m);
             double[] byUnknown = edges.byUnknown(m);
+            double[] ofCorners = edges.cornersByUnknown(m);
             // a noise that is stated is independent of what edges show; one of a fit shares its errors with the shift
             double[] shared = shift != null && ofFit ? shift.covarianceWithCornersPx2() : new double[8];
             double variance = shift == null ? 1 : EdgeModel.variance(shift);
             for (int i = 0; i < 8; i++) {
                 double error = shift == null ? 0 : shared[i] / variance * (shift.shiftPx() - mean);
-                corners[i] -= byShift[i] * mean + error;
+                corners[i] -= meanOfCorners[i] + error;
                 for (int j = 0; j < byUnknown.length; j++) {
-                    columns[i * q + j] = (byShift[i] - shared[i] / variance) * byUnknown[j];
+                    columns[i * q + j] = ofCorners[i * byUnknown.length + j] - shared[i] / variance * byUnknown[j];
                 }
                 for (int j = 0; j < 8; j++) {
                     covariance[8 * i + j] -= shared[i] * shared[j] / variance;

@@ -9,6 +9,7 @@ import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.EdgeShift;
 import org.cellgauge.vision.MarkerObservation;
+import org.cellgauge.vision.PhotoLight;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,9 +24,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class EdgeModel {
     /** What a measured shift may be off by beside its stated error: inner and outer edges are not quite alike, px. */
-    private static final double DISCREPANCY_STD_PX = 0.01;
-    /** The part of it that all markers of a photo share, px: rendered photos of known shift show up to 0.003. */
-    private static final double COMMON_DISCREPANCY_STD_PX = 0.003;
+    public static final double DISCREPANCY_STD_PX = 0.004;
     /** Shift of a photo of whose light nothing is said but whose markers have measured shifts, px. */
     private static final double UNSAID_STD_PX = 0.2;
 
@@ -48,6 +47,8 @@ public final class EdgeModel {
             measured |= m.observation.edgeShift() != null;
         }
         double std = detections.light() != null ? detections.light().edgeShiftStdPx() : measured ? UNSAID_STD_PX : 0;
+        double outlineStd = detections.light() != null ? detections.light().outlineStdPx()
+                : PhotoLight.usualOutlineStdPx(Double.NaN);
         if (!measured && !(std > 0)) {
             return null;
         }
@@ -90,7 +91,7 @@ public final class EdgeModel {
         }
         if (measured) {
             // what all markers share of that discrepancy does not average out
-            covariance[0] += COMMON_DISCREPANCY_STD_PX * COMMON_DISCREPANCY_STD_PX;
+            covariance[0] += outlineStd * outlineStd;
         }
         Cholesky.factor(covariance, n);
         return new EdgeModel(Collections.unmodifiableList(sizes), prior, mean, covariance);
@@ -134,7 +135,47 @@ public final class EdgeModel {
 
     /** Change of the shift of one marker by each unit-normal unknown, px. */
     double[] byUnknown(MarkerErrors.Source m) {
-        double[] row = row(sizesMm, m);
+        return byUnknown(row(sizesMm, m));
+    }
+
+    /** How the mean shift and mean ink move the corners of one marker, 8 values, px. */
+    double[] meanOfCorners(MarkerErrors.Source m) {
+        double[] out = new double[8];
+        for (int c = 0; c < 8; c++) {
+            double[] row = rowOfCorner(m, c);
+            for (int i = 0; i < row.length; i++) {
+                out[c] += row[i] * mean[i];
+            }
+        }
+        return out;
+    }
+
+    /** Change of each corner coordinate of one marker by each unit-normal unknown, 8 rows, px. */
+    double[] cornersByUnknown(MarkerErrors.Source m) {
+        int n = mean.length;
+        double[] out = new double[8 * n];
+        for (int c = 0; c < 8; c++) {
+            System.arraycopy(byUnknown(rowOfCorner(m, c)), 0, out, c * n, n);
+        }
+        return out;
+    }
+
+    /**
+     * Light moves all sides of a marker by the same in the image, ink by the same on the paper: less where that is seen
+     * aslant.
+     */
+    private double[] rowOfCorner(MarkerErrors.Source m, int coordinate) {
+        double[] corners = m.observation.cornersPx();
+        double[] row = new double[mean.length];
+        row[0] = EdgeShift.ofCorners(corners)[coordinate];
+        int size = sizesMm.indexOf(m.sizeMm);
+        if (size >= 0) {
+            row[1 + size] = EdgeShift.byInk(corners, m.sizeMm)[coordinate];
+        }
+        return row;
+    }
+
+    private double[] byUnknown(double[] row) {
         double[] out = new double[row.length];
         for (int j = 0; j < row.length; j++) {
             for (int i = j; i < row.length; i++) {

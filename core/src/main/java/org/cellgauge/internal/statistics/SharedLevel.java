@@ -25,18 +25,44 @@ public final class SharedLevel {
     private SharedLevel() {
     }
 
+    /** Statistics of tests that are jointly normal, each standard normal. */
+    public interface Statistics {
+        /**
+         * Number of tests.
+         *
+         * @return at least 1
+         */
+        int count();
+
+        /**
+         * Draws all statistics.
+         *
+         * @param random source of randomness
+         * @param out receives one value per test
+         */
+        void draw(RandomGenerator random, double[] out);
+
+        /**
+         * Correlations of one test with all.
+         *
+         * @param test its index
+         * @param out receives one value per test
+         */
+        void correlations(int test, double[] out);
+    }
+
     /**
      * The limits.
      *
-     * @param rows statistics as products of these rows, of length 1, with independent standard normal numbers
+     * @param of the tests' statistics
      * @param weights by which the tests share the level, positive; only their proportions count
      * @param level chance of any alarm, in (0, 1)
      * @param random source of randomness; the same numbers give the same limits
      * @return for each test the size of its statistic beyond which it raises an alarm
-     * @throws IllegalArgumentException if there is no row, a weight is not positive or the level is out of range
+     * @throws IllegalArgumentException if there is no test, a weight is not positive or the level is out of range
      */
-    public static double[] limits(double[][] rows, double[] weights, double level, RandomGenerator random) {
-        int tests = rows.length;
+    public static double[] limits(Statistics of, double[] weights, double level, RandomGenerator random) {
+        int tests = of.count();
         double sum = 0;
         for (double weight : weights) {
             if (!(weight > 0 && Double.isFinite(weight))) {
@@ -45,9 +71,9 @@ public final class SharedLevel {
             sum += weight;
         }
         if (tests == 0 || weights.length != tests || !(level > 0 && level < 1)) {
-            throw new IllegalArgumentException("needs as many weights as rows and a level between 0 and 1");
+            throw new IllegalArgumentException("needs as many weights as tests and a level between 0 and 1");
         }
-        Simulation simulation = new Simulation(rows, weights, sum, random);
+        Simulation simulation = new Simulation(of, weights, sum, random);
         // Bonferroni's limits first
         double scale = level / sum;
         double[] limits = new double[tests];
@@ -69,18 +95,10 @@ public final class SharedLevel {
         private final double[][] statistics = new double[DRAWS][];
         private final double[][] correlations;
 
-        Simulation(double[][] rows, double[] weights, double sumOfWeights, RandomGenerator random) {
+        Simulation(Statistics of, double[] weights, double sumOfWeights, RandomGenerator random) {
             this.weights = weights;
-            int tests = rows.length;
-            int width = rows[0].length;
+            int tests = of.count();
             correlations = new double[tests][];
-            double[] numbers = new double[width];
-            double[] columns = new double[width * tests];
-            for (int j = 0; j < tests; j++) {
-                for (int k = 0; k < width; k++) {
-                    columns[k * tests + j] = rows[j][k];
-                }
-            }
             int at = 0;
             double upTo = weights[0];
             for (int i = 0; i < DRAWS; i++) {
@@ -91,27 +109,13 @@ public final class SharedLevel {
                 }
                 chosen[i] = at;
                 tail[i] = 1 - random.nextDouble();
-                for (int k = 0; k < width; k++) {
-                    numbers[k] = random.nextGaussian();
-                }
-                statistics[i] = products(columns, numbers, tests);
+                statistics[i] = new double[tests];
+                of.draw(random, statistics[i]);
                 if (correlations[at] == null) {
-                    correlations[at] = products(columns, rows[at], tests);
+                    correlations[at] = new double[tests];
+                    of.correlations(at, correlations[at]);
                 }
             }
-        }
-
-        /** Products of all rows with the same numbers: column by column, which takes several rows at a time. */
-        private static double[] products(double[] columns, double[] b, int tests) {
-            double[] out = new double[tests];
-            for (int k = 0; k < b.length; k++) {
-                double factor = b[k];
-                int at = k * tests;
-                for (int j = 0; j < tests; j++) {
-                    out[j] += columns[at + j] * factor;
-                }
-            }
-            return out;
         }
 
         /**

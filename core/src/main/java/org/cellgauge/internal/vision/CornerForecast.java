@@ -66,6 +66,15 @@ public final class CornerForecast {
         knownOffsetVariancePx3 = 1 / information[0];
     }
 
+    /**
+     * Blur of the photo.
+     *
+     * @return standard deviation, px
+     */
+    public double blurPx() {
+        return blurPx;
+    }
+
     /** Fisher information of offset, blur, dark and bright level in one profile across an edge, per px of length. */
     private double[] information() {
         double half = Math.max(BAND_PX, BAND_BLURS * blurPx);

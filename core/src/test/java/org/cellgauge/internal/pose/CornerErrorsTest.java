@@ -120,7 +120,8 @@ class CornerErrorsTest {
                     normal.set(i, random.nextGaussian());
                 }
                 SimpleMatrix errors = factor.mult(normal);
-                double[] seen = add(corners, EdgeShift.ofCorners(corners), delta);
+                // ink makes the square larger on the paper, light makes its image smaller
+                double[] seen = add(corners(POSES[m], SIZES[m] + 2 * ink[m / 2]), EdgeShift.ofCorners(corners), shift);
                 double[] covariance = new double[64];
                 double[] shared = new double[8];
                 for (int i = 0; i < 8; i++) {

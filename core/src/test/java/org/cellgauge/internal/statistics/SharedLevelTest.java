@@ -16,6 +16,42 @@ import org.junit.jupiter.params.provider.CsvSource;
 class SharedLevelTest {
     private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
 
+    /** Statistics as products of rows of length 1 with independent standard normal numbers. */
+    private static double[] limits(double[][] rows, double[] weights, double level, RandomGenerator random) {
+        return SharedLevel.limits(new SharedLevel.Statistics() {
+            @Override
+            public int count() {
+                return rows.length;
+            }
+
+            @Override
+            public void draw(RandomGenerator source, double[] out) {
+                double[] z = new double[rows[0].length];
+                for (int k = 0; k < z.length; k++) {
+                    z[k] = source.nextGaussian();
+                }
+                for (int i = 0; i < rows.length; i++) {
+                    out[i] = product(rows[i], z);
+                }
+            }
+
+            @Override
+            public void correlations(int test, double[] out) {
+                for (int i = 0; i < rows.length; i++) {
+                    out[i] = product(rows[i], rows[test]);
+                }
+            }
+        }, weights, level, random);
+    }
+
+    private static double product(double[] a, double[] b) {
+        double sum = 0;
+        for (int k = 0; k < a.length; k++) {
+            sum += a[k] * b[k];
+        }
+        return sum;
+    }
+
     private static double[] equal(int n) {
         double[] weights = new double[n];
         Arrays.fill(weights, 1);
@@ -34,7 +70,7 @@ class SharedLevelTest {
     @ParameterizedTest
     @CsvSource({"1, 0.01", "3, 0.01", "12, 0.009", "40, 0.01", "5, 0.3"})
     void limitsOfIndependentTestsAreSidaks(int n, double level) {
-        double[] limits = SharedLevel.limits(unit(n), equal(n), level, new Well19937c(1));
+        double[] limits = limits(unit(n), equal(n), level, new Well19937c(1));
         double each = 1 - Math.pow(1 - level, 1.0 / n);
         for (double limit : limits) {
             assertEquals(NORMAL.inverseCumulativeProbability(1 - each / 2), limit, 0.01);
@@ -44,7 +80,7 @@ class SharedLevelTest {
     @Test
     void aTestThatStandsTwiceCountsOnce() {
         double[][] rows = {{1, 0}, {1, 0}, {-1, 0}, {0, 1}};
-        double[] limits = SharedLevel.limits(rows, equal(4), 0.01, new Well19937c(2));
+        double[] limits = limits(rows, equal(4), 0.01, new Well19937c(2));
         double each = 1 - Math.sqrt(1 - 0.01);
         assertEquals(NORMAL.inverseCumulativeProbability(1 - each / 2), limits[0], 0.01);
         assertEquals(limits[0], limits[2], 1e-12);
@@ -62,7 +98,7 @@ class SharedLevelTest {
             rows[i][i] = Math.sqrt(0.5);
             rows[i][k] = Math.sqrt(0.5);
         }
-        double[] limits = SharedLevel.limits(rows, equal(k), 0.05, new Well19937c(3));
+        double[] limits = limits(rows, equal(k), 0.05, new Well19937c(3));
         // half a digit of the table, and what simulation leaves: 1.5 % of 0.05 is 0.007 of the limit
         assertEquals(tabulated, limits[0], 0.005 + 0.01);
     }
@@ -74,14 +110,14 @@ class SharedLevelTest {
         for (int i = 0; i < rows.length; i++) {
             rows[i] = new double[] {Math.cos(Math.PI * i / rows.length), Math.sin(Math.PI * i / rows.length)};
         }
-        double[] limits = SharedLevel.limits(rows, equal(rows.length), 0.01, new Well19937c(4));
+        double[] limits = limits(rows, equal(rows.length), 0.01, new Well19937c(4));
         assertEquals(Math.sqrt(-2 * Math.log(0.01)), limits[7], 0.015);
     }
 
     @Test
     void weightsShareTheLevelInTheirProportion() {
         double[] weights = {1, 0.2, 0.01};
-        double[] limits = SharedLevel.limits(unit(3), weights, 0.01, new Well19937c(5));
+        double[] limits = limits(unit(3), weights, 0.01, new Well19937c(5));
         double first = 2 * NORMAL.cumulativeProbability(-limits[0]);
         double sum = 0;
         for (int i = 0; i < 3; i++) {
@@ -110,7 +146,7 @@ class SharedLevelTest {
             }
             weights[i] = 0.05 + random.nextDouble();
         }
-        double[] limits = SharedLevel.limits(rows, weights, 0.01, new Well19937c(7));
+        double[] limits = limits(rows, weights, 0.01, new Well19937c(7));
         int alarms = 0;
         int draws = 400_000;
         double[] z = new double[5];
@@ -136,16 +172,16 @@ class SharedLevelTest {
     @Test
     void theSameNumbersGiveTheSameLimits() {
         double[][] rows = {{1, 0}, {0.6, 0.8}};
-        assertArrayEquals(SharedLevel.limits(rows, equal(2), 0.01, new Well19937c(8)),
-                SharedLevel.limits(rows, equal(2), 0.01, new Well19937c(8)));
+        assertArrayEquals(limits(rows, equal(2), 0.01, new Well19937c(8)),
+                limits(rows, equal(2), 0.01, new Well19937c(8)));
     }
 
     @Test
     void badArgumentsAreRefused() {
         RandomGenerator random = new Well19937c(9);
-        assertThrows(IllegalArgumentException.class, () -> SharedLevel.limits(new double[0][], equal(0), 0.1, random));
+        assertThrows(IllegalArgumentException.class, () -> limits(new double[0][], equal(0), 0.1, random));
         assertThrows(IllegalArgumentException.class,
-                () -> SharedLevel.limits(unit(2), new double[] {1, 0}, 0.1, random));
-        assertThrows(IllegalArgumentException.class, () -> SharedLevel.limits(unit(2), equal(2), 1, random));
+                () -> limits(unit(2), new double[] {1, 0}, 0.1, random));
+        assertThrows(IllegalArgumentException.class, () -> limits(unit(2), equal(2), 1, random));
     }
 }
