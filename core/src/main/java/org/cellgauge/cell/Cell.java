@@ -15,10 +15,11 @@ public final class Cell {
     private final List<Reference> references;
     private final List<ObjectMarker> objects;
     private final OptionalDouble pixelStdPx;
-    private final OptionalDouble targetStdMm;
+    private final Target target;
     private final @Nullable ToneCurve toneCurve;
     private final @Nullable CameraCalibration calibration;
     private final PrintPrecision prints;
+    private final Planning planning;
     private final JointPlacement joint;
 
     /**
@@ -53,21 +54,19 @@ public final class Cell {
      */
     public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints) {
-        this(camera, family, references, objects, pixelStdPx, targetStdMm, prints, null, null,
-                JointPlacement.NONE);
+        this(camera, family, references, objects, pixelStdPx, Target.ofStdMm(targetStdMm), prints, null, null,
+                Planning.NONE, JointPlacement.NONE);
     }
 
     private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
-            OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints,
-            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration, JointPlacement joint) {
+            OptionalDouble pixelStdPx, Target target, PrintPrecision prints,
+            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration, Planning planning,
+            JointPlacement joint) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
         if (pixelStdPx.isPresent() && !(pixelStdPx.getAsDouble() > 0)) {
             throw new IllegalArgumentException("pixel deviation must be positive");
-        }
-        if (targetStdMm.isPresent() && !(targetStdMm.getAsDouble() > 0)) {
-            throw new IllegalArgumentException("target deviation must be positive");
         }
         java.util.Set<Integer> ids = new java.util.HashSet<>();
         references.forEach(r -> addOnce(ids, r.id()));
@@ -77,10 +76,11 @@ public final class Cell {
         this.references = Collections.unmodifiableList(new ArrayList<>(references));
         this.objects = Collections.unmodifiableList(new ArrayList<>(objects));
         this.pixelStdPx = pixelStdPx;
-        this.targetStdMm = targetStdMm;
+        this.target = target;
         this.toneCurve = toneCurve;
         this.calibration = calibration;
         this.prints = prints;
+        this.planning = planning;
         this.joint = joint;
     }
 
@@ -98,8 +98,27 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withCamera(PinholeCamera other) {
-        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, null,
-                joint);
+        return new Cell(other, family, references, objects, pixelStdPx, target, prints, toneCurve, null,
+                planning, joint);
+    }
+
+    /**
+     * The same cell where the images of its camera are delivered in another size: all of the image, binned or scaled.
+     * Camera and calibration scale along; a stated deviation of corners stays, since it is of the images there are.
+     *
+     * @param widthPx width of the images
+     * @param heightPx height of the images
+     * @return a new cell
+     * @throws IllegalArgumentException if a size is not positive, or the shape is another, so that it cannot be the
+     *     whole image
+     */
+    public Cell scaledTo(int widthPx, int heightPx) {
+        if (!camera.hasShape(widthPx, heightPx)) {
+            throw new IllegalArgumentException(widthPx + " x " + heightPx + " px is of another shape than "
+                    + camera.widthPx() + " x " + camera.heightPx() + " px");
+        }
+        return withCamera(camera.resized(widthPx, heightPx)).withCalibration(
+                calibration == null ? null : calibration.scaled(widthPx / (double) camera.widthPx()));
     }
 
     /**
@@ -110,8 +129,8 @@ public final class Cell {
      * @throws IllegalArgumentException if there is none, or an id stands twice in the cell then
      */
     public Cell withReferences(List<Reference> others) {
-        return new Cell(camera, family, others, objects, pixelStdPx, targetStdMm, prints, toneCurve, calibration,
-                joint);
+        return new Cell(camera, family, others, objects, pixelStdPx, target, prints, toneCurve, calibration,
+                planning, joint);
     }
 
     /**
@@ -122,20 +141,28 @@ public final class Cell {
      * @throws IllegalArgumentException if an id stands twice in the cell then
      */
     public Cell withObjects(List<ObjectMarker> others) {
-        return new Cell(camera, family, references, others, pixelStdPx, targetStdMm, prints, toneCurve, calibration,
-                joint);
+        return new Cell(camera, family, references, others, pixelStdPx, target, prints, toneCurve, calibration, planning, joint);
+    }
+
+    /**
+     * The same cell with one standard deviation as its target.
+     *
+     * @param stdMm largest allowed standard deviation of any axis of any object, mm, positive, or empty for no target
+     * @return a new cell
+     * @throws IllegalArgumentException if the target is not positive
+     */
+    public Cell withTarget(OptionalDouble stdMm) {
+        return withTarget(Target.ofStdMm(stdMm));
     }
 
     /**
      * The same cell with another target.
      *
-     * @param stdMm largest allowed standard deviation of any axis, mm, positive, or empty for none
+     * @param other what is asked of its objects
      * @return a new cell
-     * @throws IllegalArgumentException if the target is not positive
      */
-    public Cell withTarget(OptionalDouble stdMm) {
-        return new Cell(camera, family, references, objects, pixelStdPx, stdMm, prints, toneCurve, calibration,
-                joint);
+    public Cell withTarget(Target other) {
+        return new Cell(camera, family, references, objects, pixelStdPx, other, prints, toneCurve, calibration, planning, joint);
     }
 
     /**
@@ -146,8 +173,8 @@ public final class Cell {
      * @throws IllegalArgumentException if the deviation is not positive
      */
     public Cell withPixelStdPx(OptionalDouble px) {
-        return new Cell(camera, family, references, objects, px, targetStdMm, prints, toneCurve, calibration,
-                joint);
+        return new Cell(camera, family, references, objects, px, target, prints, toneCurve, calibration,
+                planning, joint);
     }
 
     /**
@@ -157,8 +184,8 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withToneCurve(@Nullable ToneCurve stated) {
-        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, stated, calibration,
-                joint);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, stated, calibration,
+                planning, joint);
     }
 
     /**
@@ -172,8 +199,28 @@ public final class Cell {
         if (stated != null) {
             stated.indices(camera.lens());
         }
-        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, stated,
-                joint);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, stated,
+                planning, joint);
+    }
+
+    /**
+     * The same cell with something else said for planning.
+     *
+     * @param other where things may be and what changes cost
+     * @return a new cell
+     */
+    public Cell withPlanning(Planning other) {
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration,
+                other, joint);
+    }
+
+    /**
+     * What is said for planning alone.
+     *
+     * @return {@link Planning#NONE} where nothing is
+     */
+    public Planning planning() {
+        return planning;
     }
 
     /**
@@ -192,8 +239,8 @@ public final class Cell {
             addOnce(grouped, id);
         }));
         stated.measurements().forEach(m -> m.members().forEach(id -> requireReference(ids, id)));
-        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, calibration,
-                stated);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration,
+                planning, stated);
     }
 
     private static void requireReference(java.util.Set<Integer> ids, int id) {
@@ -275,12 +322,21 @@ public final class Cell {
     }
 
     /**
-     * Largest standard deviation allowed on any axis of any object and gripping point.
+     * What is asked of the objects.
      *
-     * @return mm, or empty where no target is set
+     * @return the target; {@link Target#NONE} where none is set
+     */
+    public Target target() {
+        return target;
+    }
+
+    /**
+     * The target as one standard deviation.
+     *
+     * @return as {@link Target#oneStdMm()}
      */
     public OptionalDouble targetStdMm() {
-        return targetStdMm;
+        return target.oneStdMm();
     }
 
     /**

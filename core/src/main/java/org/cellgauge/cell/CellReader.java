@@ -8,7 +8,9 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -28,9 +30,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Lengths are mm, angles degrees as in the file. Left out, {@code rotation_deg} is [0, 0, 0], {@code pixel_std_px}
  * is {@code auto}, {@code tone_curve} what the camera file says and else {@code auto}, {@code objects} and
- * {@code target} are none; deviations of prints are those of {@link PrintPrecision#USUAL}. {@code placement} may be
+ * {@code target} are none; deviations of prints are those of {@link PrintPrecision#USUAL};
+ * {@code plan} says nothing. {@code placement} may be
  * left out where every reference states its own; a reference's {@code placement} and a reference's or object's
- * {@code size_mm} replace only what they state. Every refusal names file, line, key and remedy.
+ * {@code size_mm} and {@code target} replace only what they state. Every refusal names file, line, key and remedy.
  */
 public final class CellReader {
     /** Largest cell file that is read, bytes. */
@@ -41,6 +44,7 @@ public final class CellReader {
     private static final CellPhrase WHAT = CellPhrase.CELL_FILE;
     private static final String PLACEMENT_EXAMPLE = "placement: {std_mm: [5, 5, 5], std_deg: 0.5}";
     private static final String MARKERS_EXAMPLE = "markers: {family: square-binary, size_mm: 47}";
+    private static final String NAMED_EXAMPLE = "camera: {file: camchain.yaml, name: cam0}";
     private static final String POSITION = "[x, y, z] in mm";
     private static final double MIN_SIZE_MM = 0.5;
     private static final double MAX_LENGTH_MM = 1e6;
@@ -52,7 +56,7 @@ public final class CellReader {
 
     /** Reads the camera file that a value of the cell file names. */
     @FunctionalInterface
-    private interface CameraFile {
+    private interface NamedFile {
         YamlValue read(YamlValue value, String name);
     }
 
@@ -94,32 +98,31 @@ public final class CellReader {
      *
      * @param text YAML
      * @param displayName the name that messages give it
-     * @param camera the camera of the cell
+     * @param camera the camera of the cell, which counts as exact
      * @return the cell
      * @throws InputRefusedException if the cell is faulty
      */
     public static Cell read(String text, String displayName, PinholeCamera camera) {
-        return read(text, displayName, camera, null);
+        return new CellReader().cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> camera);
     }
 
     /**
-     * Reads a cell file's text for a camera that is known otherwise, and with it how it makes grey values of light.
+     * Reads a cell file's text for a camera file that was read already, in place of what the cell file says of the
+     * camera.
      *
      * @param text YAML
      * @param displayName the name that messages give it
-     * @param camera the camera of the cell
-     * @param toneCurve what is stated with that camera; null: nothing. What the cell file states goes before it
+     * @param camera the camera of the cell with what its file says of it; a tone curve of the cell file goes before
+     *     its own
      * @return the cell
      * @throws InputRefusedException if the cell is faulty
      */
-    public static Cell read(String text, String displayName, PinholeCamera camera,
-            @Nullable ToneCurve toneCurve) {
+    public static Cell read(String text, String displayName, CameraFile camera) {
         CellReader reader = new CellReader();
-        reader.cameraToneCurve = toneCurve;
-        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> camera);
+        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> reader.kept(camera));
     }
 
-    private static Cell cell(String text, String displayName, CameraFile cameraFile) {
+    private static Cell cell(String text, String displayName, NamedFile cameraFile) {
         CellReader reader = new CellReader();
         return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES),
                 file -> reader.camera(file.required("camera", CellPhrase.CAMERA), cameraFile));
@@ -136,10 +139,16 @@ public final class CellReader {
     public static StatedCamera statedCamera(String text, String displayName) {
         YamlValue camera = cellFile(YamlValue.parse(text, displayName, WHAT, MAX_BYTES)).optional("camera");
         if (camera == null) {
-            return new StatedCamera(StatedCamera.Kind.NONE, null);
+            return new StatedCamera(StatedCamera.Kind.NONE, null, null);
         }
-        return camera.isMapping() ? new StatedCamera(StatedCamera.Kind.INLINE, null)
-                : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CellPhrase.CAMERA));
+        if (isNamed(camera)) {
+            YamlMapping named = camera.mapping(NAMED_EXAMPLE);
+            YamlValue cameraName = named.optional("name");
+            return new StatedCamera(StatedCamera.Kind.FILE, named.at("file").text(CellPhrase.CAMERA),
+                    cameraName == null ? null : cameraName.text("name: cam0"));
+        }
+        return camera.isMapping() ? new StatedCamera(StatedCamera.Kind.INLINE, null, null)
+                : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CellPhrase.CAMERA), null);
     }
 
     /** The mapping at the top of a cell file, its kind and version judged. */
@@ -147,7 +156,7 @@ public final class CellReader {
         YamlMapping file = top.mapping(CellPhrase.A_CELL_FILE);
         YamlValue version = file.optional("cellgauge");
         if (version == null) {
-            if (file.optional("pinhole") != null) {
+            if (CameraFormat.of(file) != null) {
                 throw top.refused(CellRefusal.IS_CAMERA_FILE);
             }
             if (file.optional("corners_px") != null || file.optional("image") != null) {
@@ -162,7 +171,7 @@ public final class CellReader {
     private Cell cell(YamlValue top, Function<YamlMapping, PinholeCamera> cameraOf) {
         YamlMapping file = cellFile(top);
         List<String> known = new ArrayList<>(Arrays.asList("cellgauge", "camera", "markers", "placement",
-                "pixel_std_px", CameraReader.TONE_CURVE, "references", "objects", "target"));
+                "pixel_std_px", CameraReader.TONE_CURVE, "references", "objects", "target", "plan"));
         known.addAll(JointReader.KEYS);
         file.refuseUnknown(known);
         PinholeCamera camera = cameraOf.apply(file);
@@ -185,16 +194,16 @@ public final class CellReader {
 
         Map<Integer, YamlValue> lines = new HashMap<>();
         List<Reference> references = references(file, markers, family, placement, lines);
-        List<ObjectMarker> objects = objects(file.optional("objects"), markers, family, lines);
-        OptionalDouble target = OptionalDouble.empty();
-        if (file.optional("target") != null) {
-            target = OptionalDouble.of(file.optional("target")
-                    .mapping(Refusal.of(CellPhrase.OR_DELETE, "{std_mm: 1.0}"), "std_mm")
-                    .required("std_mm", "std_mm: 1.0").positive(CellPhrase.TARGET_STD));
-        }
+        YamlValue statedTarget = file.optional("target");
+        Requirement target = statedTarget == null ? Requirement.NONE : requirement(statedTarget, Requirement.NONE);
+        Map<Integer, Requirement> ownTargets = new HashMap<>();
+        List<ObjectMarker> objects = objects(file.optional("objects"), markers, family, lines, target, ownTargets);
         YamlValue toneCurve = file.optional(CameraReader.TONE_CURVE);
-        return JointReader.with(file, new Cell(camera, family, references, objects, pixelStdPx, target,
-                prints(markers))).withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve))
+        return JointReader.with(file, new Cell(camera, family, references, objects, pixelStdPx,
+                OptionalDouble.empty(), prints(markers)))
+                .withTarget(new Target(target, ownTargets))
+                .withPlanning(planning(file.optional("plan"), objects))
+                .withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve))
                 .withCalibration(calibration);
     }
 
@@ -221,12 +230,30 @@ public final class CellReader {
     }
 
     /** The camera of an inline mapping or of the file it names, what is said of its tone curve kept aside. */
-    private PinholeCamera camera(YamlValue value, CameraFile cameraFile) {
-        YamlValue top = value.isMapping() ? value : cameraFile.read(value, value.text(CellPhrase.CAMERA));
-        PinholeCamera camera = CameraReader.of(top);
-        cameraToneCurve = CameraReader.toneCurveOf(top);
-        calibration = CameraReader.calibrationOf(top, camera.lens());
-        return camera;
+    private PinholeCamera camera(YamlValue value, NamedFile cameraFile) {
+        CameraFile camera;
+        if (isNamed(value)) {
+            YamlMapping named = value.mapping(NAMED_EXAMPLE, "file", "name");
+            YamlValue file = named.required("file", NAMED_EXAMPLE);
+            YamlValue name = named.optional("name");
+            camera = CameraReader.file(cameraFile.read(file, file.text(CellPhrase.CAMERA)),
+                    name == null ? null : name.text("name: cam0"));
+        } else {
+            camera = CameraReader.file(value.isMapping() ? value
+                    : cameraFile.read(value, value.text(CellPhrase.CAMERA)), null);
+        }
+        return kept(camera);
+    }
+
+    private PinholeCamera kept(CameraFile camera) {
+        cameraToneCurve = camera.toneCurve();
+        calibration = camera.calibration();
+        return camera.camera();
+    }
+
+    /** Whether what stands after {@code camera:} names a file and perhaps one of several cameras in it. */
+    private static boolean isNamed(YamlValue camera) {
+        return camera.isMapping() && camera.mapping(NAMED_EXAMPLE).optional("file") != null;
     }
 
     private static YamlValue from(CameraSource cameras, YamlValue value, String name) {
@@ -423,8 +450,156 @@ public final class CellReader {
         return size(stated);
     }
 
+    /** What is asked of objects; one of its own inherits what it leaves out. */
+    private static Requirement requirement(YamlValue value, Requirement general) {
+        YamlMapping stated = value.mapping(Refusal.of(CellPhrase.OR_DELETE, "{std_mm: 1.0}"), "std_mm", "tolerance_mm",
+                "distance_mm", "tolerance_deg", "probability");
+        Requirement found = new Requirement(limits(stated, "std_mm", CellPhrase.TARGET_STD, general.stdMm()),
+                limits(stated, "tolerance_mm", CellPhrase.TARGET_TOLERANCE, general.toleranceMm()),
+                limit(stated, "distance_mm", CellPhrase.TARGET_DISTANCE, general.distanceMm()),
+                limit(stated, "tolerance_deg", CellPhrase.TARGET_TURN, general.toleranceDeg()),
+                probability(stated, general.probability()));
+        if (!found.isAny()) {
+            throw stated.missing("std_mm", CellRefusal.MISSING, "std_mm: 1.0");
+        }
+        if (!found.asksForProbability() && stated.optional("probability") != null) {
+            throw stated.missing("tolerance_mm", CellRefusal.MISSING, "tolerance_mm: 1.0");
+        }
+        return found;
+    }
+
+    private static Requirement.Axes limits(YamlMapping stated, String key, CellPhrase remedy,
+            Requirement.Axes general) {
+        YamlValue value = stated.optional(key);
+        if (value == null) {
+            return general;
+        }
+        if (!value.isList()) {
+            return Requirement.Axes.all(value.positive(remedy));
+        }
+        value.numbers(3, remedy);
+        double[] limits = value.items().stream().mapToDouble(item -> item.positive(remedy)).toArray();
+        return new Requirement.Axes(limits[0], limits[1], limits[2]);
+    }
+
+    private static double limit(YamlMapping stated, String key, CellPhrase remedy, double general) {
+        YamlValue value = stated.optional(key);
+        return value == null ? general : value.positive(remedy);
+    }
+
+    private static Planning planning(@Nullable YamlValue value, List<ObjectMarker> objects) {
+        if (value == null) {
+            return Planning.NONE;
+        }
+        YamlMapping plan = value.mapping(Refusal.of(CellPhrase.OR_DELETE, "{max_height_mm: 200}"), "camera_pose",
+                "camera_range", "regions_mm", "free_mm", "walls_mm", "max_height_mm", "costs");
+        YamlValue height = plan.optional("max_height_mm");
+        return new Planning(cameraPose(plan.optional("camera_pose")), cameraRange(plan.optional("camera_range")),
+                regions(plan.optional("regions_mm"), objects), areas(plan.optional("free_mm")),
+                walls(plan.optional("walls_mm")), height == null ? OptionalDouble.empty()
+                        : OptionalDouble.of(notNegative(height, CellPhrase.MAX_HEIGHT)), costs(plan.optional("costs")));
+    }
+
+    private static double notNegative(YamlValue value, CellPhrase remedy) {
+        double number = value.number(remedy);
+        if (!(number >= 0)) {
+            throw value.refused(CellRefusal.NEGATIVE, CameraReader.plain(number), remedy);
+        }
+        return number;
+    }
+
+    private static @Nullable RigidTransform cameraPose(@Nullable YamlValue value) {
+        if (value == null) {
+            return null;
+        }
+        double[] v = value.numbers(6, CellPhrase.CAMERA_POSE);
+        return RigidTransform.ofEuler(v[0], v[1], v[2], Math.toRadians(v[3]), Math.toRadians(v[4]),
+                Math.toRadians(v[5]));
+    }
+
+    private static CameraRange cameraRange(@Nullable YamlValue value) {
+        if (value == null) {
+            return CameraRange.NONE;
+        }
+        YamlMapping range = value.mapping("{position_mm: [50, 50, 50], turn_deg: 5}", "position_mm", "turn_deg");
+        double[] mm = new double[3];
+        YamlValue position = range.optional("position_mm");
+        if (position != null) {
+            position.numbers(3, CellPhrase.RANGE);
+            mm = position.items().stream().mapToDouble(v -> notNegative(v, CellPhrase.RANGE)).toArray();
+        }
+        YamlValue turn = range.optional("turn_deg");
+        return new CameraRange(mm[0], mm[1], mm[2], turn == null ? 0 : notNegative(turn, CellPhrase.RANGE));
+    }
+
+    private static Map<Integer, Area> regions(@Nullable YamlValue value, List<ObjectMarker> objects) {
+        Map<Integer, Area> regions = new LinkedHashMap<>();
+        if (value != null) {
+            for (Map.Entry<String, YamlValue> e : value.mapping("{5: [0, 0, 500, 400]}").values().entrySet()) {
+                ObjectMarker object = objects.stream().filter(o -> String.valueOf(o.id()).equals(e.getKey()))
+                        .findFirst().orElseThrow(() -> e.getValue().refused(CellRefusal.NO_SUCH_OBJECT, e.getKey()));
+                regions.put(object.id(), area(e.getValue()));
+            }
+        }
+        return regions;
+    }
+
+    private static Area area(YamlValue value) {
+        return Area.ofCorners(value.numbers(4, CellPhrase.AREA));
+    }
+
+    private static List<Area> areas(@Nullable YamlValue value) {
+        List<Area> areas = new ArrayList<>();
+        if (value != null) {
+            value.items().forEach(item -> areas.add(area(item)));
+        }
+        return areas;
+    }
+
+    private static List<Wall> walls(@Nullable YamlValue value) {
+        List<Wall> walls = new ArrayList<>();
+        if (value != null) {
+            for (YamlValue item : value.items()) {
+                double[] v = item.numbers(5, CellPhrase.WALL);
+                if (!(v[4] > 0) || v[0] == v[2] && v[1] == v[3]) {
+                    throw item.refused(CellRefusal.NO_WALL, CellPhrase.WALL);
+                }
+                walls.add(new Wall(v[0], v[1], v[2], v[3], v[4]));
+            }
+        }
+        return walls;
+    }
+
+    private static Map<ChangeKind, Double> costs(@Nullable YamlValue value) {
+        Map<ChangeKind, Double> costs = new EnumMap<>(ChangeKind.class);
+        if (value != null) {
+            YamlMapping stated = value.mapping("{raise-reference: 40}",
+                    Arrays.stream(ChangeKind.values()).map(ChangeKind::code).toArray(String[]::new));
+            for (ChangeKind kind : ChangeKind.values()) {
+                YamlValue cost = stated.optional(kind.code());
+                if (cost != null) {
+                    costs.put(kind, notNegative(cost, CellPhrase.COST));
+                }
+            }
+        }
+        return costs;
+    }
+
+    private static double probability(YamlMapping stated, double general) {
+        YamlValue value = stated.optional("probability");
+        if (value == null) {
+            return general;
+        }
+        double probability = value.positive(CellPhrase.TARGET_PROBABILITY);
+        if (!(probability < 1)) {
+            throw value.refused(CellRefusal.NOT_BELOW_ONE, CameraReader.plain(probability),
+                    CellPhrase.TARGET_PROBABILITY);
+        }
+        return probability;
+    }
+
     private List<ObjectMarker> objects(@Nullable YamlValue value, YamlMapping markers, MarkerFamily family,
-            Map<Integer, YamlValue> lines) {
+            Map<Integer, YamlValue> lines, Requirement target, Map<Integer, Requirement> ownTargets) {
         List<ObjectMarker> objects = new ArrayList<>();
         if (value == null || value.isEmpty()) {
             return objects;
@@ -443,9 +618,13 @@ public final class CellReader {
                 }
                 size = size(generalSize);
             } else {
-                YamlMapping entry = e.getValue().mapping(CellPhrase.OBJECT, "grip_mm", "size_mm", "moves");
+                YamlMapping entry = e.getValue().mapping(CellPhrase.OBJECT, "grip_mm", "size_mm", "target", "moves");
                 grip = entry.optional("grip_mm") == null ? null : point(entry.optional("grip_mm"));
                 size = size(entry, markers);
+                YamlValue own = entry.optional("target");
+                if (own != null) {
+                    ownTargets.put(id, requirement(own, target));
+                }
                 YamlValue moving = entry.optional("moves");
                 moves = moving != null && moving.is("true");
                 if (moving != null && !moves && !moving.is("false")) {

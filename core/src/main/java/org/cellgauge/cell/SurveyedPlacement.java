@@ -8,7 +8,7 @@ import java.util.List;
  * file states; immutable. It takes the place of the references' own placements.
  */
 public final class SurveyedPlacement {
-    /** Errors of one reference: shift along world x, y, z in mm, rotation vector about its centre in world axes, rad. */
+    /** Errors of one reference: shift along world x, y, z in mm, turn about its centre in world axes in rad. */
     public static final int ERRORS = 6;
 
     private final List<Integer> ids;

@@ -16,14 +16,14 @@ public enum SurveyWarning implements WarningKind {
     /** A photo whose corners no pose explains: its name. */
     NO_POSE("%s is left out: no pose of the camera explains what it shows"),
     /** A photo that the others do not explain: its name, chance in per cent, the marker that is off most. */
-    PHOTO_DOES_NOT_FIT("%s does not fit the other photos (chance %s %%), marker %s least of all: something was moved, or "
-            + "a marker is covered or bent there; leave the photo out or take it again"),
+    PHOTO_DOES_NOT_FIT("%s does not fit the other photos (chance %s %%), marker %s least of all: something was moved, "
+            + "or a marker is covered or bent there; leave the photo out or take it again"),
     /** Only one photo is used. */
-    ONE_PHOTO("one photo is used: placement cannot be told from noise, and the result is no better than that of a check; "
-            + "take at least three from different sides"),
+    ONE_PHOTO("one photo is used: placement cannot be told from noise, and the result is no better than that of a "
+            + "check; take at least three from different sides"),
     /** References stand off by more than stated: id, mm, chance in per cent. */
-    REFERENCE_OFF("reference %s does not stand as stated: it is off by %s mm (chance %s %%); its place is taken from the "
-            + "photos alone"),
+    REFERENCE_OFF("reference %s does not stand as stated: it is off by %s mm (chance %s %%); its place is taken from "
+            + "the photos alone"),
     /** A measurement that does not fit: its number, its words, how many deviations, chance in per cent. */
     MEASUREMENT_OFF("measurement %s (%s) contradicts the others: it is off by %s standard deviations (chance %s %%)"),
     /** Objects that no photo shows: ids. */

@@ -223,6 +223,6 @@ class SurveyTest {
         SurveyedPlacement placement = result.surveyedCell().joint().surveyed();
         assertEquals(result.placement(), placement);
         double alone = result.references().get(0).pose().std()[0];
-        assertTrue(result.distance(100, 102).stdMm() < 0.3 * alone, "they stand to each other better than in the world");
+        assertTrue(result.distance(100, 102).stdMm() < 0.3 * alone, "to each other they stand better");
     }
 }

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Requirement;
 import org.cellgauge.desktop.CellFile;
 import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.desktop.CheckText;
@@ -54,8 +55,8 @@ import picocli.CommandLine.Spec;
             "the same name, ended by .html, has tables and curves. Tables go to standard output, messages to standard",
             "error.",
             "",
-            "Exit codes: 0 target met (or none set), 1 internal error, 2 usage, 3 input refused, 4 target missed, 5 not",
-            "converged or pose ambiguous: no figure to trust."})
+            "Exit codes: 0 target met (or none set), 1 internal error, 2 usage, 3 input refused, 4 target missed, 5",
+            "not converged or pose ambiguous: no figure to trust."})
 public final class SurveyCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
@@ -145,17 +146,28 @@ public final class SurveyCommand implements Callable<Integer> {
                 || result.objects().stream().anyMatch(SurveyedObject::ambiguous)) {
             return ExitCodes.NO_FIGURE;
         }
-        double target = result.cell().targetStdMm().orElse(Double.POSITIVE_INFINITY);
-        return result.objects().stream().allMatch(o -> o.worstStdMm() <= target) ? ExitCodes.OK
-                : ExitCodes.TARGET_MISSED;
+        return result.objects().stream().allMatch(o -> meets(o, result.cell().target().of(o.marker().id()).stdMm()))
+                ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
+    }
+
+    private static boolean meets(SurveyedObject o, Requirement.Axes limits) {
+        boolean meets = true;
+        for (int axis = 0; axis < 3; axis++) {
+            meets &= o.pose().std()[axis] <= limits.of(axis);
+            meets &= o.grip() == null || o.grip().stdMm()[axis] <= limits.of(axis);
+        }
+        return meets;
+    }
+
+    private static boolean hasTarget(SurveyResult result) {
+        return result.objects().stream().anyMatch(o -> result.cell().target().of(o.marker().id()).stdMm().isAny());
     }
 
     private static String verdict(SurveyResult result, int code) {
         if (code == ExitCodes.NO_FIGURE) {
             return result.objects().stream().anyMatch(SurveyedObject::ambiguous) ? "ambiguous" : "not-converged";
         }
-        return code == ExitCodes.TARGET_MISSED ? "fail" : result.cell().targetStdMm().isPresent() ? "pass"
-                : "no-target";
+        return code == ExitCodes.TARGET_MISSED ? "fail" : hasTarget(result) ? "pass" : "no-target";
     }
 
     private void print(SurveyResult result, int judged, String command) {

@@ -44,7 +44,8 @@ final class SurveyStudyRun {
     }
 
     private static String text(SurveyStudy.Result result) {
-        TextTable table = new TextTable(1).row("95 % regions of", "regions", "hold the truth", "mean square", "should be");
+        TextTable table = new TextTable(1).row("95 % regions of", "regions", "hold the truth", "mean square",
+                "should be");
         for (SurveyStudy.Figures f : result.figures()) {
             table.row(f.part().toString(), String.valueOf(f.regions()),
                     String.format(Locale.ROOT, "%.1f %%", 100.0 * f.held() / f.regions()),

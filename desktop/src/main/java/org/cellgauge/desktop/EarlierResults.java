@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.estimate.VarianceSource;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.output.CellView;
 import org.cellgauge.output.ResultReader;
 import org.cellgauge.output.ResultRecord;
@@ -30,7 +31,7 @@ final class EarlierResults {
     private final ResultFolder folder;
     private final CellFile files;
     private final boolean calibrated;
-    private final CellView cell;
+    private final Cell cell;
     private final CheckSettings settings;
 
     /**
@@ -38,14 +39,14 @@ final class EarlierResults {
      *
      * @param folder where they are
      * @param files what the cell stands in
-     * @param cell what they must rest on, but for its target
+     * @param cell what they must rest on, but for its target, which must be one that can be held against them
      * @param settings what they must have been made with, but for the target
      */
     EarlierResults(ResultFolder folder, CellFile files, Cell cell, CheckSettings settings) {
         this.folder = folder;
         this.files = files;
         calibrated = cell.calibration() != null;
-        this.cell = CellView.of(cell);
+        this.cell = cell;
         this.settings = settings;
     }
 
@@ -67,14 +68,24 @@ final class EarlierResults {
         if (!sha256.equals(stored.record().inputSha256())) {
             throw refused(input, BatchRefusal.OTHER_INPUT);
         }
-        if (!cell.equals(view.cell()) || !isOfTheSameCalibration(stored)) {
+        if (!CellView.of(shownIn(view.cell().camera())).equals(view.cell()) || !isOfTheSameCalibration(stored)) {
             throw refused(input, BatchRefusal.OTHER_CELL);
         }
         if (!sampledAs(view).equals(view.run().settings().toBuilder()
                 .set(SettingTable.TARGET_STD_MM, OptionalDouble.empty()).build())) {
             throw refused(input, BatchRefusal.OTHER_SETTINGS);
         }
+        if (!view.canBeHeldAgainst(cell.target())) {
+            throw refused(input, BatchRefusal.TOLERANCE_NEEDS_DRAWS);
+        }
         return stored;
+    }
+
+    /** The cell as a photo showed it whose camera was, where settings have it, scaled. */
+    private Cell shownIn(PinholeCamera camera) {
+        boolean scaled = settings.model().get(SettingTable.SCALE_CAMERA)
+                && cell.camera().hasShape(camera.widthPx(), camera.heightPx());
+        return scaled ? cell.scaledTo(camera.widthPx(), camera.heightPx()) : cell;
     }
 
     /** What a calibration leaves open is in no result: where one counted, or counts now, its file must be the same. */

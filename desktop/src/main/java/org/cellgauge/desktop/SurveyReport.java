@@ -66,7 +66,8 @@ public final class SurveyReport {
         for (int power = (int) from; power <= to; power++) {
             String y = CheckText.fixed(y(Math.pow(10, power), from, to), 1);
             out.append("<path d=\"M").append(LEFT).append(' ').append(y).append('H').append(WIDTH)
-                    .append("\" stroke=\"currentColor\" stroke-width=\"0.5\" fill=\"none\"/><text x=\"2\" y=\"").append(y)
+                    .append("\" stroke=\"currentColor\" stroke-width=\"0.5\" fill=\"none\"/>")
+                    .append("<text x=\"2\" y=\"").append(y)
                     .append("\" fill=\"currentColor\" font-size=\"12\">").append(CheckText.plain(Math.pow(10, power)))
                     .append(" mm</text>\n");
         }

@@ -60,6 +60,14 @@ final class RefusalStrings {
                 return R.string.refusal_cell_second_document;
             case EXPECTED:
                 return R.string.refusal_cell_expected;
+            case NEGATIVE:
+                return R.string.refusal_cell_negative;
+            case NO_WALL:
+                return R.string.refusal_cell_no_wall;
+            case NO_SUCH_OBJECT:
+                return R.string.refusal_cell_no_such_object;
+            case NOT_BELOW_ONE:
+                return R.string.refusal_cell_not_below_one;
             case NOT_POSITIVE:
                 return R.string.refusal_cell_not_positive;
             case OUT_OF_RANGE:
@@ -138,6 +146,28 @@ final class RefusalStrings {
                 return R.string.refusal_cell_camera_model;
             case NO_TONE_CURVE:
                 return R.string.refusal_cell_no_tone_curve;
+            case NO_CAMERA:
+                return R.string.refusal_cell_no_camera;
+            case SEVERAL_CAMERAS:
+                return R.string.refusal_cell_several_cameras;
+            case NO_SUCH_CAMERA:
+                return R.string.refusal_cell_no_such_camera;
+            case NO_OPENCV_XML:
+                return R.string.refusal_cell_no_opencv_xml;
+            case NO_CAMERA_MATRIX:
+                return R.string.refusal_cell_no_camera_matrix;
+            case LENS_OF_ANOTHER:
+                return R.string.refusal_cell_lens_of_another;
+            case LENS_OTHER_WAY_ROUND:
+                return R.string.refusal_cell_lens_other_way_round;
+            case COEFFICIENTS:
+                return R.string.refusal_cell_coefficients;
+            case TILTED_SENSOR:
+                return R.string.refusal_cell_tilted_sensor;
+            case NO_SKEW_THERE:
+                return R.string.refusal_cell_no_skew_there;
+            case NO_PRISM_THERE:
+                return R.string.refusal_cell_no_prism_there;
             case DISTORTION_CONTRADICTS_MODEL:
                 return R.string.refusal_cell_distortion_contradicts_model;
             case TOO_MANY_COEFFICIENTS:
@@ -264,8 +294,28 @@ final class RefusalStrings {
                 return R.string.refusal_part_reference_id;
             case LENGTH:
                 return R.string.refusal_part_length;
+            case CAMERA_POSE:
+                return R.string.refusal_part_camera_pose;
+            case RANGE:
+                return R.string.refusal_part_range;
+            case AREA:
+                return R.string.refusal_part_area;
+            case WALL:
+                return R.string.refusal_part_wall;
+            case MAX_HEIGHT:
+                return R.string.refusal_part_max_height;
+            case COST:
+                return R.string.refusal_part_cost;
             case TARGET_STD:
                 return R.string.refusal_part_target_std;
+            case TARGET_TOLERANCE:
+                return R.string.refusal_part_target_tolerance;
+            case TARGET_DISTANCE:
+                return R.string.refusal_part_target_distance;
+            case TARGET_TURN:
+                return R.string.refusal_part_target_turn;
+            case TARGET_PROBABILITY:
+                return R.string.refusal_part_target_probability;
             case SIZE_STD:
                 return R.string.refusal_part_size_std;
             case FLATNESS_STD:
@@ -290,6 +340,10 @@ final class RefusalStrings {
                 return R.string.refusal_part_variance;
             case PHOTOS_OF_CALIBRATION:
                 return R.string.refusal_part_photos_of_calibration;
+            case ITS_CAMERAS:
+                return R.string.refusal_part_its_cameras;
+            case ONE_CAMERA:
+                return R.string.refusal_part_one_camera;
             case COEFFICIENT_OF_ANGLE:
                 return R.string.refusal_part_coefficient_of_angle;
             case SYMMETRIC:
@@ -351,6 +405,12 @@ final class RefusalStrings {
                 return R.string.refusal_check_no_object_pose;
             case PLACE_UNKNOWN:
                 return R.string.refusal_check_place_unknown;
+            case FLAT_FOCAL_IN_PLANE:
+                return R.string.refusal_check_flat_focal_in_plane;
+            case FLAT_FOCAL_OPEN:
+                return R.string.refusal_check_flat_focal_open;
+            case NO_TANGENTIAL_COEFFICIENTS:
+                return R.string.refusal_check_no_tangential_coefficients;
             case CHAINS_CANNOT_START:
                 return R.string.refusal_check_chains_cannot_start;
             default:

@@ -74,6 +74,26 @@ public enum CellPhrase implements RefusalKind {
     OBJECT("{} or {grip_mm: [x, y, z]}"),
     /** The target. */
     TARGET_STD("the largest deviation allowed, in mm"),
+    /** A tolerance of coordinates. */
+    TARGET_TOLERANCE("how far a coordinate may be off, in mm: one number, or [x, y, z]"),
+    /** A tolerance of points. */
+    TARGET_DISTANCE("how far a point may be off, in mm"),
+    /** A tolerance of orientations. */
+    TARGET_TURN("how far an object may be turned, in degrees"),
+    /** The probability of a tolerance. */
+    TARGET_PROBABILITY("the probability of keeping the tolerance, such as 0.95"),
+    /** A pose of the camera. */
+    CAMERA_POSE("[x, y, z, psi, theta, phi] in mm and degrees"),
+    /** How far the camera may be elsewhere. */
+    RANGE("how far the camera may be off either way: position_mm: [x, y, z] in mm, turn_deg in degrees, not negative"),
+    /** A rectangle. */
+    AREA("[x0, y0, x1, y1] in mm, two opposite corners seen from above"),
+    /** A wall. */
+    WALL("[x0, y0, x1, y1, height] in mm, its ends seen from above and how far it reaches up"),
+    /** How far references may be raised. */
+    MAX_HEIGHT("how far references may be raised, in mm, 0 for not at all"),
+    /** A cost. */
+    COST("what the change costs, 0 or more, in minutes of work or any other unit"),
     /** A deviation of prints. */
     SIZE_STD("the deviation of printed sizes in mm, such as 0.1"),
     /** A deviation of prints. */
@@ -99,6 +119,10 @@ public enum CellPhrase implements RefusalKind {
 
     /** The keys of a camera. */
     CAMERA_KEYS("the keys of a BoofCV calibration file: model: pinhole_radial_tangential, %s"),
+    /** The cameras of a file: their names. */
+    ITS_CAMERAS("it holds %s"),
+    /** A file without names. */
+    ONE_CAMERA("it holds one camera without a name, so leave the name out"),
     /** The first coefficient of a fisheye's polynomial. */
     COEFFICIENT_OF_ANGLE("the coefficient of the angle itself, mostly 1"),
     /** Another of them. */
@@ -139,15 +163,17 @@ public enum CellPhrase implements RefusalKind {
     /** A side. */
     HEIGHT("height"),
     /** Width and height are swapped. */
-    IMAGE_TURNED("the image is turned; store it as the camera took it"),
+    IMAGE_TURNED("the image is turned, by hand or by its EXIF orientation; store it as the camera took it"),
     /** Another size of the same shape. */
-    IMAGE_SCALED("the image is scaled; take it in the calibrated size, or calibrate the camera in this size"),
+    IMAGE_SCALED("the image is scaled or binned; take it in the calibrated size, or calibrate the camera in this "
+            + "size"),
     /** A photo of another size. */
     PHOTO_SIZE("take the photo at that size or calibrate the camera at this one"),
     /** Frames of another size. */
     CAMERA_OF_THIS_SIZE("give the cell the camera of this image size"),
     /** Another shape. */
-    OTHER_SIZE("take the image in the calibrated size, or calibrate the camera in this size");
+    OTHER_SIZE("it is cut, or the camera was in another mode, which may show another part of the world; take it in the "
+            + "calibrated size, or calibrate the camera in this size");
 
     private final String english;
 

@@ -6,13 +6,18 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.TreeMap;
+import org.cellgauge.cell.Area;
 import org.cellgauge.cell.CameraCalibration;
+import org.cellgauge.cell.CameraRange;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
+import org.cellgauge.cell.Planning;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.cell.Requirement;
 import org.cellgauge.cell.SurveyedPlacement;
 import org.cellgauge.geometry.RigidTransform;
 
@@ -78,34 +83,25 @@ public final class CellWriter {
                 if (grip != null) {
                     out.append(", grip_mm: ").append(numbers(grip));
                 }
-                out.append(object.moves() ? ", moves: true}\n" : "}\n");
+                Requirement own = cell.target().own().get(object.id());
+                out.append(own == null ? "" : ", target: " + requirement(own)).append(object.moves() ? ", moves: true}\n" : "}\n");
             }
         }
         SurveyedPlacement surveyed = cell.joint().surveyed();
         if (surveyed != null) {
             surveyed(surveyed, out);
         }
-        if (cell.targetStdMm().isPresent()) {
-            out.append("target: {std_mm: ").append(CameraWriter.number(cell.targetStdMm().getAsDouble()))
-                    .append("}\n");
+        if (cell.target().general().isAny()) {
+            out.append("target: ").append(requirement(cell.target().general())).append('\n');
         }
+        planning(cell.planning(), out);
         return out.toString();
     }
 
     private static String camera(Cell cell) {
         CameraCalibration calibration = cell.calibration();
-        if (calibration == null) {
-            return CameraWriter.text(cell.camera(), "  ");
-        }
-        int n = calibration.parameters().size();
-        double[] covariance = calibration.covariance();
-        List<List<Double>> rows = new ArrayList<>();
-        for (int i = 0; i < n; i++) {
-            rows.add(Arrays.stream(covariance, i * n, (i + 1) * n).boxed().toList());
-        }
-        return CameraWriter.text(cell.camera(), "  ") + CalibratedCameraText.calibration(
-                calibration.parameters().stream().map(CameraCalibration::name).toList(), rows, "  ")
-                + "    photos: " + calibration.photos() + "\n";
+        return CameraWriter.text(cell.camera(), "  ") + (calibration == null ? ""
+                : CameraExport.calibration(calibration).replaceAll("(?m)^(?=.)", "  "));
     }
 
     private static void surveyed(SurveyedPlacement surveyed, StringBuilder out) {
@@ -120,6 +116,66 @@ public final class CellWriter {
                         new BigDecimal(covariance[i * n + j]).round(new MathContext(9)).doubleValue()));
             }
             out.append("]\n");
+        }
+    }
+
+    private static void planning(Planning plan, StringBuilder out) {
+        if (plan.equals(Planning.NONE)) {
+            return;
+        }
+        out.append("plan:\n");
+        RigidTransform pose = plan.worldFromCamera();
+        if (pose != null) {
+            String at = numbers(pose.translationMm());
+            out.append("  camera_pose: ").append(at, 0, at.length() - 1).append(", ")
+                    .append(rotation(pose).substring(1)).append('\n');
+        }
+        CameraRange range = plan.cameraRange();
+        if (!range.equals(CameraRange.NONE)) {
+            out.append("  camera_range: {position_mm: ").append(numbers(range.xMm(), range.yMm(), range.zMm()))
+                    .append(", turn_deg: ").append(CameraWriter.number(range.turnDeg())).append("}\n");
+        }
+        List<String> regions = new ArrayList<>();
+        new TreeMap<>(plan.regions()).forEach((id, area) -> regions.add(id + ": " + area(area)));
+        list(out, "regions_mm", '{', regions, '}');
+        list(out, "free_mm", '[', plan.free().stream().map(CellWriter::area).toList(), ']');
+        list(out, "walls_mm", '[', plan.walls().stream().map(w -> numbers(w.xFromMm(), w.yFromMm(), w.xToMm(),
+                w.yToMm(), w.heightMm())).toList(), ']');
+        if (plan.maxHeightMm().isPresent()) {
+            out.append("  max_height_mm: ").append(CameraWriter.number(plan.maxHeightMm().getAsDouble())).append('\n');
+        }
+        List<String> costs = new ArrayList<>();
+        new TreeMap<>(plan.costs()).forEach((kind, cost) -> costs.add(kind.code() + ": " + CameraWriter.number(cost)));
+        list(out, "costs", '{', costs, '}');
+    }
+
+    private static String area(Area area) {
+        return numbers(area.xLowMm(), area.yLowMm(), area.xHighMm(), area.yHighMm());
+    }
+
+    private static void list(StringBuilder out, String key, char open, List<String> items, char close) {
+        if (!items.isEmpty()) {
+            out.append("  ").append(key).append(": ").append(open).append(String.join(", ", items)).append(close)
+                    .append('\n');
+        }
+    }
+
+    private static String requirement(Requirement asked) {
+        List<String> parts = new ArrayList<>();
+        limits(parts, "std_mm", asked.stdMm());
+        limits(parts, "tolerance_mm", asked.toleranceMm());
+        limits(parts, "distance_mm", Requirement.Axes.all(asked.distanceMm()));
+        limits(parts, "tolerance_deg", Requirement.Axes.all(asked.toleranceDeg()));
+        if (asked.asksForProbability()) {
+            parts.add("probability: " + CameraWriter.number(asked.probability()));
+        }
+        return "{" + String.join(", ", parts) + "}";
+    }
+
+    private static void limits(List<String> parts, String key, Requirement.Axes limits) {
+        if (limits.isAny()) {
+            parts.add(key + ": " + (limits.isUniform() ? CameraWriter.number(limits.x())
+                    : numbers(limits.x(), limits.y(), limits.z())));
         }
     }
 

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.cellgauge.internal.geometry.DampedGaussNewton;
 
 /**
- * The search for the mode of a survey: the unknowns that all photos share are damped, the photos' own follow them, as in
- * a calibration. Not thread-safe.
+ * The search for the mode of a survey: the unknowns that all photos share are damped, the photos' own follow them, as
+ * in a calibration. Not thread-safe.
  */
 final class SurveyAdjustment implements DampedGaussNewton.Problem {
     private static final int MAX_STEPS = 60;

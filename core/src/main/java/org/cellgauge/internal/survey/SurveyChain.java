@@ -8,12 +8,12 @@ import org.cellgauge.internal.geometry.Rotations;
  * Metropolis draws of a survey by proposals that leave Laplace's approximation as it is: from the step d off the mode
  * to {@code rho d + sqrt(1 - rho^2) L xi}, so that only what the posterior differs from that approximation decides
  * (preconditioned Crank-Nicolson: S. L. Cotter, G. O. Roberts, A. M. Stuart, D. White, "MCMC methods for functions:
- * modifying old algorithms to make them faster", Statistical Science 2013, section 4; about a mode as in F. J. Pinski,
- * G. Simpson, A. M. Stuart, H. Weber 2015). Acceptance does not fall with the number of unknowns as it does for random
- * walks, nor does the difference add up to nothing accepted as it does where every unknown is drawn anew.
+ * modifying old algorithms to make them faster", Statistical Science 2013, section 4). Acceptance does not fall with
+ * the number of unknowns as it does for random walks, nor does the difference add up to nothing accepted as it does
+ * where every unknown is drawn anew.
  *
- * <p>Every tenth proposal steps farther or less far than the others, so that a chain in the posterior's tails, which the
- * approximation has lighter than it should, does not stay there. Not thread-safe.
+ * <p>Every tenth proposal steps farther or less far than the others, so that a chain in the posterior's tails, which
+ * the approximation has lighter than it should, does not stay there. Not thread-safe.
  */
 final class SurveyChain {
     private static final double[] PERSISTENCES = {0, 0.3, 0.5, 0.7, 0.85, 0.93, 0.97};

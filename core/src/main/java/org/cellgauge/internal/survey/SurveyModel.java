@@ -676,7 +676,7 @@ final class SurveyModel {
         return count + length;
     }
 
-    /** A row's derivatives by the pose of its marker, and of its plate, from those by the corner's place in the world. */
+    /** A row's derivatives by the pose of its marker, and of its plate, from those by the corner's place. */
     private void byBody(SurveyState state, int body, int k, double wx, double wy, double wz, int at, int ofGroup) {
         int references = layout.references.size();
         boolean reference = body < references;

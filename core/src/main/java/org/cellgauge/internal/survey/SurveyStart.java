@@ -12,8 +12,8 @@ import org.cellgauge.internal.pose.ReferenceView;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the search for the mode of a survey starts: cameras from the references that their photos show, objects from the
- * poses that explain them in most photos, cameras that see no reference from those objects.
+ * Where the search for the mode of a survey starts: cameras from the references that their photos show, objects from
+ * the poses that explain them in most photos, cameras that see no reference from those objects.
  *
  * <p>A small marker seen nearly frontally has two poses that explain its corners. Which of them is right is settled by
  * all photos: every pose that any marker alone gives is held against all markers whose places are known, and the best

@@ -21,8 +21,8 @@ import org.cellgauge.vision.MarkerObservation;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Photos of one cell from all around it, as a walk with a tablet gives them: the cell was built once, as precisely as its
- * file states, and every photo has its own camera pose and corner noise. Immutable.
+ * Photos of one cell from all around it, as a walk with a tablet gives them: the cell was built once, as precisely as
+ * its file states, and every photo has its own camera pose and corner noise. Immutable.
  *
  * <p>Cameras stand on rings about the centroid of the references, a golden angle apart, tilted by 10 to 45 degrees off
  * the references' common normal, as far away as lets the references fill most of the image; they look at the centroid
