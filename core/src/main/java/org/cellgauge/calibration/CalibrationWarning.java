@@ -23,6 +23,15 @@ public enum CalibrationWarning implements WarningKind {
     /** Odd and even photos differ somewhat: ratio. */
     SOME_MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: "
             + "chance is possible, a small error of lens model or target too"),
+    /** The board is taken for flat and is bent: by how much, its deviation, mm. */
+    BENT("the target is taken for flat and is bent, by %s mm (give or take %s mm): the stated deviations are far too small; "
+            + "let its warp be unknown, or lay it on glass"),
+    /** The board is bent otherwise than modelled: by how much, its deviation, mm. */
+    BENT_OTHERWISE("the target is bent or twisted otherwise than its two coefficients of warp can follow, by %s mm (give "
+            + "or take %s mm): the stated deviations are too small; let all five be unknown, or lay it on glass"),
+    /** Other lenses explain photos held out about as well: the chosen lens, the others, their weight, %. */
+    LENS_OPEN("the photos do not decide between %s and %s, which explain photos held out about as well (weight %s %%): "
+            + "the stated deviations allow for both; name the lens model where it is known, or take more photos"),
     /** Too few photos for the gate: how many it takes. */
     NOT_CROSS_VALIDATED("too few photos to calibrate odd and even ones apart: nothing tells an error of the lens "
             + "model; take at least %s"),
