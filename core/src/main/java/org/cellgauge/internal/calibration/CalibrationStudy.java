@@ -202,8 +202,25 @@ public final class CalibrationStudy {
     }
 
     /** What one calibration says: values of the lens first, covariance of the unknowns of a choice first. */
-    private record Estimate(LensChoice choice, double[] values, double[] covariance, int size, ProjectionMap map,
-            double crossRatio, boolean bent) {
+    private static final class Estimate {
+        final LensChoice choice;
+        final double[] values;
+        final double[] covariance;
+        final int size;
+        final ProjectionMap map;
+        final double crossRatio;
+        final boolean bent;
+
+        Estimate(LensChoice choice, double[] values, double[] covariance, int size, ProjectionMap map,
+                double crossRatio, boolean bent) {
+            this.choice = choice;
+            this.values = values;
+            this.covariance = covariance;
+            this.size = size;
+            this.map = map;
+            this.crossRatio = crossRatio;
+            this.bent = bent;
+        }
     }
 
     /** The calibration of a scene's photos; null where they determine none. */
@@ -235,8 +252,10 @@ public final class CalibrationStudy {
         double[] covariance = flat(result.covariance());
         LensChoice of = LensChoice.ladder().stream().filter(c -> c.unknowns() == n).findFirst().orElseThrow();
         double[] values = result.camera().intrinsics();
-        Coverage coverage = new Coverage(photos.stream().map(p -> new TargetPhoto(p, false)).toList(), camera.widthPx(), camera.heightPx());
-        return new Estimate(of, values, covariance, n, new ProjectionMap(of, values, camera.widthPx(), camera.heightPx(), coverage),
+        Coverage coverage = new Coverage(photos.stream().map(p -> new TargetPhoto(p, false)).toList(),
+                camera.widthPx(), camera.heightPx());
+        ProjectionMap map = new ProjectionMap(of, values, camera.widthPx(), camera.heightPx(), coverage);
+        return new Estimate(of, values, covariance, n, map,
                 result.figures().crossRatio(), result.warnings().stream().anyMatch(w -> w.kind()
                         == CalibrationWarning.BENT || w.kind() == CalibrationWarning.BENT_OTHERWISE));
     }
@@ -292,7 +311,8 @@ public final class CalibrationStudy {
         for (int i = 0; i < uv.length; i++) {
             uv[i] += noisePx * random.nextGaussian();
         }
-        return new TargetObservation(name, camera.widthPx(), camera.heightPx(), IntStream.range(0, points.count()).toArray(), uv);
+        return new TargetObservation(name, camera.widthPx(), camera.heightPx(),
+                IntStream.range(0, points.count()).toArray(), uv);
     }
 
     /** Images of all corners; false unless all are in the image. */
@@ -305,7 +325,8 @@ public final class CalibrationStudy {
             double z = scene.warpMm * (1 - across * across);
             if (!camera.lens().project(truth, r[0] * x + r[1] * y + r[2] * z + t[0],
                     r[3] * x + r[4] * y + r[5] * z + t[1], r[6] * x + r[7] * y + r[8] * z + t[2], uv, 2 * i)
-                    || uv[2 * i] < 0 || uv[2 * i] > camera.widthPx() || uv[2 * i + 1] < 0 || uv[2 * i + 1] > camera.heightPx()) {
+                    || uv[2 * i] < 0 || uv[2 * i] > camera.widthPx() || uv[2 * i + 1] < 0
+                    || uv[2 * i + 1] > camera.heightPx()) {
                 return false;
             }
         }

@@ -54,6 +54,7 @@ final class ModelAverage {
         }
         List<CalibrationFit> fits = new ArrayList<>();
         List<Double> kept = new ArrayList<>();
+        List<double[]> own = new ArrayList<>();
         LensChoice widest = chosen.choice;
         List<Integer> photos = IntStream.range(0, chosen.photos.size()).boxed().toList();
         for (int k = 0; k < weights.length; k++) {
@@ -61,11 +62,14 @@ final class ModelAverage {
             Trial trial = trials.get(k);
             if (trial.lens == chosen.choice && trial.board == chosen.board) {
                 fits.add(chosen);
+                own.add(covariance);
                 kept.add(weights[k]);
             } else if (weights[k] > NEGLIGIBLE) {
                 CalibrationFit fit = chosen.ofPhotos(trial.lens, trial.board, photos);
-                if (fit.covariance != null) {
+                double[] ofFit = fit.covariance;
+                if (ofFit != null) {
                     fits.add(fit);
+                    own.add(ofFit);
                     kept.add(weights[k]);
                     widest = trial.lens.unknowns() > widest.unknowns() ? trial.lens : widest;
                 }
@@ -73,6 +77,7 @@ final class ModelAverage {
         }
         if (fits.isEmpty()) {
             fits.add(chosen);
+            own.add(covariance);
             kept.add(1.0);
         }
         choice = widest;
@@ -80,7 +85,7 @@ final class ModelAverage {
         int n = choice.unknowns();
         this.covariance = new double[n * n];
         for (int f = 0; f < fits.size(); f++) {
-            add(kept.get(f) / sum, fits.get(f), fits.get(f) == chosen ? covariance : fits.get(f).covariance, chosen);
+            add(kept.get(f) / sum, fits.get(f), own.get(f), chosen);
         }
     }
 
