@@ -73,7 +73,8 @@ class ArchitectureTest {
             "java\\.io\\.File(InputStream|Reader)\\.<init>",
             "com\\.google\\.gson\\.(JsonParser|stream\\.JsonReader)\\..*",
             "javax\\.imageio\\.ImageIO\\.getImageReaders.*",
-            "org\\.yaml\\.snakeyaml\\.reader\\.StreamReader\\.<init>", "org\\.cellgauge\\.cell\\.YamlValue\\.parse",
+            "org\\.yaml\\.snakeyaml\\.reader\\.StreamReader\\.<init>",
+            "org\\.cellgauge\\.cell\\.(YamlValue|OpenCvXml)\\.parse",
             "org\\.cellgauge\\.internal\\.cell\\.InputFiles\\.(text|bytes)");
     /**
      * Hand on what others take apart: the bytes of any file, values of any YAML, standard input, what a cell's hash is

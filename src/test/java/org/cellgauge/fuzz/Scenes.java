@@ -35,6 +35,35 @@ final class Scenes {
             pinhole: {fx: 400, fy: 400, cx: 640, cy: 480, width: 1280, height: 960, skew: 0}
             symmetric: [1, -0.01, 0.002]
             """;
+    /** Camera files that OpenCV and mrcal wrote. */
+    static final String CAMERAS = "core/src/test/resources/org/cellgauge/cell/cameras/";
+    private static final List<String> OTHER_CAMERAS = List.of("""
+            image_width: 1280
+            image_height: 720
+            camera_matrix: {rows: 3, cols: 3, data: [581.25, 0.0, 640.125, 0.0, 582.5, 359.75, 0.0, 0.0, 1.0]}
+            distortion_model: rational_polynomial
+            distortion_coefficients: {rows: 1, cols: 8, data: [0.52, -2.4, 9e-04, -3e-4, 1.5, 0.4, -2.3, 1.42]}
+            """, """
+            cam0:
+              camera_model: pinhole
+              distortion_coeffs: [-0.012, 0.006, -0.004, 0.0005]
+              distortion_model: equidistant
+              intrinsics: [581.25, 582.5, 640.125, 359.75]
+              resolution: [1280, 720]
+            """, """
+            {\t"resolution": {"width": 1280.0, "height": 720.0}, "cameraIntrinsics": {"rows": 3, "cols": 3,
+            "data": [581.25, 0, 640.125, 0, 582.5, 359.75, 0, 0, 1]},
+            "observations": [{"snapshotData": "AbC/+", "c": [{}]}],
+            "distCoeffs": {"rows": 1, "cols": 5, "data": [-0.28, 0.09, 0.001, -0.0005, -0.01]},
+            "lensmodel": "LENSMODEL_OPENCV"}
+            """, """
+            {"width": 1280, "height": 720, "ppx": 640.125, "ppy": 359.75, "fx": 581.25, "fy": 582.5,
+            "model": "Brown Conrady", "coeffs": [-0.28, 0.09, 0.001, -0.0005, -0.01]}
+            """, """
+            {'lensmodel': 'LENSMODEL_OPENCV5', # as fitted
+            'intrinsics': [581.25, 582.5, 640.125, 359.75, -0.28, 0.09, 0.001, -0.0005, -0.01,],
+            'imagersize': [1280, 720,], 'optimization_inputs': b'P)h>@6aWAK{,]:'}
+            """);
     static final String PRECISE_DETECTIONS = """
             {"image": {"width": 1280, "height": 720, "name": "a.png"},
              "light": {"tone_curve": "gamma 2.2", "edge_shift_std_px": 0.1, "blur_px": 0.7, "noise_grey": 2},
@@ -80,6 +109,18 @@ final class Scenes {
                 "marker_plate: {family: apriltag-36h11, size_mm: 40, positions_mm: {0: [0, 0], 1: [60, 0]}}",
                 "cell: {file: " + cellFile + "}").map(kind -> "cellgauge_target: 1\n" + kind + "\n");
         return Stream.concat(own, ofBoofCv).map(text -> text.getBytes(StandardCharsets.UTF_8)).toList();
+    }
+
+    /** Camera files of other programs, but for XML. */
+    static List<byte[]> cameras(Path root) throws IOException {
+        List<byte[]> cameras = new ArrayList<>();
+        for (String text : OTHER_CAMERAS) {
+            cameras.add(text.getBytes(StandardCharsets.UTF_8));
+        }
+        for (String name : List.of("opencv-14.yml", "opencv-8.json", "opencv-fisheye.yml", "mrcal-12.cameramodel")) {
+            cameras.add(Files.readAllBytes(root.resolve(CAMERAS + name)));
+        }
+        return cameras;
     }
 
     static Cell cell(Path root, String scene) throws IOException {

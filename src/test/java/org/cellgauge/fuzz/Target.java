@@ -53,7 +53,7 @@ public enum Target {
         }
     },
 
-    /** Camera files. */
+    /** Camera files of BoofCV. */
     CAMERA("cell.CameraReader") {
         @Override
         List<byte[]> corpus(Path root) throws IOException {
@@ -64,8 +64,33 @@ public enum Target {
 
         @Override
         void read(byte[] input) {
-            String text = InputFiles.text(input, "a.yaml", CellPhrase.CAMERA_FILE, CameraReader.MAX_BYTES);
-            CameraReader.read(text, "a.yaml");
+            readCamera(input);
+        }
+    },
+
+    /** Camera files of other programs as YAML and JSON. */
+    CAMERA_OTHERS("cell.CameraText") {
+        @Override
+        List<byte[]> corpus(Path root) throws IOException {
+            return Scenes.cameras(root);
+        }
+
+        @Override
+        void read(byte[] input) {
+            readCamera(input);
+        }
+    },
+
+    /** Camera files of OpenCV as XML. */
+    CAMERA_XML {
+        @Override
+        List<byte[]> corpus(Path root) throws IOException {
+            return List.of(Files.readAllBytes(root.resolve(Scenes.CAMERAS + "opencv-12.xml")));
+        }
+
+        @Override
+        void read(byte[] input) {
+            readCamera(input);
         }
     },
 
@@ -181,6 +206,10 @@ public enum Target {
             .targetMcseStdRel(0.05).build();
 
     private final Set<String> readers;
+
+    private static void readCamera(byte[] input) {
+        CameraReader.read(InputFiles.text(input, "a.yaml", CellPhrase.CAMERA_FILE, CameraReader.MAX_BYTES), "a.yaml");
+    }
 
     Target(String... readers) {
         this.readers = Set.of(readers);

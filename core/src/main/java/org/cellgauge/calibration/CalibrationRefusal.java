@@ -16,6 +16,9 @@ public enum CalibrationRefusal implements RefusalKind {
             + "photos with it tilted by 30 to 45 degrees to the left, to the right, up and down"),
     /** The focal length is known too badly: its deviation in per cent, the next photo. */
     FOCAL_TOO_UNSURE("the photos tell the focal length to %s %% only; %s"),
+    /** A lens of which two directions fall together within the image: its name, a pixel there. */
+    LENS_FOLDS("with the lens %s the photos lead to coefficients that fold the image over near pixel (%s, %s), so they "
+            + "do not tell them; take photos with the target near the image's borders, or name a leaner lens"),
     /** Nothing explains the photos: rms, px. */
     NOTHING_FITS("no camera explains the photos: corners are off by %s px; check rows, columns and sizes in the target "
             + "file, and that all photos are of one camera, its zoom and focus unchanged");

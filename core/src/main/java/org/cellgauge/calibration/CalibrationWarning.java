@@ -35,6 +35,9 @@ public enum CalibrationWarning implements WarningKind {
     /** Too few photos for the gate: how many it takes. */
     NOT_CROSS_VALIDATED("too few photos to calibrate odd and even ones apart: nothing tells an error of the lens "
             + "model; take at least %s"),
+    /** Half of the photos do not tell the lens: its name. */
+    HALVES_DO_NOT_TELL("the odd or the even photos alone do not tell the coefficients of the lens %s, so nothing tells "
+            + "an error of the lens model: take more photos, or name a leaner lens"),
     /** Parts of the image without any point: per cent, where the largest is. */
     NOT_COVERED("%s %% of the image were never covered by the target, most of it %s: what is said of these parts is "
             + "extrapolated"),

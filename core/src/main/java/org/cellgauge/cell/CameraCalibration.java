@@ -3,6 +3,7 @@ package org.cellgauge.cell;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.jspecify.annotations.Nullable;
@@ -16,6 +17,8 @@ import org.jspecify.annotations.Nullable;
 public final class CameraCalibration {
     /** Digits that a file may have rounded away, as a share of the deviations. */
     private static final double SYMMETRY = 1e-6;
+    /** Every lens begins with these. */
+    private static final Set<String> IN_PIXELS = Set.of("fx", "fy", "cx", "cy", "skew");
 
     private final List<String> parameters;
     private final double[] covariance;
@@ -53,6 +56,27 @@ public final class CameraCalibration {
             }
         }
         return Cholesky.factor(values.clone(), n);
+    }
+
+    /**
+     * The same calibration where the camera's images are delivered in another size.
+     *
+     * @param factor new size over old one, positive
+     * @return what the scaled camera leaves open: focal lengths, principal point and skew grow by the factor, what
+     *     bends the rays stays, since it is about directions
+     */
+    CameraCalibration scaled(double factor) {
+        int n = parameters.size();
+        double[] scaled = covariance.clone();
+        for (int i = 0; i < n; i++) {
+            if (IN_PIXELS.contains(parameters.get(i))) {
+                for (int j = 0; j < n; j++) {
+                    scaled[n * i + j] *= factor;
+                    scaled[n * j + i] *= factor;
+                }
+            }
+        }
+        return new CameraCalibration(parameters, scaled, photos);
     }
 
     /**

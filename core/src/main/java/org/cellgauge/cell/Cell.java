@@ -99,6 +99,25 @@ public final class Cell {
     }
 
     /**
+     * The same cell where the images of its camera are delivered in another size: all of the image, binned or scaled.
+     * Camera and calibration scale along; a stated deviation of corners stays, since it is of the images there are.
+     *
+     * @param widthPx width of the images
+     * @param heightPx height of the images
+     * @return a new cell
+     * @throws IllegalArgumentException if a size is not positive, or the shape is another, so that it cannot be the
+     *     whole image
+     */
+    public Cell scaledTo(int widthPx, int heightPx) {
+        if (!camera.hasShape(widthPx, heightPx)) {
+            throw new IllegalArgumentException(widthPx + " x " + heightPx + " px is of another shape than "
+                    + camera.widthPx() + " x " + camera.heightPx() + " px");
+        }
+        return withCamera(camera.resized(widthPx, heightPx)).withCalibration(
+                calibration == null ? null : calibration.scaled(widthPx / (double) camera.widthPx()));
+    }
+
+    /**
      * The same cell with other references.
      *
      * @param others markers with a known place, at least one

@@ -41,6 +41,7 @@ public final class CellReader {
     private static final CellPhrase WHAT = CellPhrase.CELL_FILE;
     private static final String PLACEMENT_EXAMPLE = "placement: {std_mm: [5, 5, 5], std_deg: 0.5}";
     private static final String MARKERS_EXAMPLE = "markers: {family: square-binary, size_mm: 47}";
+    private static final String NAMED_EXAMPLE = "camera: {file: camchain.yaml, name: cam0}";
     private static final String POSITION = "[x, y, z] in mm";
     private static final double MIN_SIZE_MM = 0.5;
     private static final double MAX_LENGTH_MM = 1e6;
@@ -52,7 +53,7 @@ public final class CellReader {
 
     /** Reads the camera file that a value of the cell file names. */
     @FunctionalInterface
-    private interface CameraFile {
+    private interface NamedFile {
         YamlValue read(YamlValue value, String name);
     }
 
@@ -94,32 +95,31 @@ public final class CellReader {
      *
      * @param text YAML
      * @param displayName the name that messages give it
-     * @param camera the camera of the cell
+     * @param camera the camera of the cell, which counts as exact
      * @return the cell
      * @throws InputRefusedException if the cell is faulty
      */
     public static Cell read(String text, String displayName, PinholeCamera camera) {
-        return read(text, displayName, camera, null);
+        return new CellReader().cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> camera);
     }
 
     /**
-     * Reads a cell file's text for a camera that is known otherwise, and with it how it makes grey values of light.
+     * Reads a cell file's text for a camera file that was read already, in place of what the cell file says of the
+     * camera.
      *
      * @param text YAML
      * @param displayName the name that messages give it
-     * @param camera the camera of the cell
-     * @param toneCurve what is stated with that camera; null: nothing. What the cell file states goes before it
+     * @param camera the camera of the cell with what its file says of it; a tone curve of the cell file goes before
+     *     its own
      * @return the cell
      * @throws InputRefusedException if the cell is faulty
      */
-    public static Cell read(String text, String displayName, PinholeCamera camera,
-            @Nullable ToneCurve toneCurve) {
+    public static Cell read(String text, String displayName, CameraFile camera) {
         CellReader reader = new CellReader();
-        reader.cameraToneCurve = toneCurve;
-        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> camera);
+        return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES), file -> reader.kept(camera));
     }
 
-    private static Cell cell(String text, String displayName, CameraFile cameraFile) {
+    private static Cell cell(String text, String displayName, NamedFile cameraFile) {
         CellReader reader = new CellReader();
         return reader.cell(YamlValue.parse(text, displayName, WHAT, MAX_BYTES),
                 file -> reader.camera(file.required("camera", CellPhrase.CAMERA), cameraFile));
@@ -136,10 +136,16 @@ public final class CellReader {
     public static StatedCamera statedCamera(String text, String displayName) {
         YamlValue camera = cellFile(YamlValue.parse(text, displayName, WHAT, MAX_BYTES)).optional("camera");
         if (camera == null) {
-            return new StatedCamera(StatedCamera.Kind.NONE, null);
+            return new StatedCamera(StatedCamera.Kind.NONE, null, null);
         }
-        return camera.isMapping() ? new StatedCamera(StatedCamera.Kind.INLINE, null)
-                : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CellPhrase.CAMERA));
+        if (isNamed(camera)) {
+            YamlMapping named = camera.mapping(NAMED_EXAMPLE);
+            YamlValue cameraName = named.optional("name");
+            return new StatedCamera(StatedCamera.Kind.FILE, named.at("file").text(CellPhrase.CAMERA),
+                    cameraName == null ? null : cameraName.text("name: cam0"));
+        }
+        return camera.isMapping() ? new StatedCamera(StatedCamera.Kind.INLINE, null, null)
+                : new StatedCamera(StatedCamera.Kind.FILE, camera.text(CellPhrase.CAMERA), null);
     }
 
     /** The mapping at the top of a cell file, its kind and version judged. */
@@ -147,7 +153,7 @@ public final class CellReader {
         YamlMapping file = top.mapping(CellPhrase.A_CELL_FILE);
         YamlValue version = file.optional("cellgauge");
         if (version == null) {
-            if (file.optional("pinhole") != null) {
+            if (CameraFormat.of(file) != null) {
                 throw top.refused(CellRefusal.IS_CAMERA_FILE);
             }
             if (file.optional("corners_px") != null || file.optional("image") != null) {
@@ -219,12 +225,30 @@ public final class CellReader {
     }
 
     /** The camera of an inline mapping or of the file it names, what is said of its tone curve kept aside. */
-    private PinholeCamera camera(YamlValue value, CameraFile cameraFile) {
-        YamlValue top = value.isMapping() ? value : cameraFile.read(value, value.text(CellPhrase.CAMERA));
-        PinholeCamera camera = CameraReader.of(top);
-        cameraToneCurve = CameraReader.toneCurveOf(top);
-        calibration = CameraReader.calibrationOf(top, camera.lens());
-        return camera;
+    private PinholeCamera camera(YamlValue value, NamedFile cameraFile) {
+        CameraFile camera;
+        if (isNamed(value)) {
+            YamlMapping named = value.mapping(NAMED_EXAMPLE, "file", "name");
+            YamlValue file = named.required("file", NAMED_EXAMPLE);
+            YamlValue name = named.optional("name");
+            camera = CameraReader.file(cameraFile.read(file, file.text(CellPhrase.CAMERA)),
+                    name == null ? null : name.text("name: cam0"));
+        } else {
+            camera = CameraReader.file(value.isMapping() ? value
+                    : cameraFile.read(value, value.text(CellPhrase.CAMERA)), null);
+        }
+        return kept(camera);
+    }
+
+    private PinholeCamera kept(CameraFile camera) {
+        cameraToneCurve = camera.toneCurve();
+        calibration = camera.calibration();
+        return camera.camera();
+    }
+
+    /** Whether what stands after {@code camera:} names a file and perhaps one of several cameras in it. */
+    private static boolean isNamed(YamlValue camera) {
+        return camera.isMapping() && camera.mapping(NAMED_EXAMPLE).optional("file") != null;
     }
 
     private static YamlValue from(CameraSource cameras, YamlValue value, String name) {

@@ -110,6 +110,30 @@ public enum CellRefusal implements RefusalKind {
     CAMERA_MODEL("the camera model \"%s\" cannot be used; calibrate with the model %s, a fisheye with %s"),
     /** No tone curve: the words, what to write, smallest gamma, largest, {@link CellPhrase#GAMMA_HINT} or nothing. */
     NO_TONE_CURVE("\"%s\" is no tone curve; write %s, G from %s to %s%s"),
+    /** Nothing that is a camera: whose files can be read. */
+    NO_CAMERA("no camera stands here; name a calibration file of %s"),
+    /** Several cameras and no choice: their names, the first of them. */
+    SEVERAL_CAMERAS("this file holds several cameras (%s); choose one by its name, for instance %s"),
+    /** A camera that the file has not: its name, {@link CellPhrase#ITS_CAMERAS} or {@link CellPhrase#ONE_CAMERA}. */
+    NO_SUCH_CAMERA("there is no camera \"%s\" in this file; %s"),
+    /** XML that OpenCV does not write. */
+    NO_OPENCV_XML("this is not XML as OpenCV writes it; write the file anew with OpenCV's FileStorage, as XML or YAML"),
+    /** What is no camera matrix. */
+    NO_CAMERA_MATRIX("this is no camera matrix; write its nine numbers fx, 0, cx, 0, fy, cy, 0, 0, 1 row by row"),
+    /** A lens of another program that cannot be used: its name, those that can. */
+    LENS_OF_ANOTHER("the lens model \"%s\" cannot be used; calibrate with %s"),
+    /** A lens whose coefficients go from the image to the direction: its name. */
+    LENS_OTHER_WAY_ROUND("the coefficients of \"%s\" lead from the image to the direction, and cannot be turned round; "
+            + "calibrate the camera, or use its undistorted image with coefficients of 0"),
+    /** As many coefficients as no lens has: how many it takes, how many there are. */
+    COEFFICIENTS("expected %s coefficients, got %s; calibrate with a model of as many"),
+    /** A tilt of the sensor: rad. */
+    TILTED_SENSOR("a sensor that is tilted by %s rad against its lens cannot be used; calibrate without the tilted "
+            + "model (in OpenCV without CALIB_TILTED_MODEL)"),
+    /** A camera with skew for a program that has none: the program, the skew, px. */
+    NO_SKEW_THERE("%s takes no skew, and this camera has one of %s px; calibrate it without"),
+    /** A camera with a thin prism for a program that has none: the program. */
+    NO_PRISM_THERE("%s has no thin prism, and this camera's lens has one; calibrate it without, or write another form"),
     /** Coefficients of a lens that its model has not: the model to write. */
     DISTORTION_CONTRADICTS_MODEL("lens distortion contradicts model: pinhole; write model: %s or delete this block"),
     /** Too many radial coefficients: how many. */

@@ -16,10 +16,12 @@ public final class StatedCamera {
 
     private final Kind kind;
     private final @Nullable String fileName;
+    private final @Nullable String cameraName;
 
-    StatedCamera(Kind kind, @Nullable String fileName) {
+    StatedCamera(Kind kind, @Nullable String fileName, @Nullable String cameraName) {
         this.kind = kind;
         this.fileName = fileName;
+        this.cameraName = cameraName;
     }
 
     /**
@@ -38,5 +40,14 @@ public final class StatedCamera {
      */
     public @Nullable String fileName() {
         return fileName;
+    }
+
+    /**
+     * Which of several cameras in that file.
+     *
+     * @return its name there; null where none is named
+     */
+    public @Nullable String cameraName() {
+        return cameraName;
     }
 }

@@ -170,6 +170,17 @@ public final class PinholeCamera {
     }
 
     /**
+     * Whether images of a size can be all of this camera's image, binned or scaled.
+     *
+     * @param otherWidthPx their width
+     * @param otherHeightPx their height
+     * @return true if width and height have exactly the same ratio
+     */
+    public boolean hasShape(int otherWidthPx, int otherHeightPx) {
+        return (long) otherWidthPx * heightPx == (long) otherHeightPx * widthPx;
+    }
+
+    /**
      * The same camera when only a part of its image is delivered.
      *
      * @param leftPx left edge of the part in this camera's image; it may lie outside

@@ -136,6 +136,12 @@ public final class SettingTable {
             SettingForm.choice(CalibrationUse.values()), CalibrationUse.UNCERTAIN,
             "Whether intrinsics are as uncertain as the calibration in the camera file says, or count as exact");
 
+    /** Whether the camera is scaled to photos of another size. */
+    public static final Setting<Boolean> SCALE_CAMERA = Setting.of(Part.MODEL, "scale_camera", SettingForm.flag(),
+            false,
+            "Whether the camera is scaled to photos of another size than it is calibrated for, which holds where they "
+                    + "show the whole image, binned or scaled; other shapes are refused all the same");
+
     /** First estimate of the camera pose. */
     public static final Setting<InitialEstimate> INITIAL = Setting.of(Part.SAMPLING, "initial",
             SettingForm.choice(InitialEstimate.values()), InitialEstimate.PNP, "First estimate of the camera pose");
@@ -186,7 +192,7 @@ public final class SettingTable {
     private static final List<Setting<?>> ALL = List.of(MODEL, KAPPA, SAMPLER, CHAINS, ITERATIONS, PRECISION,
             MAX_ITERATIONS, WARMUP, SEED, ESTIMATE, FOCAL_PRIOR_STD_PX, FOCAL_PRIOR_SHARE, FIELD_OF_VIEW_DEG,
             ASPECT_PRIOR_STD, PRINCIPAL_PRIOR_STD_PX, RADIAL_PRIOR_STD, HIGHER_RADIAL_PRIOR_STD, TANGENTIAL_PRIOR_STD,
-            CALIBRATION, INITIAL, INITIAL_FOCAL_PX, START, OBJECT_NOISE,
+            CALIBRATION, SCALE_CAMERA, INITIAL, INITIAL_FOCAL_PX, START, OBJECT_NOISE,
             ROTATION_PRIOR, POSE_PRIOR_ALLOWED, TARGET_STD_MM, THREADS);
 
     private SettingTable() {

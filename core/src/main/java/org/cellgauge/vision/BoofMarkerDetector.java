@@ -256,8 +256,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     private static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {
-        if (camera.lens().isWide()) {
-            return new WideDistortion(camera);
+        if (camera.lens() != BrownLens.MODEL) {
+            return new LensPlane(camera);
         }
         CameraPinholeBrown lens = new CameraPinholeBrown(3);
         lens.fsetK(camera.get(PinholeCamera.FX), camera.get(PinholeCamera.FY), camera.get(PinholeCamera.SKEW),
@@ -370,7 +370,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     /**
      * Adds the squares that another search shows as markers of the cell: in the bent image of a wide lens, far off the
-     * axis, where {@link WideDistortion} is not straight or stretches a marker out of shape; or with weaker contours.
+     * axis, where {@link LensPlane} is not straight or stretches a marker out of shape; or with weaker contours.
      */
     private void lookAgain(BaseDetectFiducialSquare<GrayU8> again, GreyImage image, List<Seen> seen) {
         again.process(view);

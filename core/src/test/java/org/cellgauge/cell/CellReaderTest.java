@@ -292,8 +292,8 @@ class CellReaderTest {
         assertEquals(expected, words(cell.withCamera(cell.camera()).withTarget(java.util.OptionalDouble.of(2))));
         // a camera known otherwise: nothing is read of the file's
         assertEquals(inCell == null ? "auto" : expected, words(CellReader.read(ofCell, "cell.yaml", cell.camera())));
-        assertEquals(expected, words(CellReader.read(ofCell, "cell.yaml", cell.camera(),
-                CameraReader.toneCurve(camera, "camera.yaml"))));
+        assertEquals(expected, words(CellReader.read(ofCell, "cell.yaml",
+                CameraReader.file(camera, "camera.yaml", null))));
     }
 
     @Test

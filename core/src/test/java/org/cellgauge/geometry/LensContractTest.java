@@ -63,7 +63,11 @@ class LensContractTest {
                 Named.of("fisheye", new Case(KannalaBrandtLens.MODEL, 1.7, 286, 287, 424, 400, 0.5, -0.008, 0.043,
                         -0.0399, 0.0069)),
                 Named.of("strong fisheye", new Case(KannalaBrandtLens.MODEL, 1.2, 400, 390, 640, 480, -2, -0.15, 0.02,
-                        -0.01, 0.001)));
+                        -0.01, 0.001)),
+                Named.of("rational", new Case(RationalLens.MODEL, 0.8, 605, 606, 640.5, 366.5, 1, 0.52, -2.4, 1.5, 0.4,
+                        -2.3, 1.42, 0.0009, -0.0003, 0, 0, 0, 0)),
+                Named.of("thin prism", new Case(RationalLens.MODEL, 0.6, 581, 590, 640.5, 359.5, 0, -0.3, 0.12, -0.02,
+                        0.05, 0.02, 0.01, 0.003, -0.002, 0.006, -0.004, -0.005, 0.003)));
     }
 
     @ParameterizedTest
@@ -179,6 +183,8 @@ class LensContractTest {
         if (c.lens == BrownLens.MODEL) {
             values[BrownLens.P1] = 0;
             values[BrownLens.P2] = 0;
+        } else if (c.lens == RationalLens.MODEL) {
+            Arrays.fill(values, RationalLens.P1, RationalLens.PARAMETERS, 0);
         }
         double reach = c.lens.reachRad(values);
         assertTrue(reach > c.widestRad && reach <= Math.PI, "reach " + reach);
@@ -247,8 +253,10 @@ class LensContractTest {
     void lensesAreToldApart() {
         assertSame(BrownLens.MODEL, Lenses.named("pinhole_radial_tangential"));
         assertSame(KannalaBrandtLens.MODEL, Lenses.named("kannala_brandt"));
+        assertSame(RationalLens.MODEL, Lenses.named("pinhole_rational"));
         assertNull(Lenses.named("pinhole"));
         assertFalse(BrownLens.MODEL.isWide());
+        assertFalse(RationalLens.MODEL.isWide());
         assertTrue(KannalaBrandtLens.MODEL.isWide());
     }
 }

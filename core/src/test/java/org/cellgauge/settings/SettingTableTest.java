@@ -37,7 +37,8 @@ class SettingTableTest {
     /** A value other than the default, as a user would write it. */
     private static String other(Setting<?> row) {
         String usual = row.text(USUAL);
-        for (String word : row.form().placeholder().split("\\|")) {
+        String words = row.form().isFlag() ? "true|false" : row.form().placeholder();
+        for (String word : words.split("\\|")) {
             if (word.equals(word.toLowerCase()) && !word.equals(usual)) {
                 return word;
             }

@@ -15,6 +15,7 @@ import org.cellgauge.calibration.Calibration;
 import org.cellgauge.calibration.CalibrationOptions;
 import org.cellgauge.calibration.CalibrationResult;
 import org.cellgauge.cell.CalibrationTargetReader;
+import org.cellgauge.cell.CameraFormat;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.desktop.CalibrationJson;
 import org.cellgauge.desktop.CalibrationReport;
@@ -77,13 +78,18 @@ public final class CalibrateCommand implements Callable<Integer> {
             description = "The camera file to write (camera.yaml; with --json: no files).")
     private Path out;
 
+    @Option(names = "--to", paramLabel = CameraForm.WORDS, defaultValue = "boofcv",
+            description = "The form of the camera file: whose program is to read it besides this one "
+                    + "(${DEFAULT-VALUE}).")
+    private String to;
+
     @Option(names = "--json", description = "Prints one line of JSON in place of the tables.")
     private boolean json;
 
     @Option(names = "--lens", paramLabel = "MODEL", defaultValue = CalibrationOptions.AUTO,
-            description = "auto, radial-1, radial-2, brown-4 (with p1, p2), brown-5 (with k3) or fisheye "
-                    + "(${DEFAULT-VALUE}: radial-2, or a richer one where it explains photos better that were held "
-                    + "out).")
+            description = "auto, radial-1, radial-2, brown-4 (with p1, p2), brown-5 (with k3), rational-8 (with k4 to "
+                    + "k6), prism-12 (with s1 to s4) or fisheye (${DEFAULT-VALUE}: radial-2, or one up to rational-8 "
+                    + "where it explains photos better that were held out).")
     private String lens;
 
     @Option(names = "--warp", paramLabel = "N", defaultValue = "auto",
@@ -117,7 +123,7 @@ public final class CalibrateCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--threads: must be at least 1");
         }
         try {
-            return run(options, atOnce);
+            return run(options, atOnce, CameraForm.of(spec.commandLine(), to));
         } catch (InputRefusedException e) {
             return main.report(e, ExitCodes.INPUT_REFUSED, spec.commandLine());
         }
@@ -147,7 +153,7 @@ public final class CalibrateCommand implements Callable<Integer> {
         return new CalibrationOptions(lens, coefficients, choice, distanceMm);
     }
 
-    private int run(CalibrationOptions options, int atOnce) {
+    private int run(CalibrationOptions options, int atOnce, CameraFormat format) {
         PrintWriter err = spec.commandLine().getErr();
         CheckInput.Inputs inputs = CheckInput.resolve(images, List.of());
         for (CheckInput input : inputs.inputs()) {
@@ -171,7 +177,7 @@ public final class CalibrateCommand implements Callable<Integer> {
             err.print(CheckText.wrap("What would help most: " + CommandWords.of(result.nextPhoto()), "  "));
         }
         if (!json || out != null) {
-            write(result, command);
+            write(result, format, command);
         }
         err.flush();
         return result.inQuestion() ? ExitCodes.NO_FIGURE : ExitCodes.OK;
@@ -184,11 +190,11 @@ public final class CalibrateCommand implements Callable<Integer> {
         err.flush();
     }
 
-    private void write(CalibrationResult result, String command) {
+    private void write(CalibrationResult result, CameraFormat format, String command) {
         Path file = out == null ? Path.of("camera.yaml") : out;
         Path page = file.resolveSibling(CheckInput.baseName(file) + ".html");
         Map<Path, WholeFiles.Content> contents = new LinkedHashMap<>();
-        contents.put(file, text(CalibrationJson.cameraFile(result)));
+        contents.put(file, text(CalibrationJson.cameraFile(result, format)));
         contents.put(page, text(CalibrationReport.of(result, Main.version(), command)));
         try {
             Files.createDirectories(file.toAbsolutePath().getParent());

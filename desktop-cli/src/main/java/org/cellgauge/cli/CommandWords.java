@@ -8,6 +8,7 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.desktop.BatchRefusal;
 import org.cellgauge.desktop.FolderRefusal;
 import org.cellgauge.desktop.ResultFolder;
+import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.internal.validation.ValidationRefusal;
 import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.warning.Message;
@@ -21,6 +22,8 @@ final class CommandWords {
                     "this is a detections file; name a cell file, and this one after --detections"),
             entry(CellRefusal.NO_CAMERA_FILE, "there is no file \"%s\"; write the camera file's path relative to this "
                     + "file, or make one with 'cellgauge calibrate --target'"),
+            entry(CellPhrase.IMAGE_SCALED, "the image is scaled or binned; if it is the whole image, let the camera be "
+                    + "scaled with --scale-camera, else take it in the calibrated size"),
             entry(CheckPhrase.MORE_ITERATIONS, "allow more with --max-iterations"),
             entry(CheckPhrase.INITIAL_PNP, "use --initial pnp"),
             entry(ValidationRefusal.FARTHER_APART, "give --object poses farther apart, or a smaller --spread"),

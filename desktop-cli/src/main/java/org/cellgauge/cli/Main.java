@@ -34,7 +34,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(name = "cellgauge", mixinStandardHelpOptions = true, versionProvider = Main.Version.class,
         description = "Honest uncertainties of camera and object poses in a robot cell.",
         subcommands = {CheckCommand.class, PlanCommand.class, CalibrateCommand.class, SimulateCommand.class,
-            ValidateCommand.class, FamiliesCommand.class, CommandLine.HelpCommand.class},
+            ValidateCommand.class, CameraCommand.class, FamiliesCommand.class, CommandLine.HelpCommand.class},
         footer = {"", "A first call, from a clone:",
             "  cellgauge check --cell fixtures/lifted-4/cell.yaml \\",
             "      fixtures/lifted-4/photo.png",

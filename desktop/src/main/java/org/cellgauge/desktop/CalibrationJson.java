@@ -5,7 +5,10 @@ import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import org.cellgauge.calibration.CalibrationResult;
+import org.cellgauge.cell.CameraFormat;
+import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.internal.cell.CalibratedCameraText;
+import org.cellgauge.internal.cell.CameraExport;
 import org.cellgauge.warning.Warning;
 
 /** A calibration for programs and as a camera file. */
@@ -24,10 +27,12 @@ public final class CalibrationJson {
      * The camera file.
      *
      * @param result a calibration
+     * @param format BoofCV, OpenCV or ROS
      * @return YAML
+     * @throws InputRefusedException if that program has no such camera
      */
-    public static String cameraFile(CalibrationResult result) {
-        return CalibratedCameraText.text(result.camera(),
+    public static String cameraFile(CalibrationResult result, CameraFormat format) {
+        return CameraExport.text(result.camera(), format) + CalibratedCameraText.block(
                 result.parameters().stream().map(p -> bare(p.name())).toList(), result.covariance(),
                 result.photos().size(), result.figures().rmsPx(), result.widenedBy());
     }

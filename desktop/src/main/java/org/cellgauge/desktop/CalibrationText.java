@@ -53,8 +53,13 @@ public final class CalibrationText {
                 + CheckText.fixed(worst, 3) + " (" + CheckText.fixed(worst * mm, 3) + ") at worst";
     }
 
-    /** A number with five digits that count. */
-    static String value(double value) {
+    /**
+     * A number with five digits that count.
+     *
+     * @param value any
+     * @return in words that are the same whatever the machine's language
+     */
+    public static String value(double value) {
         double size = Math.abs(value);
         int decimals = size == 0 ? 0 : (int) Math.max(0, Math.min(8, 4 - Math.floor(Math.log10(size))));
         return CheckText.fixed(value, decimals);

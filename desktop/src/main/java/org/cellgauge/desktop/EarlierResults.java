@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.estimate.VarianceSource;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.output.CellView;
 import org.cellgauge.output.ResultReader;
 import org.cellgauge.output.ResultRecord;
@@ -30,7 +31,7 @@ final class EarlierResults {
     private final ResultFolder folder;
     private final CellFile files;
     private final boolean calibrated;
-    private final CellView cell;
+    private final Cell cell;
     private final CheckSettings settings;
 
     /**
@@ -45,7 +46,7 @@ final class EarlierResults {
         this.folder = folder;
         this.files = files;
         calibrated = cell.calibration() != null;
-        this.cell = CellView.of(cell);
+        this.cell = cell;
         this.settings = settings;
     }
 
@@ -67,7 +68,7 @@ final class EarlierResults {
         if (!sha256.equals(stored.record().inputSha256())) {
             throw refused(input, BatchRefusal.OTHER_INPUT);
         }
-        if (!cell.equals(view.cell()) || !isOfTheSameCalibration(stored)) {
+        if (!CellView.of(shownIn(view.cell().camera())).equals(view.cell()) || !isOfTheSameCalibration(stored)) {
             throw refused(input, BatchRefusal.OTHER_CELL);
         }
         if (!sampledAs(view).equals(view.run().settings().toBuilder()
@@ -75,6 +76,13 @@ final class EarlierResults {
             throw refused(input, BatchRefusal.OTHER_SETTINGS);
         }
         return stored;
+    }
+
+    /** The cell as a photo showed it whose camera was, where settings have it, scaled. */
+    private Cell shownIn(PinholeCamera camera) {
+        boolean scaled = settings.model().get(SettingTable.SCALE_CAMERA)
+                && cell.camera().hasShape(camera.widthPx(), camera.heightPx());
+        return scaled ? cell.scaledTo(camera.widthPx(), camera.heightPx()) : cell;
     }
 
     /** What a calibration leaves open is in no result: where one counted, or counts now, its file must be the same. */

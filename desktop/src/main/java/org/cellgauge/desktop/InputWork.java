@@ -21,6 +21,7 @@ import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckUpdate;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.cell.InputChecks;
 import org.cellgauge.internal.output.StanCsv;
 import org.cellgauge.internal.overlay.CellOverlay;
@@ -30,6 +31,7 @@ import org.cellgauge.output.ResultJson;
 import org.cellgauge.output.ResultRecord;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.output.StoredResult;
+import org.cellgauge.settings.SettingTable;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.DetectionsFile;
@@ -50,6 +52,7 @@ final class InputWork {
     private final EarlierResults earlier;
     private final Map<String, Double> stages = new LinkedHashMap<>();
     private MarkerDetector detector;
+    private int detectorWidthPx;
     private long stageNs;
 
     /**
@@ -81,7 +84,7 @@ final class InputWork {
     }
 
     /** Markers and the picture, which may be null. */
-    private record Found(Detections detections, GreyImage photo) {
+    private record Found(Cell cell, Detections detections, GreyImage photo) {
     }
 
     /** The overlay as its own file, and smaller for the report. */
@@ -182,7 +185,7 @@ final class InputWork {
 
         private Result checked(Read read, ResultRecord now) {
             Found found = found(read);
-            CheckResult sampled = sampled(found.detections());
+            CheckResult sampled = sampled(found);
             stage("check");
             computed = new StoredResult(ResultView.of(sampled, plan.words()), now);
             return withFiles(computed, found, sampled);
@@ -217,8 +220,9 @@ final class InputWork {
         /** The picture for the report, of the overlay in the folder; null where that is not what was written. */
         private byte[] ofStoredPicture() {
             try {
+                PinholeCamera camera = computed.view().cell().camera();
                 Optional<BufferedImage> stored = Pictures.read(ImageFiles.bytes(plan.folder().file(input.name()
-                        + ResultFolder.OVERLAY)), cell.camera().widthPx(), cell.camera().heightPx());
+                        + ResultFolder.OVERLAY)), camera.widthPx(), camera.heightPx());
                 return stored.isEmpty() ? null : Pictures.jpeg(stored.get(), plan.reportWidthPx());
             } catch (IOException | RuntimeException e) {
                 return null;
@@ -301,24 +305,46 @@ final class InputWork {
         String name = read.input().file().toString();
         if (read.input().isDetections()) {
             Detections detections = withRemarks(DetectionsFile.read(read.bytes(), name));
-            InputChecks.imageSize(cell, detections.widthPx(), detections.heightPx(), name);
+            Cell shown = shown(detections.widthPx(), detections.heightPx(), name);
             stage("detections file");
-            return new Found(detections, photoBeside(read.input().file(), detections));
+            return new Found(shown, withScale(detections), photoBeside(read.input().file(), detections));
         }
-        GreyImage photo = ImageFiles.decode(read.bytes(), name,
-                (width, height) -> InputChecks.imageSize(cell, width, height, name));
+        GreyImage photo = ImageFiles.decode(read.bytes(), name, (width, height) -> shown(width, height, name));
         stage("image file");
-        if (detector == null) {
-            detector = BoofMarkerDetector.forCell(cell);
+        Cell shown = shown(photo.widthPx(), photo.heightPx(), name);
+        if (detector == null || shown.camera().widthPx() != detectorWidthPx) {
+            detector = BoofMarkerDetector.forCell(shown);
+            detectorWidthPx = shown.camera().widthPx();
         }
         Detections detections = detector.detect(photo, name);
         stage("detection");
-        return new Found(detections, photo);
+        return new Found(shown, withScale(detections), photo);
+    }
+
+    /** The cell in photos of a size. */
+    private Cell shown(int widthPx, int heightPx, String name) {
+        return InputChecks.ofSize(cell, widthPx, heightPx, name,
+                plan.settings().model().get(SettingTable.SCALE_CAMERA));
+    }
+
+    /** With the remark that the camera was scaled, where it was. */
+    private Detections withScale(Detections detections) {
+        PinholeCamera stated = cell.camera();
+        return detections.widthPx() == stated.widthPx() ? detections
+                : with(detections, Warning.of(BatchWarning.CAMERA_SCALED, stated.widthPx(), stated.heightPx(),
+                        detections.widthPx(), detections.heightPx()));
+    }
+
+    private static Detections with(Detections detections, Warning warning) {
+        List<Warning> warnings = new ArrayList<>(detections.warnings());
+        warnings.add(warning);
+        return new Detections(detections.imageName(), detections.widthPx(), detections.heightPx(), detections.markers(),
+                warnings, detections.light());
     }
 
     private Picture picture(ResultView view, Found found) {
-        BufferedImage painted = OverlayPainter.paint(found.photo(), CellOverlay.of(cell, found.detections(), view,
-                OverlayStyle.PHOTO));
+        BufferedImage painted = OverlayPainter.paint(found.photo(), CellOverlay.of(found.cell(), found.detections(),
+                view, OverlayStyle.PHOTO));
         try {
             return new Picture(Pictures.png(painted), Pictures.jpeg(painted, plan.reportWidthPx()));
         } catch (IOException e) {
@@ -332,11 +358,11 @@ final class InputWork {
         thread.start();
     }
 
-    private CheckResult sampled(Detections detections) {
+    private CheckResult sampled(Found found) {
         if (plan.stop().isGiven()) {
             throw new StoppedException();
         }
-        CheckUpdate last = CellCheck.stream(plan.cellFile().cell(), detections, plan.settings())
+        CheckUpdate last = CellCheck.stream(found.cell(), found.detections(), plan.settings())
                 .takeUntil(plan.stop().end()).lastElement().blockingGet();
         CheckResult result = last == null ? null : last.result();
         if (result == null) {
@@ -356,13 +382,8 @@ final class InputWork {
                 foreign.add(marker.id());
             }
         }
-        if (foreign.isEmpty()) {
-            return detections;
-        }
-        List<Warning> warnings = new ArrayList<>(detections.warnings());
-        warnings.add(Warning.of(BatchWarning.FOREIGN_MARKERS, Listing.comma(foreign)));
-        return new Detections(detections.imageName(), detections.widthPx(), detections.heightPx(), detections.markers(),
-                warnings, detections.light());
+        return foreign.isEmpty() ? detections
+                : with(detections, Warning.of(BatchWarning.FOREIGN_MARKERS, Listing.comma(foreign)));
     }
 
     /** The photo that a detections file names, where it stands beside it: a ground to paint on, nothing more. */

@@ -70,11 +70,11 @@ public final class DocumentLibrary implements CellLibrary {
 
     private CellDocument cell(String uri, String name, String text, String calibrationUri) {
         if (calibrationUri != null) {
+            String camera = CellReader.statedCamera(text, name).cameraName();
             return documents.read(calibrationUri, CAMERA_FILE, true, (in, cameraName) -> {
                 String cameraText = InputFiles.text(in, cameraName, CAMERA_FILE, CameraReader.MAX_BYTES);
-                PinholeCamera camera = CameraReader.read(cameraText, cameraName);
-                return new CellDocument(name, uri, CellReader.read(text, name, camera,
-                        CameraReader.toneCurve(cameraText, cameraName)), camera);
+                Cell cell = CellReader.read(text, name, CameraReader.file(cameraText, cameraName, camera));
+                return new CellDocument(name, uri, cell, cell.camera());
             });
         }
         StatedCamera stated = CellReader.statedCamera(text, name);

@@ -122,6 +122,28 @@ final class RefusalStrings {
                 return R.string.refusal_cell_camera_model;
             case NO_TONE_CURVE:
                 return R.string.refusal_cell_no_tone_curve;
+            case NO_CAMERA:
+                return R.string.refusal_cell_no_camera;
+            case SEVERAL_CAMERAS:
+                return R.string.refusal_cell_several_cameras;
+            case NO_SUCH_CAMERA:
+                return R.string.refusal_cell_no_such_camera;
+            case NO_OPENCV_XML:
+                return R.string.refusal_cell_no_opencv_xml;
+            case NO_CAMERA_MATRIX:
+                return R.string.refusal_cell_no_camera_matrix;
+            case LENS_OF_ANOTHER:
+                return R.string.refusal_cell_lens_of_another;
+            case LENS_OTHER_WAY_ROUND:
+                return R.string.refusal_cell_lens_other_way_round;
+            case COEFFICIENTS:
+                return R.string.refusal_cell_coefficients;
+            case TILTED_SENSOR:
+                return R.string.refusal_cell_tilted_sensor;
+            case NO_SKEW_THERE:
+                return R.string.refusal_cell_no_skew_there;
+            case NO_PRISM_THERE:
+                return R.string.refusal_cell_no_prism_there;
             case DISTORTION_CONTRADICTS_MODEL:
                 return R.string.refusal_cell_distortion_contradicts_model;
             case TOO_MANY_COEFFICIENTS:
@@ -270,6 +292,10 @@ final class RefusalStrings {
                 return R.string.refusal_part_variance;
             case PHOTOS_OF_CALIBRATION:
                 return R.string.refusal_part_photos_of_calibration;
+            case ITS_CAMERAS:
+                return R.string.refusal_part_its_cameras;
+            case ONE_CAMERA:
+                return R.string.refusal_part_one_camera;
             case COEFFICIENT_OF_ANGLE:
                 return R.string.refusal_part_coefficient_of_angle;
             case SYMMETRIC:

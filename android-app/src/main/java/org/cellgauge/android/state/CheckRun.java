@@ -47,10 +47,21 @@ final class CheckRun {
     CheckRun(int number, CellDocument document, PinholeCamera camera, boolean focalEstimated, Photo photo) {
         this.number = number;
         this.document = document;
-        this.cell = document.cell().withCamera(camera);
+        this.cell = seenBy(document, camera);
         this.focalEstimated = focalEstimated;
         this.photo = photo;
         this.detector = photo != null ? BoofMarkerDetector.forCell(cell) : BoofMarkerDetector.forFrames(cell);
+    }
+
+    /** The cell with a camera: how well a calibration is known goes along where the camera is of it, and scales. */
+    private static Cell seenBy(CellDocument document, PinholeCamera camera) {
+        PinholeCamera calibration = document.calibration();
+        boolean calibrated = calibration != null && camera.lens() == calibration.lens()
+                && calibration.hasShape(camera.widthPx(), camera.heightPx())
+                && Arrays.equals(camera.intrinsics(),
+                        calibration.resized(camera.widthPx(), camera.heightPx()).intrinsics());
+        return calibrated ? document.cell().scaledTo(camera.widthPx(), camera.heightPx())
+                : document.cell().withCamera(camera);
     }
 
     /**

@@ -122,6 +122,27 @@ public class DocumentLibraryTest {
     }
 
     @Test
+    public void howWellAChosenCalibrationIsKnownIsKept() throws IOException {
+        String camera = documents.add("tablet.yaml", (new String(Fixtures.bytes("distorted-4/camera.yaml"),
+                StandardCharsets.UTF_8) + "\ncellgauge_calibration: {parameters: [fx, k1], covariance: [[4, 1e-3], "
+                + "[1e-3, 1e-6]]}\n").getBytes(StandardCharsets.UTF_8));
+        CellDocument cell = library.cell(add("a.yaml", cellText("camera: other.yaml\n")), camera);
+        assertEquals(2, cell.cell().calibration().std(0), 1e-12);
+    }
+
+    @Test
+    public void aCameraOfAChainIsTheOneThatTheCellNames() throws IOException {
+        String chain = "%s:\n  camera_model: pinhole\n  intrinsics: [%s, 900, 639.5, 359.5]\n"
+                + "  resolution: [1280, 720]\n";
+        String camera = documents.add("chain.yaml", (String.format(chain, "cam0", 800) + String.format(chain, "cam1",
+                901)).getBytes(StandardCharsets.UTF_8));
+        CellDocument cell = library.cell(add("a.yaml", cellText("camera: {file: chain.yaml, name: cam1}\n")), camera);
+        assertEquals(901, cell.calibration().get(PinholeCamera.FX), 0);
+        assertEquals("chain.yaml", library.cell(add("b.yaml", cellText("camera: {file: chain.yaml, name: cam1}\n")),
+                null).cameraFile());
+    }
+
+    @Test
     public void toneCurveOfAChosenCalibrationHoldsUnlessTheCellStatesOne() throws IOException {
         String camera = documents.add("tablet.yaml", (new String(Fixtures.bytes("distorted-4/camera.yaml"),
                 StandardCharsets.UTF_8) + "\ntone_curve: gamma 1.8\n").getBytes(StandardCharsets.UTF_8));

@@ -111,9 +111,14 @@ final class CalibrationFit {
         int parameters = other.lens().parameterCount();
         double[] start = new double[parameters + shape.unknowns()];
         System.arraycopy(values, 0, start, 0, PinholeCamera.SKEW + 1);
-        if (other.lens() == choice.lens()) {
+        if (other.lens().isWide() == choice.lens().isWide()) {
+            // coefficients of one name mean the same in all lenses that are not wide
             for (int u = 0; u < other.unknowns(); u++) {
-                start[other.parameter(u)] = values[other.parameter(u)];
+                int from = choice.lens().parameterNames().indexOf(
+                        other.lens().parameterNames().get(other.parameter(u)));
+                if (from >= 0) {
+                    start[other.parameter(u)] = values[from];
+                }
             }
         }
         if (shape == board) {

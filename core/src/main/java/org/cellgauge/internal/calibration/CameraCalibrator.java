@@ -13,7 +13,9 @@ import org.cellgauge.calibration.CalibrationResult;
 import org.cellgauge.calibration.CalibrationWarning;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RationalLens;
 import org.cellgauge.internal.geometry.Cholesky;
+import org.cellgauge.internal.geometry.Lenses;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.vision.TargetObservation;
@@ -171,8 +173,8 @@ public final class CameraCalibrator {
         if (seen.size() < FEWEST_FOR_HALVES) {
             return usual;
         }
-        List<LensChoice> lenses = usual.choice.lens() == LensChoice.usual().lens() ? LensChoice.ladder()
-                : List.of(usual.choice);
+        List<LensChoice> lenses = LensChoice.ladder().stream().anyMatch(c -> c.name().equals(usual.choice.name()))
+                ? LensChoice.ladder() : List.of(usual.choice);
         List<BoardShape> boards = new ArrayList<>(List.of(usual.board));
         if (points.isFlat() && options.warp() == CalibrationOptions.BY_PHOTOS) {
             boards.add(new BoardShape(points, USUAL_WARP, usual.board.aspect));
@@ -193,7 +195,8 @@ public final class CameraCalibrator {
         double best = Double.POSITIVE_INFINITY;
         for (int b = 0; b < boards.size(); b++) {
             for (int l = stated; l < lenses.size(); l++) {
-                if (l != stated && !options.lens().equals(CalibrationOptions.AUTO)) {
+                if (l != stated && !(options.lens().equals(CalibrationOptions.AUTO)
+                        && Double.isFinite(errors[b][l]))) {
                     continue;
                 }
                 double deviance = freedom * errors[b][l] * errors[b][l] / (least * least);
@@ -227,14 +230,26 @@ public final class CameraCalibrator {
     }
 
     /** Deviation of a coordinate in photos that the fit has not seen, px. */
-    private static double heldOut(CalibrationFit fit, LensChoice choice, BoardShape board) {
+    private double heldOut(CalibrationFit fit, LensChoice choice, BoardShape board) {
         double sum = 0;
         for (int parity = 0; parity < 2; parity++) {
             List<TargetPhoto> others = half(fit, 1 - parity).stream().map(fit.photos::get)
                     .filter(p -> p.activeCount() >= 4).toList();
-            sum += fit.ofPhotos(choice, board, half(fit, parity)).heldOut(others);
+            CalibrationFit part = fit.ofPhotos(choice, board, half(fit, parity));
+            // what half of the photos do not tell, nothing could be held against
+            sum += part.covariance == null || hasPole(part) ? Double.POSITIVE_INFINITY : part.heldOut(others);
         }
         return Math.sqrt(sum / heldOutFreedom(fit));
+    }
+
+    /** Whether a quotient of polynomials folds the image, as it readily does where few photos tell its coefficients. */
+    private boolean hasPole(CalibrationFit fit) {
+        return fit.choice.lens() == RationalLens.MODEL && Lenses.foldWithin(camera(fit)) != null;
+    }
+
+    private PinholeCamera camera(CalibrationFit fit) {
+        return PinholeCamera.of(fit.choice.lens(), seen.get(0).widthPx(), seen.get(0).heightPx(),
+                Arrays.copyOf(fit.values, fit.choice.lens().parameterCount()));
     }
 
     private static double rms(CalibrationFit fit) {
@@ -292,14 +307,17 @@ public final class CameraCalibrator {
         }
         Coverage coverage = new Coverage(fit.photos, width, height);
         ProjectionMap map = new ProjectionMap(fit.choice, fit.values, width, height, coverage);
-        PinholeCamera camera = PinholeCamera.of(fit.choice.lens(), width, height,
-                Arrays.copyOf(fit.values, fit.choice.lens().parameterCount()));
+        PinholeCamera camera = camera(fit);
+        double[] fold = camera.isDistorting() && !camera.lens().isWide() ? Lenses.foldWithin(camera) : null;
+        if (fold != null) {
+            throw refused(CalibrationRefusal.LENS_FOLDS, fit.choice.name(), (int) fold[0], (int) fold[1]);
+        }
         List<CalibrationResult.Residual> residuals = residuals(fit);
         int outliers = (int) residuals.stream().filter(CalibrationResult.Residual::outlier).count();
         List<CalibrationResult.Photo> photos = photos(fit, map, own);
         boolean inQuestion = warnOfOutliers(outliers, residuals.size(), photos);
         CrossValidation cross = CrossValidation.of(fit, map, half(fit, 0), half(fit, 1));
-        double widened = warnOfModel(cross);
+        double widened = warnOfModel(cross, fit);
         ModelAverage average = new ModelAverage(fit, own, trials, cross.ratio());
         LensChoice choice = average.choice;
         double[] covariance = average.covariance;
@@ -433,9 +451,11 @@ public final class CameraCalibrator {
         return inQuestion;
     }
 
-    private double warnOfModel(CrossValidation cross) {
+    private double warnOfModel(CrossValidation cross, CalibrationFit fit) {
         if (Double.isNaN(cross.ratio())) {
-            warnings.add(Warning.of(CalibrationWarning.NOT_CROSS_VALIDATED, FEWEST_FOR_HALVES));
+            warnings.add(fit.photos.size() < FEWEST_FOR_HALVES
+                    ? Warning.of(CalibrationWarning.NOT_CROSS_VALIDATED, FEWEST_FOR_HALVES)
+                    : Warning.of(CalibrationWarning.HALVES_DO_NOT_TELL, fit.choice.name()));
             return 1;
         }
         Decimal ratio = Decimal.of(cross.ratio(), 1);

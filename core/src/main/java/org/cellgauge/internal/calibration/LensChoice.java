@@ -7,6 +7,7 @@ import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RationalLens;
 
 /** A lens and which of its parameters are unknown; immutable. */
 final class LensChoice {
@@ -34,12 +35,19 @@ final class LensChoice {
     static List<LensChoice> ladder() {
         return List.of(of("radial-1", BrownLens.MODEL, "k1"), of("radial-2", BrownLens.MODEL, "k1", "k2"),
                 of("brown-4", BrownLens.MODEL, "k1", "k2", "p1", "p2"),
-                of("brown-5", BrownLens.MODEL, "k1", "k2", "p1", "p2", "k3"));
+                of("brown-5", BrownLens.MODEL, "k1", "k2", "p1", "p2", "k3"),
+                of("rational-8", RationalLens.MODEL, "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"));
     }
 
     /** The usual one, where no richer one does better. */
     static LensChoice usual() {
         return ladder().get(1);
+    }
+
+    /** Richer than photos of a board tell apart by themselves; for lenses whose maker says so. */
+    static LensChoice prism() {
+        return of("prism-12", RationalLens.MODEL, "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3",
+                "s4");
     }
 
     static LensChoice fisheye() {
@@ -49,6 +57,7 @@ final class LensChoice {
     /** All there are. */
     static List<LensChoice> all() {
         List<LensChoice> all = new ArrayList<>(ladder());
+        all.add(prism());
         all.add(fisheye());
         return all;
     }

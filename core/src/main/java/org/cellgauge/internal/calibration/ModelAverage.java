@@ -40,11 +40,12 @@ final class ModelAverage {
      *
      * @param chosen the fit whose values count
      * @param covariance its own, of lens and board
-     * @param trials what the choice was among, the chosen one included; empty where there was none
+     * @param tried what the choice was among, the chosen one included; empty where there was none; of other lens
+     *     models, whose parameters mean something else, none is averaged in
      * @param crossRatio difference of odd and even photos over its stated deviation; NaN where unknown
      */
-    ModelAverage(CalibrationFit chosen, double[] covariance, List<Trial> trials, double crossRatio) {
-        this.trials = trials;
+    ModelAverage(CalibrationFit chosen, double[] covariance, List<Trial> tried, double crossRatio) {
+        trials = tried.stream().filter(t -> t.lens.lens() == chosen.choice.lens()).toList();
         double scatter = crossRatio > 1 ? crossRatio * crossRatio : 1;
         double least = trials.stream().mapToDouble(Trial::deviance).min().orElse(0);
         weights = trials.stream().mapToDouble(t -> Math.exp(-(t.deviance - least) / (2 * scatter))).toArray();

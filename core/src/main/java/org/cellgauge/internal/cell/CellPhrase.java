@@ -95,6 +95,10 @@ public enum CellPhrase implements RefusalKind {
 
     /** The keys of a camera. */
     CAMERA_KEYS("the keys of a BoofCV calibration file: model: pinhole_radial_tangential, %s"),
+    /** The cameras of a file: their names. */
+    ITS_CAMERAS("it holds %s"),
+    /** A file without names. */
+    ONE_CAMERA("it holds one camera without a name, so leave the name out"),
     /** The first coefficient of a fisheye's polynomial. */
     COEFFICIENT_OF_ANGLE("the coefficient of the angle itself, mostly 1"),
     /** Another of them. */
@@ -135,15 +139,17 @@ public enum CellPhrase implements RefusalKind {
     /** A side. */
     HEIGHT("height"),
     /** Width and height are swapped. */
-    IMAGE_TURNED("the image is turned; store it as the camera took it"),
+    IMAGE_TURNED("the image is turned, by hand or by its EXIF orientation; store it as the camera took it"),
     /** Another size of the same shape. */
-    IMAGE_SCALED("the image is scaled; take it in the calibrated size, or calibrate the camera in this size"),
+    IMAGE_SCALED("the image is scaled or binned; take it in the calibrated size, or calibrate the camera in this "
+            + "size"),
     /** A photo of another size. */
     PHOTO_SIZE("take the photo at that size or calibrate the camera at this one"),
     /** Frames of another size. */
     CAMERA_OF_THIS_SIZE("give the cell the camera of this image size"),
     /** Another shape. */
-    OTHER_SIZE("take the image in the calibrated size, or calibrate the camera in this size");
+    OTHER_SIZE("it is cut, or the camera was in another mode, which may show another part of the world; take it in the "
+            + "calibrated size, or calibrate the camera in this size");
 
     private final String english;
 

@@ -1,7 +1,9 @@
 package org.cellgauge.internal.calibration;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -27,6 +29,7 @@ import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RationalLens;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.vision.TargetObservation;
@@ -126,7 +129,11 @@ class CameraCalibratorTest {
         assertEquals(fx, average.covariance[0], 1e-6 * fx);
         double p1 = 0.25 * (rich.covariance[6 * 9] + rich.values[8] * rich.values[8]);
         assertEquals(p1, average.covariance[6 * 9], 1e-6 * p1);
-        assertTrue(average.weight(ladder.get(0)) == 0, "was not tried");
+        assertEquals(0, average.weight(ladder.get(0)), 0, "was not tried");
+        LensChoice other = ladder.get(4);
+        assertNotEquals(lean.choice.lens(), other.lens());
+        assertEquals(1, new ModelAverage(lean, lean.covariance, List.of(trials.get(0),
+                new ModelAverage.Trial(other, lean.board, 90)), 1).weight(lean.choice), 0, "another model");
         ModelAverage alone = new ModelAverage(lean, lean.covariance, List.of(), Double.NaN);
         assertEquals(lean.covariance[7], alone.covariance[7], 0);
     }
@@ -243,6 +250,28 @@ class CameraCalibratorTest {
         List<TargetObservation> photos = seen(STUDY.points(), KannalaBrandtLens.MODEL, truth, 12, 260);
         assertFound(truth, Calibration.of(STUDY.points(), photos, CalibrationOptions.USUAL.withLens("fisheye")
                 .withWarp(0).withAspect(CalibrationOptions.Aspect.STATED)), 2);
+    }
+
+    /** A lens as of a depth camera. */
+    @Test
+    void findsARationalLens() {
+        double[] truth = new double[RationalLens.PARAMETERS];
+        System.arraycopy(new double[] {605, 606, 648, 355, 0, 0.52, -2.4, 1.5, 0.4, -2.3, 1.42, 9e-4, -3e-4}, 0, truth,
+                0, 13);
+        List<TargetObservation> photos = seen(STUDY.points(), RationalLens.MODEL, truth, 24, 300);
+        CalibrationOptions plain = CalibrationOptions.USUAL.withWarp(0).withAspect(CalibrationOptions.Aspect.STATED);
+        CalibrationResult result = Calibration.of(STUDY.points(), photos, plain.withLens("rational-8"));
+        assertFound(truth, result, 2);
+        assertEquals(RationalLens.MODEL, result.camera().lens());
+        // coefficients trade with each other: what counts is where the lens sees things
+        double[] uv = new double[2];
+        for (int i = -4; i <= 4; i++) {
+            assertTrue(RationalLens.MODEL.project(truth, 220 * i, 100 * i, 1000, uv, 0));
+            assertArrayEquals(uv, result.camera().project(220 * i, 100 * i, 1000), 1.5, "at " + i);
+        }
+        CalibrationResult prism = Calibration.of(STUDY.points(), photos, plain.withLens("prism-12"));
+        assertEquals(16, prism.parameters().size());
+        assertTrue(prism.figures().rmsPx() <= result.figures().rmsPx() + 1e-9, "a richer lens fits no worse");
     }
 
     /** Six markers about a cell, two of them raised and turned: no plane holds them. */

@@ -8,16 +8,17 @@ import georegression.struct.point.Point2D_F64;
 import org.cellgauge.geometry.PinholeCamera;
 
 /**
- * A wide lens as BoofCV's square detector takes a lens: a plane without distortion for the whole image.
+ * A lens that BoofCV has not, as its square detector takes one: a plane without distortion for the whole image.
  *
- * <p>No plane has that for a fisheye. Up to {@value #STRAIGHT_DEGREES} degrees off the axis, directions meet the plane
- * z = 1, where lines are straight, so that markers of any size have straight sides: on the bent image itself, a marker
- * of 24 degrees is lost from 30 degrees off the axis on. Beyond, where that plane would go on to infinity at 90
- * degrees, the distance from the middle grows with the angle at the rate it has there. That far out the detector looks
- * at the bent image as well, where small markers, whose sides hardly bend, are found up to 90 degrees and beyond.
- * Corners are of no account here: {@link MarkerEdges} finds them anew. Immutable.
+ * <p>Of a lens that is not wide that plane is z = 1. No plane has that for a fisheye: up to {@value #STRAIGHT_DEGREES}
+ * degrees off the axis, directions meet the plane z = 1, where lines are straight, so that markers of any size have
+ * straight sides: on the bent image itself, a marker of 24 degrees is lost from 30 degrees off the axis on. Beyond,
+ * where that plane would go on to infinity at 90 degrees, the distance from the middle grows with the angle at the rate
+ * it has there. That far out the detector looks at the bent image as well, where small markers, whose sides hardly
+ * bend, are found up to 90 degrees and beyond. Corners are of no account here: {@link MarkerEdges} finds them anew.
+ * Immutable.
  */
-final class WideDistortion implements LensDistortionNarrowFOV {
+final class LensPlane implements LensDistortionNarrowFOV {
     static final int STRAIGHT_DEGREES = 70;
     private static final double STRAIGHT_RAD = Math.toRadians(STRAIGHT_DEGREES);
     private static final double STRAIGHT_RADIUS = Math.tan(STRAIGHT_RAD);
@@ -30,7 +31,7 @@ final class WideDistortion implements LensDistortionNarrowFOV {
     private final double cy;
     private final double largestRadius;
 
-    WideDistortion(PinholeCamera camera) {
+    LensPlane(PinholeCamera camera) {
         this.camera = camera;
         fx = camera.get(PinholeCamera.FX);
         fy = camera.get(PinholeCamera.FY);
