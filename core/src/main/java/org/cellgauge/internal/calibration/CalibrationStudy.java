@@ -12,6 +12,7 @@ import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Rotations;
 import org.cellgauge.vision.TargetObservation;
@@ -170,12 +171,14 @@ public final class CalibrationStudy {
                 continue;
             }
             for (int k = 0; k < unknowns; k++) {
-                double error = estimate.values[choice.parameter(k)] - truth[choice.parameter(k)];
+                int i = estimate.choice.lens().parameterNames()
+                        .indexOf(choice.lens().parameterNames().get(choice.parameter(k)));
+                double error = estimate.values[i] - truth[choice.parameter(k)];
                 errors[k] += error * error;
-                int u = estimate.choice.unknown(choice.parameter(k));
+                int u = estimate.choice.unknown(i);
                 variances[k] += u < 0 ? 0 : estimate.covariance[u * (estimate.size + 1)];
             }
-            double[] shifts = estimate.map.difference(estimate.values, truth);
+            double[] shifts = estimate.map.difference(estimate.values, truth(estimate.choice.lens()));
             for (int k = 0; k < 9; k++) {
                 int place = PLACE_ROWS[k / 3] * ProjectionMap.COLUMNS + PLACE_COLUMNS[k % 3];
                 placeErrors[k] += shifts[2 * place] * shifts[2 * place] + shifts[2 * place + 1] * shifts[2 * place + 1];
@@ -199,6 +202,12 @@ public final class CalibrationStudy {
         }
         return new Outcome(names, ratios, places, std, (double) beyond / simulations,
                 (double) bent / simulations, failed);
+    }
+
+    /** The true values as a lens has them whose names are among its own. */
+    private double[] truth(Lens lens) {
+        return lens.parameterNames().stream().mapToInt(camera.lens().parameterNames()::indexOf)
+                .mapToDouble(i -> i < 0 ? 0 : truth[i]).toArray();
     }
 
     /** What one calibration says: values of the lens first, covariance of the unknowns of a choice first. */
@@ -242,15 +251,19 @@ public final class CalibrationStudy {
     }
 
     private @Nullable Estimate chosen(List<TargetObservation> photos) {
-        CalibrationResult result;
         try {
-            result = new CameraCalibrator(points, photos, CalibrationOptions.USUAL).run();
+            return estimate(new CameraCalibrator(points, photos, CalibrationOptions.USUAL).run(), photos);
         } catch (InputRefusedException e) {
             return null;
         }
+    }
+
+    private static Estimate estimate(CalibrationResult result, List<TargetObservation> photos) {
+        PinholeCamera camera = result.camera();
         int n = result.parameters().size();
         double[] covariance = flat(result.covariance());
-        LensChoice of = LensChoice.ladder().stream().filter(c -> c.unknowns() == n).findFirst().orElseThrow();
+        LensChoice of = LensChoice.ladder().stream().filter(c -> c.unknowns() == n
+                && c.lens() == result.camera().lens()).findFirst().orElseThrow();
         double[] values = result.camera().intrinsics();
         Coverage coverage = new Coverage(photos.stream().map(p -> new TargetPhoto(p, false)).toList(),
                 camera.widthPx(), camera.heightPx());
