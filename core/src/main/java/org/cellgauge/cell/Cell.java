@@ -15,10 +15,11 @@ public final class Cell {
     private final List<Reference> references;
     private final List<ObjectMarker> objects;
     private final OptionalDouble pixelStdPx;
-    private final OptionalDouble targetStdMm;
+    private final Target target;
     private final @Nullable ToneCurve toneCurve;
     private final @Nullable CameraCalibration calibration;
     private final PrintPrecision prints;
+    private final Planning planning;
 
     /**
      * A cell whose markers are printed as usual.
@@ -52,20 +53,18 @@ public final class Cell {
      */
     public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints) {
-        this(camera, family, references, objects, pixelStdPx, targetStdMm, prints, null, null);
+        this(camera, family, references, objects, pixelStdPx, Target.ofStdMm(targetStdMm), prints, null, null,
+                Planning.NONE);
     }
 
     private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
-            OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints,
-            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration) {
+            OptionalDouble pixelStdPx, Target target, PrintPrecision prints,
+            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration, Planning planning) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
         if (pixelStdPx.isPresent() && !(pixelStdPx.getAsDouble() > 0)) {
             throw new IllegalArgumentException("pixel deviation must be positive");
-        }
-        if (targetStdMm.isPresent() && !(targetStdMm.getAsDouble() > 0)) {
-            throw new IllegalArgumentException("target deviation must be positive");
         }
         java.util.Set<Integer> ids = new java.util.HashSet<>();
         references.forEach(r -> addOnce(ids, r.id()));
@@ -75,10 +74,11 @@ public final class Cell {
         this.references = Collections.unmodifiableList(new ArrayList<>(references));
         this.objects = Collections.unmodifiableList(new ArrayList<>(objects));
         this.pixelStdPx = pixelStdPx;
-        this.targetStdMm = targetStdMm;
+        this.target = target;
         this.toneCurve = toneCurve;
         this.calibration = calibration;
         this.prints = prints;
+        this.planning = planning;
     }
 
     private static void addOnce(java.util.Set<Integer> ids, int id) {
@@ -95,7 +95,7 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withCamera(PinholeCamera other) {
-        return new Cell(other, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, null);
+        return new Cell(other, family, references, objects, pixelStdPx, target, prints, toneCurve, null, planning);
     }
 
     /**
@@ -125,7 +125,7 @@ public final class Cell {
      * @throws IllegalArgumentException if there is none, or an id stands twice in the cell then
      */
     public Cell withReferences(List<Reference> others) {
-        return new Cell(camera, family, others, objects, pixelStdPx, targetStdMm, prints, toneCurve, calibration);
+        return new Cell(camera, family, others, objects, pixelStdPx, target, prints, toneCurve, calibration, planning);
     }
 
     /**
@@ -136,18 +136,30 @@ public final class Cell {
      * @throws IllegalArgumentException if an id stands twice in the cell then
      */
     public Cell withObjects(List<ObjectMarker> others) {
-        return new Cell(camera, family, references, others, pixelStdPx, targetStdMm, prints, toneCurve, calibration);
+        return new Cell(camera, family, references, others, pixelStdPx, target, prints, toneCurve, calibration,
+                planning);
+    }
+
+    /**
+     * The same cell with one standard deviation as its target.
+     *
+     * @param stdMm largest allowed standard deviation of any axis of any object, mm, positive, or empty for no target
+     * @return a new cell
+     * @throws IllegalArgumentException if the target is not positive
+     */
+    public Cell withTarget(OptionalDouble stdMm) {
+        return withTarget(Target.ofStdMm(stdMm));
     }
 
     /**
      * The same cell with another target.
      *
-     * @param stdMm largest allowed standard deviation of any axis, mm, positive, or empty for none
+     * @param other what is asked of its objects
      * @return a new cell
-     * @throws IllegalArgumentException if the target is not positive
      */
-    public Cell withTarget(OptionalDouble stdMm) {
-        return new Cell(camera, family, references, objects, pixelStdPx, stdMm, prints, toneCurve, calibration);
+    public Cell withTarget(Target other) {
+        return new Cell(camera, family, references, objects, pixelStdPx, other, prints, toneCurve, calibration,
+                planning);
     }
 
     /**
@@ -158,7 +170,7 @@ public final class Cell {
      * @throws IllegalArgumentException if the deviation is not positive
      */
     public Cell withPixelStdPx(OptionalDouble px) {
-        return new Cell(camera, family, references, objects, px, targetStdMm, prints, toneCurve, calibration);
+        return new Cell(camera, family, references, objects, px, target, prints, toneCurve, calibration, planning);
     }
 
     /**
@@ -168,7 +180,7 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withToneCurve(@Nullable ToneCurve stated) {
-        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, stated, calibration);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, stated, calibration, planning);
     }
 
     /**
@@ -182,7 +194,26 @@ public final class Cell {
         if (stated != null) {
             stated.indices(camera.lens());
         }
-        return new Cell(camera, family, references, objects, pixelStdPx, targetStdMm, prints, toneCurve, stated);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, stated, planning);
+    }
+
+    /**
+     * The same cell with something else said for planning.
+     *
+     * @param other where things may be and what changes cost
+     * @return a new cell
+     */
+    public Cell withPlanning(Planning other) {
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration, other);
+    }
+
+    /**
+     * What is said for planning alone.
+     *
+     * @return {@link Planning#NONE} where nothing is
+     */
+    public Planning planning() {
+        return planning;
     }
 
     /**
@@ -249,12 +280,21 @@ public final class Cell {
     }
 
     /**
-     * Largest standard deviation allowed on any axis of any object and gripping point.
+     * What is asked of the objects.
      *
-     * @return mm, or empty where no target is set
+     * @return the target; {@link Target#NONE} where none is set
+     */
+    public Target target() {
+        return target;
+    }
+
+    /**
+     * The target as one standard deviation.
+     *
+     * @return as {@link Target#oneStdMm()}
      */
     public OptionalDouble targetStdMm() {
-        return targetStdMm;
+        return target.oneStdMm();
     }
 
     /**

@@ -8,7 +8,9 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -28,9 +30,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Lengths are mm, angles degrees as in the file. Left out, {@code rotation_deg} is [0, 0, 0], {@code pixel_std_px}
  * is {@code auto}, {@code tone_curve} what the camera file says and else {@code auto}, {@code objects} and
- * {@code target} are none; deviations of prints are those of {@link PrintPrecision#USUAL}. {@code placement} may be
+ * {@code target} are none; deviations of prints are those of {@link PrintPrecision#USUAL};
+ * {@code plan} says nothing. {@code placement} may be
  * left out where every reference states its own; a reference's {@code placement} and a reference's or object's
- * {@code size_mm} replace only what they state. Every refusal names file, line, key and remedy.
+ * {@code size_mm} and {@code target} replace only what they state. Every refusal names file, line, key and remedy.
  */
 public final class CellReader {
     /** Largest cell file that is read, bytes. */
@@ -168,7 +171,7 @@ public final class CellReader {
     private Cell cell(YamlValue top, Function<YamlMapping, PinholeCamera> cameraOf) {
         YamlMapping file = cellFile(top);
         file.refuseUnknown(Arrays.asList("cellgauge", "camera", "markers", "placement", "pixel_std_px",
-                CameraReader.TONE_CURVE, "references", "objects", "target"));
+                CameraReader.TONE_CURVE, "references", "objects", "target", "plan"));
         PinholeCamera camera = cameraOf.apply(file);
         YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm",
                 "size_std_mm", "flatness_mm", "print_gain_std_mm", "orientation");
@@ -189,15 +192,14 @@ public final class CellReader {
 
         Map<Integer, YamlValue> lines = new HashMap<>();
         List<Reference> references = references(file, markers, family, placement, lines);
-        List<ObjectMarker> objects = objects(file.optional("objects"), markers, family, lines);
-        OptionalDouble target = OptionalDouble.empty();
-        if (file.optional("target") != null) {
-            target = OptionalDouble.of(file.optional("target")
-                    .mapping(Refusal.of(CellPhrase.OR_DELETE, "{std_mm: 1.0}"), "std_mm")
-                    .required("std_mm", "std_mm: 1.0").positive(CellPhrase.TARGET_STD));
-        }
+        YamlValue statedTarget = file.optional("target");
+        Requirement target = statedTarget == null ? Requirement.NONE : requirement(statedTarget, Requirement.NONE);
+        Map<Integer, Requirement> ownTargets = new HashMap<>();
+        List<ObjectMarker> objects = objects(file.optional("objects"), markers, family, lines, target, ownTargets);
         YamlValue toneCurve = file.optional(CameraReader.TONE_CURVE);
-        return new Cell(camera, family, references, objects, pixelStdPx, target, prints(markers))
+        return new Cell(camera, family, references, objects, pixelStdPx, OptionalDouble.empty(), prints(markers))
+                .withTarget(new Target(target, ownTargets))
+                .withPlanning(planning(file.optional("plan"), objects))
                 .withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve))
                 .withCalibration(calibration);
     }
@@ -437,8 +439,156 @@ public final class CellReader {
         return size(stated);
     }
 
+    /** What is asked of objects; one of its own inherits what it leaves out. */
+    private static Requirement requirement(YamlValue value, Requirement general) {
+        YamlMapping stated = value.mapping(Refusal.of(CellPhrase.OR_DELETE, "{std_mm: 1.0}"), "std_mm", "tolerance_mm",
+                "distance_mm", "tolerance_deg", "probability");
+        Requirement found = new Requirement(limits(stated, "std_mm", CellPhrase.TARGET_STD, general.stdMm()),
+                limits(stated, "tolerance_mm", CellPhrase.TARGET_TOLERANCE, general.toleranceMm()),
+                limit(stated, "distance_mm", CellPhrase.TARGET_DISTANCE, general.distanceMm()),
+                limit(stated, "tolerance_deg", CellPhrase.TARGET_TURN, general.toleranceDeg()),
+                probability(stated, general.probability()));
+        if (!found.isAny()) {
+            throw stated.missing("std_mm", CellRefusal.MISSING, "std_mm: 1.0");
+        }
+        if (!found.asksForProbability() && stated.optional("probability") != null) {
+            throw stated.missing("tolerance_mm", CellRefusal.MISSING, "tolerance_mm: 1.0");
+        }
+        return found;
+    }
+
+    private static Requirement.Axes limits(YamlMapping stated, String key, CellPhrase remedy,
+            Requirement.Axes general) {
+        YamlValue value = stated.optional(key);
+        if (value == null) {
+            return general;
+        }
+        if (!value.isList()) {
+            return Requirement.Axes.all(value.positive(remedy));
+        }
+        value.numbers(3, remedy);
+        double[] limits = value.items().stream().mapToDouble(item -> item.positive(remedy)).toArray();
+        return new Requirement.Axes(limits[0], limits[1], limits[2]);
+    }
+
+    private static double limit(YamlMapping stated, String key, CellPhrase remedy, double general) {
+        YamlValue value = stated.optional(key);
+        return value == null ? general : value.positive(remedy);
+    }
+
+    private static Planning planning(@Nullable YamlValue value, List<ObjectMarker> objects) {
+        if (value == null) {
+            return Planning.NONE;
+        }
+        YamlMapping plan = value.mapping(Refusal.of(CellPhrase.OR_DELETE, "{max_height_mm: 200}"), "camera_pose",
+                "camera_range", "regions_mm", "free_mm", "walls_mm", "max_height_mm", "costs");
+        YamlValue height = plan.optional("max_height_mm");
+        return new Planning(cameraPose(plan.optional("camera_pose")), cameraRange(plan.optional("camera_range")),
+                regions(plan.optional("regions_mm"), objects), areas(plan.optional("free_mm")),
+                walls(plan.optional("walls_mm")), height == null ? OptionalDouble.empty()
+                        : OptionalDouble.of(notNegative(height, CellPhrase.MAX_HEIGHT)), costs(plan.optional("costs")));
+    }
+
+    private static double notNegative(YamlValue value, CellPhrase remedy) {
+        double number = value.number(remedy);
+        if (!(number >= 0)) {
+            throw value.refused(CellRefusal.NEGATIVE, CameraReader.plain(number), remedy);
+        }
+        return number;
+    }
+
+    private static @Nullable RigidTransform cameraPose(@Nullable YamlValue value) {
+        if (value == null) {
+            return null;
+        }
+        double[] v = value.numbers(6, CellPhrase.CAMERA_POSE);
+        return RigidTransform.ofEuler(v[0], v[1], v[2], Math.toRadians(v[3]), Math.toRadians(v[4]),
+                Math.toRadians(v[5]));
+    }
+
+    private static CameraRange cameraRange(@Nullable YamlValue value) {
+        if (value == null) {
+            return CameraRange.NONE;
+        }
+        YamlMapping range = value.mapping("{position_mm: [50, 50, 50], turn_deg: 5}", "position_mm", "turn_deg");
+        double[] mm = new double[3];
+        YamlValue position = range.optional("position_mm");
+        if (position != null) {
+            position.numbers(3, CellPhrase.RANGE);
+            mm = position.items().stream().mapToDouble(v -> notNegative(v, CellPhrase.RANGE)).toArray();
+        }
+        YamlValue turn = range.optional("turn_deg");
+        return new CameraRange(mm[0], mm[1], mm[2], turn == null ? 0 : notNegative(turn, CellPhrase.RANGE));
+    }
+
+    private static Map<Integer, Area> regions(@Nullable YamlValue value, List<ObjectMarker> objects) {
+        Map<Integer, Area> regions = new LinkedHashMap<>();
+        if (value != null) {
+            for (Map.Entry<String, YamlValue> e : value.mapping("{5: [0, 0, 500, 400]}").values().entrySet()) {
+                ObjectMarker object = objects.stream().filter(o -> String.valueOf(o.id()).equals(e.getKey()))
+                        .findFirst().orElseThrow(() -> e.getValue().refused(CellRefusal.NO_SUCH_OBJECT, e.getKey()));
+                regions.put(object.id(), area(e.getValue()));
+            }
+        }
+        return regions;
+    }
+
+    private static Area area(YamlValue value) {
+        return Area.ofCorners(value.numbers(4, CellPhrase.AREA));
+    }
+
+    private static List<Area> areas(@Nullable YamlValue value) {
+        List<Area> areas = new ArrayList<>();
+        if (value != null) {
+            value.items().forEach(item -> areas.add(area(item)));
+        }
+        return areas;
+    }
+
+    private static List<Wall> walls(@Nullable YamlValue value) {
+        List<Wall> walls = new ArrayList<>();
+        if (value != null) {
+            for (YamlValue item : value.items()) {
+                double[] v = item.numbers(5, CellPhrase.WALL);
+                if (!(v[4] > 0) || v[0] == v[2] && v[1] == v[3]) {
+                    throw item.refused(CellRefusal.NO_WALL, CellPhrase.WALL);
+                }
+                walls.add(new Wall(v[0], v[1], v[2], v[3], v[4]));
+            }
+        }
+        return walls;
+    }
+
+    private static Map<ChangeKind, Double> costs(@Nullable YamlValue value) {
+        Map<ChangeKind, Double> costs = new EnumMap<>(ChangeKind.class);
+        if (value != null) {
+            YamlMapping stated = value.mapping("{raise-reference: 40}",
+                    Arrays.stream(ChangeKind.values()).map(ChangeKind::code).toArray(String[]::new));
+            for (ChangeKind kind : ChangeKind.values()) {
+                YamlValue cost = stated.optional(kind.code());
+                if (cost != null) {
+                    costs.put(kind, notNegative(cost, CellPhrase.COST));
+                }
+            }
+        }
+        return costs;
+    }
+
+    private static double probability(YamlMapping stated, double general) {
+        YamlValue value = stated.optional("probability");
+        if (value == null) {
+            return general;
+        }
+        double probability = value.positive(CellPhrase.TARGET_PROBABILITY);
+        if (!(probability < 1)) {
+            throw value.refused(CellRefusal.NOT_BELOW_ONE, CameraReader.plain(probability),
+                    CellPhrase.TARGET_PROBABILITY);
+        }
+        return probability;
+    }
+
     private List<ObjectMarker> objects(@Nullable YamlValue value, YamlMapping markers, MarkerFamily family,
-            Map<Integer, YamlValue> lines) {
+            Map<Integer, YamlValue> lines, Requirement target, Map<Integer, Requirement> ownTargets) {
         List<ObjectMarker> objects = new ArrayList<>();
         if (value == null || value.isEmpty()) {
             return objects;
@@ -456,9 +606,13 @@ public final class CellReader {
                 }
                 size = size(generalSize);
             } else {
-                YamlMapping entry = e.getValue().mapping(CellPhrase.OBJECT, "grip_mm", "size_mm");
+                YamlMapping entry = e.getValue().mapping(CellPhrase.OBJECT, "grip_mm", "size_mm", "target");
                 grip = entry.optional("grip_mm") == null ? null : point(entry.optional("grip_mm"));
                 size = size(entry, markers);
+                YamlValue own = entry.optional("target");
+                if (own != null) {
+                    ownTargets.put(id, requirement(own, target));
+                }
             }
             objects.add(new ObjectMarker(id, size, grip));
         }

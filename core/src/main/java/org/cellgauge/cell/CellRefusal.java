@@ -40,6 +40,10 @@ public enum CellRefusal implements RefusalKind {
     EXPECTED("expected %s, got %s; write %s%s"),
     /** Zero or negative: what stands there, what to write. */
     NOT_POSITIVE("must be greater than 0, got %s; write %s"),
+    /** A share or probability of 1 or more: what stands there, what to write. */
+    NOT_BELOW_ONE("must be less than 1, got %s; write %s"),
+    /** Below zero where that means nothing: what stands there, what to write. */
+    NEGATIVE("must not be negative, got %s; write %s"),
     /** A whole number out of its range: smallest, largest, what stands there, what to write. */
     OUT_OF_RANGE("must be from %s to %s, got %s; write %s"),
     /** A tag of YAML: its name. */
@@ -57,6 +61,10 @@ public enum CellRefusal implements RefusalKind {
 
     // ---- cell files
 
+    /** A wall without length or height: what to write. */
+    NO_WALL("this wall has no length or no height; write %s"),
+    /** A region of what is no object: what stands there. */
+    NO_SUCH_OBJECT("%s is no object of this cell; name one below objects:, or delete it"),
     /** A camera file in place of a cell file. */
     IS_CAMERA_FILE("this is a camera file; name a cell file and refer to this one under camera:"),
     /** A detections file in place of a cell file. */

@@ -3,6 +3,7 @@ package org.cellgauge.check;
 import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.cellgauge.cell.Target;
 import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
@@ -97,6 +98,6 @@ public final class CellEstimate {
         ObjectEstimate object = object(objectId);
         return object == null ? null
                 : Reason.largestDeviation(Collections.singletonList(JudgedObject.of(object)), Collections.emptyList(),
-                        OptionalDouble.empty(), null, null, OptionalDouble.empty());
+                        Target.NONE, null, null, OptionalDouble.empty());
     }
 }

@@ -3,9 +3,10 @@ package org.cellgauge.check;
 import io.reactivex.rxjava3.core.Flowable;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.function.IntSupplier;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Target;
 import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.internal.chains.CameraSampler;
 import org.cellgauge.internal.chains.CameraTarget;
@@ -92,7 +93,7 @@ final class ChainRun {
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
                 draws -> {
                     Diagnostics found = diagnosed(draws, judged, threads.getAsInt());
-                    return preciseEnough(found, settings) && !undecided(found);
+                    return preciseEnough(found, settings) && !undecided(found, draws);
                 },
                 threads);
         return ensemble.stream().map(snapshot -> {
@@ -166,16 +167,26 @@ final class ChainRun {
         return found.converged() && found.mcseStdRelMax() < settings.sampling().targetMcseStdRel();
     }
 
-    /** Whether the target lies within the Monte Carlo error of a deviation that could decide on it. */
-    private boolean undecided(Diagnostics found) {
-        OptionalDouble target = observed.cell.targetStdMm();
+    /** Whether the target lies within the Monte Carlo error of a deviation or probability that could decide on it. */
+    private boolean undecided(Diagnostics found, List<Draws> draws) {
+        Target target = observed.cell.target();
         CellModes modes = quickLook.modes;
-        if (!target.isPresent() || !TargetTest.undecided(found, modes.objects, target.getAsDouble())) {
+        if (!target.isAny() || !TargetTest.undecided(found, modes.objects, target,
+                object -> conformities(object.marker, draws, target))) {
             return false;
         }
         // no target is held against two poses
         return !twoPoses(found, Quantity.CAMERA_MODE, modes.camera.modes) && modes.objects.stream()
                 .noneMatch(object -> twoPoses(found, Quantity.objectMode(object.marker.id()), object.modes));
+    }
+
+    private List<Conformity> conformities(ObjectMarker object, List<Draws> draws, Target target) {
+        Conformities count = new Conformities(draws, quantities.layout, target.of(object.id()));
+        List<Conformity> found = new ArrayList<>(count.ofPosition(object.id(), null));
+        if (object.hasGrip()) {
+            found.addAll(count.ofGrip(object.id(), null));
+        }
+        return found;
     }
 
     private static boolean twoPoses(Diagnostics found, Quantity mode, List<PoseMode> modes) {

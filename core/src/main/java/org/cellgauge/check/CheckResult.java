@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.Target;
 import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.chains.CameraTarget;
@@ -50,7 +51,7 @@ public final class CheckResult {
         this.referenceCheck = referenceCheck;
         this.warnings = Collections.unmodifiableList(warnings);
         this.judgement = new Judgement(cell, sampled.estimate, sampled.diagnostics, referenceCheck,
-                sampled.againstLaplace());
+                sampled.againstLaplace(), sampled.draws, sampled.quantities.layout);
         this.verdict = judgement.verdict();
         this.finding = judgement.finding();
         this.noise = NoiseEstimate.of(modes.observed.errors, modes.camera.noiseLevel, sampled.draws,
@@ -205,18 +206,28 @@ public final class CheckResult {
     }
 
     /**
-     * The same figures held against another target; nothing is sampled again.
+     * The same draws held against one standard deviation as the target.
      *
-     * @param targetStdMm largest allowed standard deviation of any axis, mm, or empty for none
-     * @return this result where the target is the same, else a new one whose cell has that target
+     * @param targetStdMm largest allowed standard deviation of any axis, mm, positive, or empty for no target
+     * @return a result that differs in its verdict and reason alone
      */
     public CheckResult withTarget(OptionalDouble targetStdMm) {
-        if (targetStdMm.equals(cell.targetStdMm())) {
+        return withTarget(Target.ofStdMm(targetStdMm));
+    }
+
+    /**
+     * The same draws held against another target.
+     *
+     * @param target what is asked of the objects
+     * @return a result that differs in its verdict and reason alone
+     */
+    public CheckResult withTarget(Target target) {
+        if (target.equals(cell.target())) {
             return this;
         }
         // the cell holds it now
         CheckSettings others = settings.toBuilder().set(SettingTable.TARGET_STD_MM, OptionalDouble.empty()).build();
-        return new CheckResult(cell.withTarget(targetStdMm), others, sampled, referenceCheck, warnings);
+        return new CheckResult(cell.withTarget(target), others, sampled, referenceCheck, warnings);
     }
 
     /**

@@ -41,14 +41,17 @@ public final class JudgedObject {
         double[] none = new double[3];
         Arrays.fill(none, Double.NaN);
         return new JudgedObject(object.id(),
-                new JudgedPoint(object.pose().std(), none, none, null, shares(object.budget())),
+                new JudgedPoint(object.pose().std(), none, none, null, shares(object.budget()),
+                        Collections.emptyList()),
                 object.grip() == null ? null
                         : new JudgedPoint(object.grip().stdMm(), none, none, null,
-                                shares(Objects.requireNonNull(object.gripBudget(), "of its grip"))));
+                                shares(Objects.requireNonNull(object.gripBudget(), "of its grip")),
+                                Collections.emptyList()));
     }
 
     /** An object as the chains have it. */
-    static JudgedObject of(ObjectEstimate object, Diagnostics diagnostics, @Nullable WithoutMisplaced without) {
+    static JudgedObject of(ObjectEstimate object, Diagnostics diagnostics, @Nullable WithoutMisplaced without,
+            Conformities conformities) {
         int id = object.id();
         WithoutMisplaced.ObjectWithout moved = without == null ? null : without.object(id);
         Quantity[] position = new Quantity[AXES.size()];
@@ -57,16 +60,18 @@ public final class JudgedObject {
             position[i] = Quantity.object(id, AXES.get(i));
             grip[i] = Quantity.grip(id, AXES.get(i));
         }
+        double @Nullable [] errorMm = moved == null ? null : moved.errorMm();
+        double @Nullable [] gripErrorMm = moved == null ? null : moved.gripErrorMm();
         return new JudgedObject(id,
-                point(object.pose().std(), diagnostics, position, moved == null ? null : moved.errorMm(),
-                        object.budget()),
-                object.grip() == null ? null : point(object.grip().stdMm(), diagnostics, grip,
-                        moved == null ? null : moved.gripErrorMm(),
-                        Objects.requireNonNull(object.gripBudget(), "of its grip")));
+                point(object.pose().std(), diagnostics, position, errorMm, object.budget(),
+                        conformities.ofPosition(id, errorMm)),
+                object.grip() == null ? null : point(object.grip().stdMm(), diagnostics, grip, gripErrorMm,
+                        Objects.requireNonNull(object.gripBudget(), "of its grip"),
+                        conformities.ofGrip(id, gripErrorMm)));
     }
 
     private static JudgedPoint point(double[] std, Diagnostics diagnostics, Quantity[] quantities,
-            double @Nullable [] errorMm, VarianceBudget budget) {
+            double @Nullable [] errorMm, VarianceBudget budget, List<Conformity> conformities) {
         double[] sampled = new double[quantities.length];
         double[] mcse = new double[quantities.length];
         for (int i = 0; i < quantities.length; i++) {
@@ -74,7 +79,7 @@ public final class JudgedObject {
             sampled[i] = d.std();
             mcse[i] = d.mcseSd();
         }
-        return new JudgedPoint(Arrays.copyOf(std, 3), sampled, mcse, errorMm, shares(budget));
+        return new JudgedPoint(Arrays.copyOf(std, 3), sampled, mcse, errorMm, shares(budget), conformities);
     }
 
     private static List<Map<VarianceSource, Double>> shares(VarianceBudget budget) {

@@ -15,6 +15,7 @@ public final class JudgedPoint {
     private final double[] mcseStdMm;
     private final double @Nullable [] errorMm;
     private final List<Map<VarianceSource, Double>> shares;
+    private final List<Conformity> conformities;
 
     /**
      * A point. Every array is along world x, y, z.
@@ -25,14 +26,25 @@ public final class JudgedPoint {
      * @param errorMm root mean square errors if the references that seem misplaced are, mm; null where none does, or
      *     without them there is no camera pose
      * @param shares by axis, each source's share of the variance
+     * @param conformities how probable it is that tolerances are kept; empty where there are none
      */
     public JudgedPoint(double[] stdMm, double[] sampledStdMm, double[] mcseStdMm, double @Nullable [] errorMm,
-            List<Map<VarianceSource, Double>> shares) {
+            List<Map<VarianceSource, Double>> shares, List<Conformity> conformities) {
         this.stdMm = stdMm.clone();
         this.sampledStdMm = sampledStdMm.clone();
         this.mcseStdMm = mcseStdMm.clone();
         this.errorMm = errorMm == null ? null : errorMm.clone();
         this.shares = Collections.unmodifiableList(new ArrayList<>(shares));
+        this.conformities = Collections.unmodifiableList(new ArrayList<>(conformities));
+    }
+
+    /**
+     * How probable it is that tolerances are kept.
+     *
+     * @return unmodifiable, one for each tolerance; of a position the turn of its object is among them
+     */
+    public List<Conformity> conformities() {
+        return conformities;
     }
 
     /** Standard deviation along an axis as stated, mm. */

@@ -10,6 +10,8 @@ import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.MisplacedReference;
 import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.QuantityLayout;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,14 +33,17 @@ final class Judgement {
      * @param diagnostics their convergence
      * @param references whether the references fit together: a target must hold whether they are right or not
      * @param againstLaplace how far the chains are from Laplace's approximation
+     * @param draws of all chains, which probabilities are counted in
+     * @param layout of their quantities
      */
     Judgement(Cell cell, CellEstimate estimate, Diagnostics diagnostics, ReferenceCheck references,
-            ChainsAgainstLaplace againstLaplace) {
+            ChainsAgainstLaplace againstLaplace, List<Draws> draws, QuantityLayout layout) {
         this.estimate = estimate;
         this.diagnostics = diagnostics;
         List<JudgedObject> objects = new ArrayList<>();
         for (ObjectEstimate object : estimate.objects()) {
-            objects.add(JudgedObject.of(object, diagnostics, references.without()));
+            objects.add(JudgedObject.of(object, diagnostics, references.without(),
+                    new Conformities(draws, layout, cell.target().of(object.id()))));
         }
         List<Integer> notSeen = new ArrayList<>();
         for (ObjectMarker marker : cell.objects()) {
@@ -53,7 +58,7 @@ final class Judgement {
         Misfit misfit = references.contradicted() ? references.misfit() : againstLaplace.misfit();
         contradiction = references.contradictory() ? misfit : null;
         target = new TargetTest(objects, notSeen, misplaced, references.without() != null, misfit,
-                cell.targetStdMm());
+                cell.target());
     }
 
     /** The target held against the figures, whether they are to be trusted or not. */

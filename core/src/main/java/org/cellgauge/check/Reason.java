@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.cellgauge.cell.Target;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.Misfit;
@@ -59,7 +60,10 @@ public final class Reason {
     private static final class Parts {
         private final Kind kind;
         private List<Integer> missingObjects = Collections.emptyList();
-        private OptionalDouble targetMm = OptionalDouble.empty();
+        private Target target = Target.NONE;
+        private @Nullable Conformity conformity;
+        private boolean conformityOfGrip;
+        private int conformityOf;
         private OptionalInt objectId = OptionalInt.empty();
         private boolean grip;
         private OptionalInt axis = OptionalInt.empty();
@@ -75,6 +79,23 @@ public final class Reason {
 
         Parts(Kind kind) {
             this.kind = kind;
+        }
+
+        /** The tolerance that is kept least, by its margin in Monte Carlo errors. */
+        private void tell(List<JudgedObject> objects) {
+            double least = Double.POSITIVE_INFINITY;
+            for (JudgedObject object : objects) {
+                for (JudgedPoint point : object.points()) {
+                    for (Conformity c : point.conformities()) {
+                        if (conformity == null || c.margin() < least) {
+                            least = c.margin();
+                            conformity = c;
+                            conformityOf = object.id();
+                            conformityOfGrip = point == object.grip();
+                        }
+                    }
+                }
+            }
         }
     }
 
@@ -135,22 +156,28 @@ public final class Reason {
      * @param misfit what of the figures' foundations the photo contradicts, or null
      * @param undecidedMm Monte Carlo error because of which the target is neither met nor missed; empty where it is
      */
-    static Reason largestDeviation(List<JudgedObject> objects, List<Integer> missingObjects, OptionalDouble targetMm,
+    static Reason largestDeviation(List<JudgedObject> objects, List<Integer> missingObjects, Target target,
             @Nullable Misplacement misplacement, @Nullable Misfit misfit, OptionalDouble undecidedMm) {
         Kind kind = !missingObjects.isEmpty() ? Kind.OBJECT_NOT_SEEN
                 : objects.isEmpty() ? Kind.NO_OBJECT : Kind.LARGEST_DEVIATION;
         Parts parts = new Parts(kind);
         parts.missingObjects = Collections.unmodifiableList(new ArrayList<>(missingObjects));
-        parts.targetMm = targetMm;
+        parts.target = target;
+        parts.tell(objects);
         parts.misplacement = misplacement;
         parts.misfit = misfit;
         parts.undecidedMm = undecidedMm;
+        boolean limited = objects.stream().anyMatch(object -> target.of(object.id()).stdMm().isAny());
+        double most = -1;
         double std = -1;
         JudgedPoint largest = null;
         for (JudgedObject object : objects) {
             for (int axis = 0; axis < 3; axis++) {
+                // where limits differ, the largest is that which is most of its own
+                double limit = limited ? target.of(object.id()).stdMm().of(axis) : 1;
                 for (JudgedPoint point : object.points()) {
-                    if (point.stdMm(axis) > std) {
+                    if (point.stdMm(axis) / limit > most) {
+                        most = point.stdMm(axis) / limit;
                         parts.objectId = OptionalInt.of(object.id());
                         parts.grip = point == object.grip();
                         parts.axis = OptionalInt.of(axis);
@@ -229,12 +256,52 @@ public final class Reason {
     }
 
     /**
-     * The target it is held against.
+     * The standard deviation that is asked for along the axis of {@link #axis()}.
      *
-     * @return mm, or empty where none is set
+     * @return mm; empty where none is, and where no object was seen and objects are asked for different ones
      */
     public OptionalDouble targetMm() {
-        return p.targetMm;
+        if (!p.objectId.isPresent()) {
+            return p.target.oneStdMm();
+        }
+        double limit = p.target.of(p.objectId.getAsInt()).stdMm().of(p.axis.getAsInt());
+        return limit < Double.POSITIVE_INFINITY ? OptionalDouble.of(limit) : OptionalDouble.empty();
+    }
+
+    /**
+     * Whether anything is asked of any object.
+     *
+     * @return false where there is no target
+     */
+    public boolean hasTarget() {
+        return p.target.isAny();
+    }
+
+    /**
+     * The tolerance that is kept least surely.
+     *
+     * @return null where there is none
+     */
+    public @Nullable Conformity conformity() {
+        return p.conformity;
+    }
+
+    /**
+     * The object that {@link #conformity()} is of.
+     *
+     * @return marker id; of no meaning where there is no tolerance
+     */
+    public int conformityObjectId() {
+        return p.conformityOf;
+    }
+
+    /**
+     * Whether {@link #conformity()} is of its gripping point.
+     *
+     * @return false for its position and its turn
+     */
+    public boolean conformityOfGrip() {
+        return p.conformityOfGrip;
     }
 
     /**
@@ -338,7 +405,7 @@ public final class Reason {
                 return "Object " + Listing.and(p.missingObjects) + " was not seen in the photo. " + deviation()
                         + besides();
             default:
-                return (p.targetMm.isPresent() ? "" : "No target is set. ") + deviation() + besides();
+                return (p.target.isAny() ? "" : "No target is set. ") + deviation() + besides();
         }
     }
 
@@ -347,18 +414,33 @@ public final class Reason {
     }
 
     private String besides() {
-        return (p.undecidedMm.isPresent() ? String.format(Locale.ROOT, " Undecided: the target lies within twice the "
+        return tolerance() + (p.undecidedMm.isPresent() ? String.format(Locale.ROOT, " Undecided: the target lies within twice the "
                 + "Monte Carlo error of a deviation (%.3f mm), so that a longer run might say otherwise.",
                 p.undecidedMm.getAsDouble()) : "") + (p.misfit == null ? "" : p.misfit.english())
                 + (p.misplacement == null ? "" : p.misplacement.english());
+    }
+
+    private String tolerance() {
+        Conformity c = p.conformity;
+        if (c == null) {
+            return "";
+        }
+        String what = p.conformityOfGrip ? "the gripping point of object " + p.conformityOf
+                : "object " + p.conformityOf;
+        String where = c.of() == Conformity.Of.TURN ? "turned by at most " + plain(c.tolerance()) + " degrees"
+                : "within " + plain(c.tolerance()) + " mm " + (c.of() == Conformity.Of.DISTANCE ? "of where it is said "
+                        + "to be" : "in " + c.of().key());
+        return String.format(Locale.ROOT, " Least sure tolerance: %s is %s with probability %.4f, asked for is %s, with "
+                + "a guard band of twice the Monte Carlo error (%.4f)%s.", what, where, c.probability(),
+                plain(c.asked()), c.mcse(), c.isDecided() ? "" : ", within which it is undecided");
     }
 
     private String deviation() {
         if (!p.stdMm.isPresent()) {
             return "There is nothing to judge: no object is in the photo.";
         }
-        String target = p.targetMm.isPresent()
-                ? String.format(Locale.ROOT, " against a target of %s mm", plain(p.targetMm.getAsDouble())) : "";
+        String target = targetMm().isPresent()
+                ? String.format(Locale.ROOT, " against a target of %s mm", plain(targetMm().getAsDouble())) : "";
         return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance "
                 + "comes from %s.", p.stdMm.getAsDouble(), "xyz".charAt(p.axis.getAsInt()),
                 p.grip ? "the gripping point of " : "", p.objectId.getAsInt(), target, 100 * p.share.getAsDouble(),

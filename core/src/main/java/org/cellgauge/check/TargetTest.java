@@ -5,6 +5,9 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.function.Function;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
 import org.cellgauge.internal.laplace.ObjectFit;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.Misplacement;
@@ -28,7 +31,7 @@ public final class TargetTest {
     private final List<Integer> misplaced;
     private final boolean poseWithoutMisplaced;
     private final @Nullable Misfit misfit;
-    private final OptionalDouble targetStdMm;
+    private final Target target;
 
     /**
      * A test.
@@ -39,16 +42,16 @@ public final class TargetTest {
      * @param poseWithoutMisplaced whether the other references lead to a camera pose; of no meaning where none seems
      *     misplaced
      * @param misfit what the photo contradicts of what the figures rest on, or null
-     * @param targetStdMm largest allowed standard deviation of any axis, mm, or empty for none
+     * @param target what is asked of the objects
      */
     public TargetTest(List<JudgedObject> objects, List<Integer> notSeen, List<Integer> misplaced,
-            boolean poseWithoutMisplaced, @Nullable Misfit misfit, OptionalDouble targetStdMm) {
+            boolean poseWithoutMisplaced, @Nullable Misfit misfit, Target target) {
         this.objects = Collections.unmodifiableList(new ArrayList<>(objects));
         this.notSeen = Collections.unmodifiableList(new ArrayList<>(notSeen));
         this.misplaced = Collections.unmodifiableList(new ArrayList<>(misplaced));
         this.poseWithoutMisplaced = poseWithoutMisplaced;
         this.misfit = misfit;
-        this.targetStdMm = targetStdMm;
+        this.target = target;
     }
 
     /** Where deviations stand against the target, given that they are known to within a Monte Carlo error. */
@@ -71,7 +74,8 @@ public final class TargetTest {
         JudgedObject object = object(objectId);
         return new TargetTest(object == null ? Collections.emptyList() : Collections.singletonList(object),
                 object == null ? Collections.singletonList(objectId) : Collections.emptyList(), misplaced,
-                poseWithoutMisplaced, misfit, targetStdMm);
+                poseWithoutMisplaced, misfit,
+                new Target(target.of(objectId), Collections.emptyMap()));
     }
 
     /**
@@ -95,7 +99,7 @@ public final class TargetTest {
      * @return pass, fail, or no target
      */
     public Verdict verdict() {
-        if (!targetStdMm.isPresent() || (objects.isEmpty() && notSeen.isEmpty())) {
+        if (!target.isAny() || (objects.isEmpty() && notSeen.isEmpty())) {
             return Verdict.NO_TARGET;
         }
         // deviations rest on what the photo contradicts, and no figure says what they are instead
@@ -103,19 +107,39 @@ public final class TargetTest {
     }
 
     /**
-     * How the deviations of one point alone stand against the target, errors of misplaced references included; no
+     * How one point alone stands against what is asked of its object, errors of misplaced references included; no
      * allowance is made for the Monte Carlo error.
      *
-     * @param point of one of the objects
+     * @param object one of the objects
+     * @param point its position or its gripping point
      * @return pass, fail, or no target
      */
-    public Verdict verdict(JudgedPoint point) {
-        if (!targetStdMm.isPresent()) {
+    public Verdict verdict(JudgedObject object, JudgedPoint point) {
+        Requirement asked = target.of(object.id());
+        if (!asked.isAny()) {
             return Verdict.NO_TARGET;
         }
-        double target = targetStdMm.getAsDouble();
-        return misfit == null && point.largestStdMm() <= target
-                && (misplaced.isEmpty() || point.largestErrorMm() <= target) ? Verdict.PASS : Verdict.FAIL;
+        boolean within = misfit == null && !errorTellsAgainst(asked, point);
+        for (int axis = 0; axis < 3; axis++) {
+            within &= point.stdMm(axis) <= asked.stdMm().of(axis);
+        }
+        for (Conformity conformity : point.conformities()) {
+            within &= conformity.isKept();
+        }
+        return within ? Verdict.PASS : Verdict.FAIL;
+    }
+
+    /** Whether a position would be too far off if references are misplaced. */
+    private boolean errorTellsAgainst(Requirement asked, JudgedPoint point) {
+        if (misplaced.isEmpty() || !asked.isAny()) {
+            return false;
+        }
+        // where nothing says how far off it would be, that is infinite; probabilities include what is said
+        boolean against = Double.isInfinite(point.largestErrorMm());
+        for (int axis = 0; axis < 3; axis++) {
+            against |= point.errorMm(axis) > asked.stdMm().of(axis);
+        }
+        return against;
     }
 
     /**
@@ -128,18 +152,28 @@ public final class TargetTest {
     }
 
     private Standing standing() {
-        double target = targetStdMm.getAsDouble();
         Standing standing = Standing.WITHIN;
         for (JudgedObject object : objects) {
-            if (!misplaced.isEmpty() && object.largestErrorMm() > target) {
-                return Standing.BEYOND;
-            }
+            Requirement asked = target.of(object.id());
             for (JudgedPoint point : object.points()) {
-                for (int axis = 0; axis < 3; axis++) {
-                    standing = worse(standing,
-                            standing(point.sampledStdMm(axis), point.mcseStdMm(axis), target));
+                if (errorTellsAgainst(asked, point)) {
+                    return Standing.BEYOND;
                 }
+                for (int axis = 0; axis < 3; axis++) {
+                    standing = worse(standing, standing(point.sampledStdMm(axis), point.mcseStdMm(axis),
+                            asked.stdMm().of(axis)));
+                }
+                standing = worse(standing, standing(point.conformities()));
             }
+        }
+        return standing;
+    }
+
+    private static Standing standing(List<Conformity> conformities) {
+        Standing standing = Standing.WITHIN;
+        for (Conformity c : conformities) {
+            standing = worse(standing, !c.isDecided() ? Standing.UNDECIDED
+                    : c.isKept() ? Standing.WITHIN : Standing.BEYOND);
         }
         return standing;
     }
@@ -155,21 +189,29 @@ public final class TargetTest {
     }
 
     /**
-     * Whether more draws could change which side of a target the deviations are on.
+     * Whether more draws could change which side of a target the deviations and probabilities are on.
      *
      * @param diagnostics of the draws so far
      * @param objects the objects seen
-     * @param target mm
+     * @param target what is asked of them
+     * @param conformities how probable it is with these draws that an object keeps its tolerances
      */
-    static boolean undecided(Diagnostics diagnostics, List<ObjectFit> objects, double target) {
+    static boolean undecided(Diagnostics diagnostics, List<ObjectFit> objects, Target target,
+            Function<ObjectFit, List<Conformity>> conformities) {
         Standing standing = Standing.WITHIN;
         for (ObjectFit object : objects) {
             int id = object.marker.id();
-            for (Quantity.Axis axis : JudgedObject.AXES) {
-                standing = worse(standing, standing(diagnostics.of(Quantity.object(id, axis)), target));
+            Requirement asked = target.of(id);
+            for (int i = 0; i < JudgedObject.AXES.size(); i++) {
+                Quantity.Axis axis = JudgedObject.AXES.get(i);
+                double limit = asked.stdMm().of(i);
+                standing = worse(standing, standing(diagnostics.of(Quantity.object(id, axis)), limit));
                 if (object.marker.hasGrip()) {
-                    standing = worse(standing, standing(diagnostics.of(Quantity.grip(id, axis)), target));
+                    standing = worse(standing, standing(diagnostics.of(Quantity.grip(id, axis)), limit));
                 }
+            }
+            if (asked.asksForProbability()) {
+                standing = worse(standing, standing(conformities.apply(object)));
             }
         }
         return standing == Standing.UNDECIDED;
@@ -189,17 +231,20 @@ public final class TargetTest {
                 && (misfit != null || !notSeen.isEmpty() || standing() != Standing.UNDECIDED);
     }
 
-    /** The Monte Carlo error of the deviation that reaches farthest beyond the target. */
-    private double undecidedMm() {
+    /** The Monte Carlo error of the deviation that reaches farthest beyond its target, if one is undecided. */
+    private OptionalDouble undecidedMm() {
         double farthest = 0;
-        double error = Double.NaN;
+        OptionalDouble error = OptionalDouble.empty();
         for (JudgedObject object : objects) {
+            Requirement asked = target.of(object.id());
             for (int axis = 0; axis < 3; axis++) {
+                double limit = asked.stdMm().of(axis);
                 for (JudgedPoint point : object.points()) {
-                    double reach = point.sampledStdMm(axis) + GUARD_ERRORS * point.mcseStdMm(axis);
-                    if (reach > farthest) {
+                    double reach = (point.sampledStdMm(axis) + GUARD_ERRORS * point.mcseStdMm(axis)) / limit;
+                    if (reach > farthest && standing(point.sampledStdMm(axis), point.mcseStdMm(axis), limit)
+                            != Standing.WITHIN) {
                         farthest = reach;
-                        error = point.mcseStdMm(axis);
+                        error = OptionalDouble.of(point.mcseStdMm(axis));
                     }
                 }
             }
@@ -215,8 +260,8 @@ public final class TargetTest {
     public Reason reason() {
         Verdict verdict = verdict();
         return Reason.largestDeviation(objects, verdict == Verdict.FAIL ? notSeen : Collections.emptyList(),
-                targetStdMm, misplacement(verdict == Verdict.PASS), misfit,
-                verdict == Verdict.FAIL && !decided() ? OptionalDouble.of(undecidedMm()) : OptionalDouble.empty());
+                target, misplacement(verdict == Verdict.PASS), misfit,
+                verdict == Verdict.FAIL && !decided() ? undecidedMm() : OptionalDouble.empty());
     }
 
     /** The largest error that a stated position has if references are misplaced; null where none seems to be. */

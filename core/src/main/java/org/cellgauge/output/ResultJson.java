@@ -6,11 +6,14 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalInt;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.output.TargetJson;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.settings.CheckSettings;
@@ -154,9 +157,8 @@ public final class ResultJson {
         json.name("decided").value(view.decided());
         json.name("reason").value(view.reason());
         files(record);
-        json.name("target").beginObject();
-        number("std_mm", view.targetStdMm().orElse(Double.NaN));
-        json.endObject();
+        json.name("target");
+        TargetJson.write(view.target(), json);
         json.name("settings");
         settings(Objects.requireNonNull(view.run()), view.cell(), noise, references);
         PhotoLight light = view.light();
@@ -230,12 +232,59 @@ public final class ResultJson {
         if (view.action() != null) {
             json.name("action").value(view.action());
         }
+        advice(view.advice());
         if (record.command() != null) {
             json.name("command").value(record.command());
         }
         json.name("version").value(record.version());
         json.endObject();
         json.flush();
+    }
+
+    // ---- the target
+
+    private void advice(List<AdviceView> advice) throws IOException {
+        if (advice.isEmpty()) {
+            return;
+        }
+        json.name("plan").beginArray();
+        for (AdviceView a : advice) {
+            json.beginObject();
+            json.name("changes").beginArray();
+            for (int i = 0; i < a.codes().size(); i++) {
+                json.beginObject();
+                json.name("code").value(a.codes().get(i));
+                json.name("sentence").value(a.sentences().get(i));
+                json.endObject();
+            }
+            json.endArray();
+            number("cost", a.cost());
+            json.name("object").value(a.objectId());
+            json.name("point").value(a.grip() ? "grip" : "marker");
+            json.name("axis").value("xyz".substring(a.axis(), a.axis() + 1));
+            number("now_std_mm", a.nowStdMm());
+            number("then_std_mm", a.thenStdMm());
+            number("worst_std_mm", a.worstStdMm());
+            json.endObject();
+        }
+        json.endArray();
+    }
+
+    private void conformity(String name, List<Conformity> all) throws IOException {
+        if (all.isEmpty()) {
+            return;
+        }
+        json.name(name).beginArray();
+        for (Conformity c : all) {
+            json.beginObject();
+            json.name("of").value(c.of().key());
+            number("tolerance_" + c.of().unit(), c.tolerance());
+            number("probability", c.probability());
+            number("mcse", c.mcse());
+            number("asked", c.asked());
+            json.endObject();
+        }
+        json.endArray();
     }
 
     // ---- what it is of
@@ -480,6 +529,10 @@ public final class ResultJson {
         verdict("position_verdict", object);
         if (grip != null) {
             verdict("grip_verdict", grip);
+        }
+        conformity("position_conformity", object.conformities());
+        if (grip != null) {
+            conformity("grip_conformity", grip.conformities());
         }
         json.name("pose").beginObject();
         poseMembers(Objects.requireNonNull(object.pose()));

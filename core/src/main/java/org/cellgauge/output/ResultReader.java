@@ -12,8 +12,10 @@ import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -21,6 +23,9 @@ import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.geometry.BrownLens;
@@ -154,15 +159,15 @@ public final class ResultReader {
         for (String id : ids) {
             addObject(id, objects, laplace.at("objects"), rows);
         }
-        double target = root.at("target").at("std_mm").number();
         NoiseView noise = noise(root.at("noise"), settings, root.find("edges"));
         CellView cell = cell(settings, noise);
         ResultView.Builder view = new ResultView.Builder(cell)
                 .judged(root.at("verdict").verdict(), root.at("decided").bool(), root.at("reason").text(),
-                        Double.isNaN(target) ? OptionalDouble.empty() : OptionalDouble.of(target))
+                        target(root.at("target")))
                 .rows(rows).run(run(settings)).foundations(noise, references(root, cell))
                 .chains(chains(root.at("diagnostics"), root.at("acceptance"))).warnings(warnings(root))
                 .action(root.find("action") == null ? null : root.at("action").text());
+        view.advice(advice(root.find("plan")));
         Node light = root.find("light");
         if (light != null) {
             PhotoLight seen = new PhotoLight(light.at("tone_curve").toneCurve(),
@@ -205,6 +210,82 @@ public final class ResultReader {
         return warnings;
     }
 
+    // ---- the target
+
+    private static Target target(Node target) {
+        Map<Integer, Requirement> own = new HashMap<>();
+        Node objects = target.find("objects");
+        if (objects != null) {
+            for (String id : objects.keys()) {
+                own.put(objects.id(id), requirement(objects.at(id)));
+            }
+        }
+        return new Target(requirement(target), own);
+    }
+
+    private static Requirement requirement(Node asked) {
+        Node probability = asked.find("probability");
+        try {
+            return new Requirement(limits(asked.find("std_mm")), limits(asked.find("tolerance_mm")),
+                    limit(asked.find("distance_mm")), limit(asked.find("tolerance_deg")),
+                    probability == null ? Requirement.USUAL_PROBABILITY : probability.number());
+        } catch (IllegalArgumentException e) {
+            throw asked.refused(ResultRefusal.NOT_POSSIBLE, String.valueOf(e.getMessage()));
+        }
+    }
+
+    private static Requirement.Axes limits(@Nullable Node limits) {
+        if (limits != null && limits.isList()) {
+            double[] axes = limits.numbers(3);
+            return new Requirement.Axes(limit(axes[0]), limit(axes[1]), limit(axes[2]));
+        }
+        return Requirement.Axes.all(limit(limits));
+    }
+
+    private static double limit(@Nullable Node limit) {
+        return limit == null ? Double.POSITIVE_INFINITY : limit(limit.number());
+    }
+
+    private static double limit(double number) {
+        return Double.isNaN(number) ? Double.POSITIVE_INFINITY : number;
+    }
+
+    private static List<AdviceView> advice(@Nullable Node all) {
+        List<AdviceView> found = new ArrayList<>();
+        if (all == null) {
+            return found;
+        }
+        for (Node node : all.elements()) {
+            List<String> codes = new ArrayList<>();
+            List<String> sentences = new ArrayList<>();
+            for (Node change : node.at("changes").elements()) {
+                codes.add(change.at("code").text());
+                sentences.add(change.at("sentence").text());
+            }
+            int axis = "xyz".indexOf(node.at("axis").text());
+            if (axis < 0) {
+                throw node.at("axis").refused(ResultRefusal.UNKNOWN_WORD, node.at("axis").text());
+            }
+            found.add(new AdviceView(codes, sentences, node.at("cost").number(), node.at("object").integer(),
+                    node.at("point").text().equals("grip"), axis, node.at("now_std_mm").number(),
+                    node.at("then_std_mm").number(), node.at("worst_std_mm").number()));
+        }
+        return found;
+    }
+
+    private static List<Conformity> conformity(@Nullable Node all) {
+        List<Conformity> found = new ArrayList<>();
+        if (all == null) {
+            return found;
+        }
+        for (Node node : all.elements()) {
+            Conformity.Of of = node.at("of").conformity();
+            found.add(new Conformity(of, node.at("tolerance_" + of.unit()).number(), node.at("probability").number(),
+                    node.at("mcse").number(), node.at("asked").number()));
+        }
+        return found;
+    }
+
     // ---- rows
 
     private static void addObject(String key, Node objects, Node laplace, List<ResultRow> rows) {
@@ -219,14 +300,15 @@ public final class ResultReader {
         rows.add(row.pose(pose(object.at("pose"))).modes(modes(object)).budget(budget(object, "budget"))
                 .ellipse95Px(ellipse(object.find("ellipse95_px"))).verdict(verdict(object.find("position_verdict")))
                 .withinTarget(within == null ? null : Boolean.valueOf(within.bool()))
-                .laplace(comparison(laplace.at(key), "", 6)).build());
+                .laplace(comparison(laplace.at(key), "", 6)).conformities(conformity(object.find("position_conformity")))
+                .build());
         Node grip = object.find("grip");
         if (grip != null) {
             rows.add(new ResultRow.Builder(ResultRow.Kind.GRIP, id)
                     .point(grip.at("mean").numbers(3), grip.at("covariance").matrix(3))
                     .budget(budget(object, "grip_budget")).ellipse95Px(ellipse(object.find("grip_ellipse95_px")))
                     .verdict(verdict(object.find("grip_verdict"))).laplace(comparison(laplace.at(key), "grip_", 3))
-                    .build());
+                    .conformities(conformity(object.find("grip_conformity"))).build());
         }
     }
 
@@ -632,6 +714,19 @@ public final class ResultReader {
                 throw expected(ResultRefusal.TEXT);
             }
             return element.getAsString();
+        }
+
+        boolean isList() {
+            return element.isJsonArray();
+        }
+
+        Conformity.Of conformity() {
+            for (Conformity.Of of : Conformity.Of.values()) {
+                if (of.key().equals(text())) {
+                    return of;
+                }
+            }
+            throw refused(ResultRefusal.UNKNOWN_WORD, text());
         }
 
         Verdict verdict() {

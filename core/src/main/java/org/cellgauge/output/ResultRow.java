@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.OptionalInt;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.PointEstimate;
@@ -38,6 +39,7 @@ public final class ResultRow extends Value {
     private @Nullable Verdict verdict;
     private @Nullable Boolean withinTarget;
     private @Nullable LaplaceView laplace;
+    private List<Conformity> conformities = Collections.emptyList();
 
     private ResultRow(Kind kind, OptionalInt id) {
         this.kind = kind;
@@ -108,6 +110,11 @@ public final class ResultRow extends Value {
 
         Builder laplace(LaplaceView laplace) {
             row.laplace = laplace;
+            return this;
+        }
+
+        Builder conformities(List<Conformity> conformities) {
+            row.conformities = Collections.unmodifiableList(new ArrayList<>(conformities));
             return this;
         }
 
@@ -271,8 +278,18 @@ public final class ResultRow extends Value {
         return laplace;
     }
 
+    /**
+     * How probable it is that its tolerances are kept.
+     *
+     * @return unmodifiable, one for each tolerance of the target, also where figures are not to be trusted; of an
+     *     object's position the turn of the object is among them
+     */
+    public List<Conformity> conformities() {
+        return conformities;
+    }
+
     /** The same row as another target has it. */
-    ResultRow judged(@Nullable Verdict other, @Nullable Boolean within) {
+    ResultRow judged(@Nullable Verdict other, @Nullable Boolean within, List<Conformity> kept) {
         ResultRow row = new ResultRow(kind, id);
         row.mean = mean;
         row.covariance = covariance;
@@ -283,6 +300,7 @@ public final class ResultRow extends Value {
         row.laplace = laplace;
         row.verdict = other;
         row.withinTarget = within;
+        row.conformities = Collections.unmodifiableList(new ArrayList<>(kept));
         return row;
     }
 
@@ -291,7 +309,7 @@ public final class ResultRow extends Value {
         double @Nullable [] ellipse = ellipse95Px == null ? null : new double[] {ellipse95Px.centreX(),
             ellipse95Px.centreY(), ellipse95Px.semiMajor(), ellipse95Px.semiMinor(), ellipse95Px.angleRad()};
         return new @Nullable Object[] {kind, id, mean, covariance, pose, modes, budget, ellipse, verdict, withinTarget,
-            laplace};
+            laplace, conformities};
     }
 
 

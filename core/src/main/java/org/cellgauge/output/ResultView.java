@@ -12,6 +12,7 @@ import java.util.OptionalInt;
 import java.util.function.Function;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.JudgedObject;
@@ -135,7 +136,7 @@ public final class ResultView extends Value {
     private @Nullable Verdict verdict;
     private boolean decided;
     private @Nullable String reason;
-    private OptionalDouble targetStdMm = OptionalDouble.empty();
+    private Target target = Target.NONE;
     private List<ResultRow> rows = Collections.emptyList();
     private List<Intrinsic> intrinsics = Collections.emptyList();
     private double[][] intrinsicsCovariance = {};
@@ -147,6 +148,7 @@ public final class ResultView extends Value {
     private @Nullable ChainsView chains;
     private List<WarningView> warnings = Collections.emptyList();
     private @Nullable String action;
+    private List<AdviceView> advice = Collections.emptyList();
 
     private ResultView(CellView cell) {
         this.cell = cell;
@@ -162,7 +164,7 @@ public final class ResultView extends Value {
 
         private Builder(ResultView like) {
             this(like.cell);
-            judged(like.verdict, like.decided, like.reason, like.targetStdMm);
+            judged(like.verdict, like.decided, like.reason, like.target);
             rows(like.rows);
             intrinsics(like.intrinsics, like.intrinsicsCovariance);
             view.light = like.light;
@@ -172,13 +174,14 @@ public final class ResultView extends Value {
             view.chains = like.chains;
             view.warnings = like.warnings;
             view.action = like.action;
+            view.advice = like.advice;
         }
 
-        Builder judged(@Nullable Verdict verdict, boolean decided, @Nullable String reason, OptionalDouble target) {
+        Builder judged(@Nullable Verdict verdict, boolean decided, @Nullable String reason, Target target) {
             view.verdict = verdict;
             view.decided = decided;
             view.reason = reason;
-            view.targetStdMm = target;
+            view.target = target;
             return this;
         }
 
@@ -222,6 +225,11 @@ public final class ResultView extends Value {
 
         Builder action(@Nullable String action) {
             view.action = action;
+            return this;
+        }
+
+        Builder advice(List<AdviceView> advice) {
+            view.advice = Collections.unmodifiableList(new ArrayList<>(advice));
             return this;
         }
 
@@ -275,7 +283,7 @@ public final class ResultView extends Value {
             warnings.add(new WarningView(warning.kind().code(), words.apply(warning)));
         }
         return intrinsics(estimate.intrinsics(), new Builder(CellView.of(cell)))
-                .judged(result.verdict(), result.decided(), result.reason(), cell.targetStdMm())
+                .judged(result.verdict(), result.decided(), result.reason(), cell.target())
                 .rows(judged(rows, result.verdict(), result.targetTest()))
                 .light(result.detections().light())
                 .run(RunView.of(result))
@@ -308,7 +316,7 @@ public final class ResultView extends Value {
             }
         }
         return intrinsics(estimate.intrinsics(), new Builder(CellView.of(cell)))
-                .judged(null, false, null, cell.targetStdMm()).rows(rows).build();
+                .judged(null, false, null, cell.target()).rows(rows).build();
     }
 
     private static ResultRow.Builder camera(CellEstimate estimate) {
@@ -359,10 +367,31 @@ public final class ResultView extends Value {
             boolean position = row.kind() == ResultRow.Kind.OBJECT;
             Verdict own = target.of(object.id()).verdict();
             JudgedPoint point = position ? object.position() : Objects.requireNonNull(object.grip());
-            judged.add(row.judged(isTrusted(verdict) ? target.verdict(point) : verdict,
-                    position && isTrusted(verdict) && own != Verdict.NO_TARGET ? own == Verdict.PASS : null));
+            judged.add(row.judged(isTrusted(verdict) ? target.verdict(object, point) : verdict,
+                    position && isTrusted(verdict) && own != Verdict.NO_TARGET ? own == Verdict.PASS : null,
+                    point.conformities()));
         }
         return judged;
+    }
+
+    /**
+     * Whether another target can be held against these figures: one that asks for a probability needs the draws.
+     *
+     * @param other what is asked of the objects
+     * @return false where it asks for a probability and is not the target of this result
+     */
+    public boolean canBeHeldAgainst(Target other) {
+        return other.equals(target) || !other.asksForProbability();
+    }
+
+    /**
+     * The same figures held against one standard deviation as the target.
+     *
+     * @param targetStdMm largest allowed standard deviation of any axis, mm, or empty for no target
+     * @return as {@link #withTarget(Target)}
+     */
+    public ResultView withTarget(OptionalDouble targetStdMm) {
+        return withTarget(Target.ofStdMm(targetStdMm));
     }
 
     /**
@@ -372,27 +401,55 @@ public final class ResultView extends Value {
      * @return what a check with that target would have said of the same draws
      * @throws IllegalStateException if this is preliminary
      */
-    public ResultView withTarget(OptionalDouble target) {
-        if (verdict == null || run == null || target.equals(targetStdMm)) {
+    public ResultView withTarget(Target other) {
+        if (verdict == null || run == null || other.equals(target)) {
             if (verdict == null) {
                 throw new IllegalStateException("nothing is judged yet");
             }
             return this;
         }
-        TargetTest test = targetTest(target);
-        Builder other = new Builder(this).run(run.withoutTarget());
+        if (!canBeHeldAgainst(other)) {
+            throw new IllegalArgumentException("only draws tell how probable it is to be within " + other);
+        }
+        TargetTest test = targetTest(other);
+        Builder judged = new Builder(this).run(run.withoutTarget()).advice(Collections.emptyList());
         if (isTrusted(verdict)) {
-            other.judged(test.verdict(), test.decided(), test.reason().english(), target)
+            judged.judged(test.verdict(), test.decided(), test.reason().english(), other)
                     .rows(judged(rows, test.verdict(), test));
         } else {
             // no target is held against figures that are not to be trusted
-            other.judged(verdict, false, reason, target);
+            judged.judged(verdict, false, reason, other).rows(withoutConformities(rows));
         }
-        return other.build();
+        return judged.build();
+    }
+
+    /**
+     * The same with changes of the set-up that would meet its target.
+     *
+     * @param other what {@link AdviceView#of} finds for it
+     * @return another view
+     */
+    public ResultView withAdvice(List<AdviceView> other) {
+        return new Builder(this).advice(other).build();
+    }
+
+    /**
+     * Changes of the set-up that would meet a target which is missed.
+     *
+     * @return unmodifiable, cheapest first; empty where none were looked for or found
+     */
+    public List<AdviceView> advice() {
+        return advice;
+    }
+
+    private static List<ResultRow> withoutConformities(List<ResultRow> rows) {
+        List<ResultRow> others = new ArrayList<>();
+        rows.forEach(row -> others.add(row.judged(row.verdict(), row.withinTarget(), Collections.emptyList())));
+        return others;
     }
 
     /** The figures that a target is held against. */
-    private TargetTest targetTest(OptionalDouble target) {
+    private TargetTest targetTest(Target other) {
         ReferencesView found = Objects.requireNonNull(references);
         List<JudgedObject> seen = new ArrayList<>();
         List<Integer> notSeen = new ArrayList<>();
@@ -410,7 +467,7 @@ public final class ResultView extends Value {
         }
         List<Integer> misplaced = new ArrayList<>();
         found.misplaced().forEach(reference -> misplaced.add(reference.id()));
-        return new TargetTest(seen, notSeen, misplaced, found.without() != null, found.misfit(), target);
+        return new TargetTest(seen, notSeen, misplaced, found.without() != null, found.misfit(), other);
     }
 
     private JudgedPoint point(ResultRow row, double @Nullable [] errorMm) {
@@ -431,7 +488,8 @@ public final class ResultView extends Value {
             }
             shares.add(share);
         }
-        return new JudgedPoint(Objects.requireNonNull(row.std()), sampled, mcse, errorMm, shares);
+        return new JudgedPoint(Objects.requireNonNull(row.std()), sampled, mcse, errorMm, shares,
+                Collections.emptyList());
     }
 
     private static boolean isTrusted(Verdict verdict) {
@@ -485,12 +543,21 @@ public final class ResultView extends Value {
     }
 
     /**
-     * The target.
+     * What is asked of the objects.
      *
-     * @return largest standard deviation allowed, mm; empty where none is set
+     * @return the target; {@link Target#NONE} where none is set
+     */
+    public Target target() {
+        return target;
+    }
+
+    /**
+     * The target as one standard deviation.
+     *
+     * @return as {@link Target#oneStdMm()}
      */
     public OptionalDouble targetStdMm() {
-        return targetStdMm;
+        return target.oneStdMm();
     }
 
     /**
@@ -688,7 +755,7 @@ public final class ResultView extends Value {
 
     @Override
     @Nullable Object[] figures() {
-        return new @Nullable Object[] {verdict, decided, reason, targetStdMm, rows, intrinsics, intrinsicsCovariance,
-            cell, figures(light), run, noise, references, chains, warnings, action};
+        return new @Nullable Object[] {verdict, decided, reason, target, rows, intrinsics, intrinsicsCovariance,
+            cell, figures(light), run, noise, references, chains, warnings, action, advice};
     }
 }

@@ -1,5 +1,6 @@
 package org.cellgauge.plan;
 
+import io.reactivex.rxjava3.core.Flowable;
 import org.cellgauge.internal.plan.PlanSearch;
 
 /**
@@ -30,12 +31,45 @@ public final class CellPlanner {
      * @param layout the cell, the camera and the objects, at least one of them
      * @param options what to reckon with
      * @return the plan
-     * @throws IllegalArgumentException if there is no object in the layout
+     * @throws IllegalArgumentException if there is no object in the layout, or references err together in it already
      */
     public static Plan plan(Layout layout, PlanOptions options) {
+        require(layout);
+        return new PlanSearch(layout, options).plan();
+    }
+
+    /**
+     * The cheapest changes that meet a target which is missed, found within some milliseconds: fewer sizes, places and
+     * combinations are tried than by {@link #plan}.
+     *
+     * <dl>
+     * <dt><b>Backpressure:</b></dt>
+     * <dd>Honoured.</dd>
+     * <dt><b>Scheduler:</b></dt>
+     * <dd>Works on the thread that subscribes.</dd>
+     * <dt><b>Error handling:</b></dt>
+     * <dd>None but faults of the program.</dd>
+     * </dl>
+     *
+     * @param layout the cell, the camera and the objects, at least one of them
+     * @param options what to reckon with
+     * @return at most three proposals, cheapest first; none where the target is met as it is, where there is none, and
+     *     where nothing that was tried meets it
+     * @throws IllegalArgumentException as {@link #plan}
+     */
+    public static Flowable<Proposal> advice(Layout layout, PlanOptions options) {
+        require(layout);
+        return layout.cell().target().isAny()
+                ? Flowable.defer(() -> Flowable.fromIterable(new PlanSearch(layout, options).advice()))
+                : Flowable.empty();
+    }
+
+    private static void require(Layout layout) {
         if (layout.worldFromObjects().isEmpty()) {
             throw new IllegalArgumentException("there is no object whose place could be asked for");
         }
-        return new PlanSearch(layout, options).plan();
+        if (!layout.isOnePhoto()) {
+            throw new IllegalArgumentException("plates, distances and more photos are what a plan proposes");
+        }
     }
 }

@@ -1,5 +1,6 @@
 package org.cellgauge.plan;
 
+import org.cellgauge.cell.ChangeKind;
 import org.cellgauge.warning.Warning;
 
 /**

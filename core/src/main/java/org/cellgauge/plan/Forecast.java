@@ -36,8 +36,16 @@ public record Forecast(List<Row> rows, List<Integer> references, List<Integer> u
      * @param zStdMm along z
      * @param ownStdMm the largest of what the object's own corners leave along an axis, however well the camera's pose
      *     is known, mm
+     * @param turnStdDeg largest standard deviation of the object's turn about a world axis, degrees; NaN of a gripping
+     *     point
+     * @param ratio how much it takes of what is asked of it: 1 where its target is just met; mm where there is no target
+     *     for any object, 0 where there is none for this one
+     * @param ownRatio how much its own corners alone take
+     * @param probability the least probability of keeping one of its tolerances; NaN where it has none
+     * @param xyCorrelation correlation of its errors along x and y where it takes most of what is asked
      */
-    public record Row(int object, boolean grip, double xStdMm, double yStdMm, double zStdMm, double ownStdMm) {
+    public record Row(int object, boolean grip, double xStdMm, double yStdMm, double zStdMm, double ownStdMm,
+            double turnStdDeg, double ratio, double ownRatio, double probability, double xyCorrelation) {
         /**
          * Deviation along an axis.
          *
@@ -69,6 +77,26 @@ public record Forecast(List<Row> rows, List<Integer> references, List<Integer> u
             worst = Math.max(worst, row.worstStdMm());
         }
         return worst;
+    }
+
+    /**
+     * How much of what is asked is taken by the point that takes most.
+     *
+     * @return at most 1 where the target is met; in mm where there is no target; infinite where an object is not seen
+     */
+    public double ratio() {
+        return rows.stream().mapToDouble(Row::ratio).reduce(unseen.isEmpty() ? 0 : Double.POSITIVE_INFINITY,
+                Math::max);
+    }
+
+    /**
+     * How much objects' own corners take of what is asked, whatever references do.
+     *
+     * @return as {@link #ratio()}
+     */
+    public double boundRatio() {
+        return rows.stream().mapToDouble(Row::ownRatio).reduce(unseen.isEmpty() ? 0 : Double.POSITIVE_INFINITY,
+                Math::max);
     }
 
     /**

@@ -16,6 +16,9 @@ public final class Layout {
     private final Cell cell;
     private final List<RigidTransform> worldFromCameras;
     private final Map<Integer, List<RigidTransform>> worldFromObjects;
+    private final List<List<Integer>> plates;
+    private final List<MeasuredDistance> distances;
+    private final List<RigidTransform> cameraFromOthers;
 
     /**
      * A layout.
@@ -29,6 +32,12 @@ public final class Layout {
      */
     public Layout(Cell cell, List<RigidTransform> worldFromCameras,
             Map<Integer, List<RigidTransform>> worldFromObjects) {
+        this(cell, worldFromCameras, worldFromObjects, List.of(), List.of(), List.of());
+    }
+
+    private Layout(Cell cell, List<RigidTransform> worldFromCameras,
+            Map<Integer, List<RigidTransform>> worldFromObjects, List<List<Integer>> plates,
+            List<MeasuredDistance> distances, List<RigidTransform> cameraFromOthers) {
         if (worldFromCameras.isEmpty()) {
             throw new IllegalArgumentException("the camera stands nowhere");
         }
@@ -48,6 +57,9 @@ public final class Layout {
         this.cell = cell;
         this.worldFromCameras = Collections.unmodifiableList(new ArrayList<>(worldFromCameras));
         this.worldFromObjects = Collections.unmodifiableMap(copy);
+        this.plates = List.copyOf(plates);
+        this.distances = List.copyOf(distances);
+        this.cameraFromOthers = List.copyOf(cameraFromOthers);
     }
 
     /**
@@ -57,7 +69,7 @@ public final class Layout {
      * @return a new layout
      */
     public Layout with(Cell other) {
-        return new Layout(other, worldFromCameras, worldFromObjects);
+        return new Layout(other, worldFromCameras, worldFromObjects, plates, distances, cameraFromOthers);
     }
 
     /**
@@ -67,7 +79,97 @@ public final class Layout {
      * @return a new layout
      */
     public Layout withCameras(List<RigidTransform> others) {
-        return new Layout(cell, others, worldFromObjects);
+        return new Layout(cell, others, worldFromObjects, plates, distances, cameraFromOthers);
+    }
+
+    /**
+     * The same with references that stand on one plate, so that they are off together: placement is said of the plate's
+     * middle, by the first of them, and on the plate they stand exactly.
+     *
+     * @param references ids, two at least
+     * @return a new layout
+     * @throws IllegalArgumentException if there is no reference of an id, or it is on a plate already
+     */
+    public Layout withPlate(List<Integer> references) {
+        for (int id : references) {
+            requireReference(id);
+            if (plates.stream().anyMatch(plate -> plate.contains(id))) {
+                throw new IllegalArgumentException("reference " + id + " is on a plate already");
+            }
+        }
+        if (references.stream().distinct().count() < 2) {
+            throw new IllegalArgumentException("one reference makes no plate");
+        }
+        List<List<Integer>> more = new ArrayList<>(plates);
+        more.add(List.copyOf(references));
+        return new Layout(cell, worldFromCameras, worldFromObjects, more, distances, cameraFromOthers);
+    }
+
+    /**
+     * The same with a distance that is measured.
+     *
+     * @param distance between two of its references
+     * @return a new layout
+     * @throws IllegalArgumentException if there is no reference of an id
+     */
+    public Layout withDistance(MeasuredDistance distance) {
+        requireReference(distance.first());
+        requireReference(distance.second());
+        List<MeasuredDistance> more = new ArrayList<>(distances);
+        more.add(distance);
+        return new Layout(cell, worldFromCameras, worldFromObjects, plates, more, cameraFromOthers);
+    }
+
+    /**
+     * The same with more photos of what stands still meanwhile.
+     *
+     * @param others where the camera stands for each of them, in the frame of the camera of the first photo
+     * @return a new layout
+     */
+    public Layout withOtherPhotos(List<RigidTransform> others) {
+        return new Layout(cell, worldFromCameras, worldFromObjects, plates, distances, others);
+    }
+
+    private void requireReference(int id) {
+        if (cell.references().stream().noneMatch(r -> r.id() == id)) {
+            throw new IllegalArgumentException("there is no reference " + id);
+        }
+    }
+
+    /**
+     * References that stand on one plate.
+     *
+     * @return unmodifiable, ids plate by plate
+     */
+    public List<List<Integer>> plates() {
+        return plates;
+    }
+
+    /**
+     * Measured distances.
+     *
+     * @return unmodifiable
+     */
+    public List<MeasuredDistance> distances() {
+        return distances;
+    }
+
+    /**
+     * Where the camera stands for the photos after the first.
+     *
+     * @return unmodifiable, x_first = cameraFromOther · x_other
+     */
+    public List<RigidTransform> cameraFromOthers() {
+        return cameraFromOthers;
+    }
+
+    /**
+     * Whether it is one photo of references that err independently of each other, which is all that a check knows.
+     *
+     * @return false with plates, measured distances or other photos
+     */
+    public boolean isOnePhoto() {
+        return plates.isEmpty() && distances.isEmpty() && cameraFromOthers.isEmpty();
     }
 
     /**

@@ -2,13 +2,14 @@ package org.cellgauge.plan;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import org.cellgauge.cell.Target;
 
 /**
  * What a layout would reach and what would reach the target; immutable.
  *
  * @param layout the layout as it is
  * @param now what a photo of it would tell
- * @param targetStdMm the target; empty where there is none
+ * @param target what is asked of the objects
  * @param best changes that meet the target, cheapest first; without a target, or where none meets it, those that come
  *     nearest
  * @param front for every cost the least deviation that changes of at most that cost reach, cheapest first
@@ -16,7 +17,7 @@ import java.util.OptionalDouble;
  * @param boundStdMm what no reference can improve on: the largest deviation that the objects' own corners leave, mm
  * @param certificate how good the places for added references are, by number
  */
-public record Plan(Layout layout, Forecast now, OptionalDouble targetStdMm, List<Proposal> best, List<Proposal> front,
+public record Plan(Layout layout, Forecast now, Target target, List<Proposal> best, List<Proposal> front,
         List<Proposal> single, double boundStdMm, List<Certificate> certificate) {
     /** A gap up to which a choice of places counts as proven. */
     public static final double PROVEN_GAP = 0.03;
@@ -25,17 +26,18 @@ public record Plan(Layout layout, Forecast now, OptionalDouble targetStdMm, List
      * How good a choice of places for added references is.
      *
      * @param references number of added references
-     * @param foundStdMm largest deviation with the best places found, mm
-     * @param boundStdMm no so many references at any of the places tried can reach less, mm
+     * @param foundRatio how much of what is asked is taken with the best places found, as in {@link Forecast#ratio()}
+     *     but for distances and turns, which count at most
+     * @param boundRatio no so many references at any of the places tried can reach less
      */
-    public record Certificate(int references, double foundStdMm, double boundStdMm) {
+    public record Certificate(int references, double foundRatio, double boundRatio) {
         /**
          * By how much a better choice could at most be better.
          *
          * @return a share of the bound
          */
         public double gap() {
-            return foundStdMm / boundStdMm - 1;
+            return foundRatio / boundRatio - 1;
         }
 
         /**
@@ -61,6 +63,15 @@ public record Plan(Layout layout, Forecast now, OptionalDouble targetStdMm, List
     }
 
     /**
+     * The target as one standard deviation.
+     *
+     * @return as {@link Target#oneStdMm()}
+     */
+    public OptionalDouble targetStdMm() {
+        return target.oneStdMm();
+    }
+
+    /**
      * Whether the target is met as it is.
      *
      * @return true where it is, and where there is none
@@ -76,7 +87,7 @@ public record Plan(Layout layout, Forecast now, OptionalDouble targetStdMm, List
      * @return true where it does, and where there is none
      */
     public boolean isMetBy(Forecast forecast) {
-        return targetStdMm.isEmpty() || forecast.worstStdMm() <= targetStdMm.getAsDouble();
+        return !target.isAny() || forecast.ratio() <= 1;
     }
 
     /**
@@ -85,6 +96,6 @@ public record Plan(Layout layout, Forecast now, OptionalDouble targetStdMm, List
      * @return false where the objects' own corners leave more
      */
     public boolean referencesCouldMeetIt() {
-        return targetStdMm.isEmpty() || boundStdMm <= targetStdMm.getAsDouble();
+        return !target.isAny() || now.boundRatio() <= 1;
     }
 }

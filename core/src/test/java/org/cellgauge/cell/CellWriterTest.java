@@ -44,7 +44,7 @@ class CellWriterTest {
         assertEquals(expected.prints().sizeStdMm(), actual.prints().sizeStdMm());
         assertEquals(expected.prints().flatnessMm(), actual.prints().flatnessMm());
         assertEquals(expected.prints().printGainStdMm(), actual.prints().printGainStdMm());
-        assertEquals(expected.targetStdMm(), actual.targetStdMm());
+        assertEquals(expected.target(), actual.target());
         assertEquals(expected.references().size(), actual.references().size());
         for (int i = 0; i < expected.references().size(); i++) {
             Reference e = expected.references().get(i);
@@ -73,6 +73,19 @@ class CellWriterTest {
     void everyKeyComesBack() {
         Cell cell = CellReaderTest.read(CellReaderTest.CELL);
         assertSame(cell, again(cell));
+    }
+
+    @Test
+    void targetsOfAllAndOfSingleObjectsComeBack() {
+        Cell cell = CellReaderTest.read(CellReaderTest.CELL.replace("{std_mm: 1.0}", "{std_mm: [1, 1, 2.5], "
+                + "tolerance_mm: 3, tolerance_deg: 0.5, probability: 0.99}").replace("grip_mm: [0, 0, 100]",
+                "grip_mm: [0, 0, 100], target: {tolerance_mm: [1, 2, 3], distance_mm: 4.25}"));
+        assertSame(cell, again(cell));
+        Requirement own = cell.target().of(20);
+        assertEquals(new Requirement(new Requirement.Axes(1, 1, 2.5), new Requirement.Axes(1, 2, 3), 4.25, 0.5, 0.99),
+                own, "what is left out is that of all");
+        assertEquals(3, cell.target().of(5).toleranceMm().z());
+        assertEquals(OptionalDouble.empty(), cell.targetStdMm());
     }
 
     @Test

@@ -147,7 +147,7 @@ class NoiseFitTest {
         assertTrue(result.decided());
         assertEquals(Verdict.FAIL, result.verdict(20));
         TargetTest huge = result.withTarget(OptionalDouble.of(1e9)).targetTest();
-        assertEquals(Verdict.FAIL, huge.verdict(huge.object(20).position()));
+        assertEquals(Verdict.FAIL, huge.verdict(huge.object(20), huge.object(20).position()));
         assertEquals(Misfit.Kind.NOISE, result.finding().misfit().kind());
         NoiseFit fit = result.noiseFit();
         assertTrue(result.reason().matches("Largest deviation: .* against a target of 100 mm; .* But corners are "

@@ -14,8 +14,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.ThesisScene;
@@ -29,6 +32,7 @@ import org.cellgauge.sampling.Quantity;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.Detections;
+import org.cellgauge.warning.Message;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -144,6 +148,39 @@ class ResultReaderTest {
         ResultView view = ResultReader.of(ResultJson.of(between, RECORD), "r.json");
         assertEquals(Verdict.PASS, view.object(5).verdict());
         assertEquals(Verdict.FAIL, view.grip(5).verdict());
+    }
+
+    @Test
+    void probabilitiesOfTolerancesAreReadBack() {
+        Requirement asked = new Requirement(Requirement.Axes.NONE, new Requirement.Axes(4, 4, 9), 12, 2, 0.9);
+        CheckResult judged = whole.withTarget(new Target(asked, Map.of(30, Requirement.ofStdMm(5))));
+        assertReadBack(judged);
+        ResultView view = ResultReader.of(ResultJson.of(judged, RECORD), "r.json");
+        assertEquals(judged.cell().target(), view.target());
+        assertEquals(5, view.object(5).conformities().size());
+        assertEquals(4, view.grip(5).conformities().size());
+        assertEquals(List.of(), view.object(30).conformities());
+    }
+
+    @Test
+    void whatWouldMeetAMissedTargetIsReadBack() {
+        ThesisScene scene = ThesisScene.inPlane(4).placement(2, 0.003).pixelStd(0.05).target(1.2);
+        CheckResult missed = CellCheck.run(scene.cell(), scene.exactDetections(), CheckSettings.builder().build());
+        ResultView view = ResultView.of(missed);
+        List<AdviceView> advice = AdviceView.of(missed.cell(), missed.settings(), view, Message::toString);
+        assertEquals(Verdict.FAIL, view.verdict());
+        assertTrue(advice.size() >= 1 && advice.size() <= 3, advice.toString());
+        for (AdviceView a : advice) {
+            assertTrue(a.worstStdMm() <= 1.2, a.line());
+            assertTrue(a.nowStdMm() > 1.2 && a.thenStdMm() <= 1.2, a.line());
+        }
+        StoredResult with = new StoredResult(view.withAdvice(advice), RECORD);
+        assertEquals(with, ResultReader.stored(ResultJson.of(with), "r.json"));
+        assertEquals(advice, ResultReader.of(ResultJson.of(with), "r.json").advice());
+        // of another target it says nothing
+        assertEquals(List.of(), with.view().withTarget(OptionalDouble.of(0.1)).advice());
+        CheckResult met = missed.withTarget(OptionalDouble.of(100));
+        assertEquals(List.of(), AdviceView.of(met.cell(), met.settings(), ResultView.of(met), Message::toString));
     }
 
     @Test

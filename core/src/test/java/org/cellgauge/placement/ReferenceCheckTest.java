@@ -377,7 +377,7 @@ class ReferenceCheckTest {
 
     private static Verdict ofPosition(CheckResult result, int id, double targetMm) {
         TargetTest test = result.withTarget(OptionalDouble.of(targetMm)).targetTest();
-        return test.verdict(test.object(id).position());
+        return test.verdict(test.object(id), test.object(id).position());
     }
 
     @Test

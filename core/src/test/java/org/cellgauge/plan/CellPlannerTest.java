@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.ChangeKind;
 import org.cellgauge.check.ThesisScene;
 import org.cellgauge.geometry.RigidTransform;
 import org.junit.jupiter.api.Test;

@@ -102,6 +102,10 @@ public final class CheckCommand implements Callable<Integer> {
                     + "single photo 1000 draws a chain at most and 20 MB in all, of several photos none.")
     private Boolean draws;
 
+    @Option(names = "--no-advice", description = "Leaves out which changes of the set-up would meet a target that is "
+            + "missed.")
+    private boolean noAdvice;
+
     private Stages stages;
 
     /**
@@ -147,7 +151,7 @@ public final class CheckCommand implements Callable<Integer> {
         StopSignal stop = new StopSignal();
         BatchCheck.Builder batch = BatchCheck.of(cell).settings(settings).folder(folder).version(Main.version())
                 .day(Main.day()).words(CommandWords::of).listener(printed).stop(stop)
-                .draws(draws == null ? null : allDraws ? DrawFiles.ALL : DrawFiles.NONE)
+                .advice(!noAdvice).draws(draws == null ? null : allDraws ? DrawFiles.ALL : DrawFiles.NONE)
                 .command(input -> RepeatingCommand.check(cellFile, input, settings, allDraws));
         if (rejudge) {
             batch.rejudge();

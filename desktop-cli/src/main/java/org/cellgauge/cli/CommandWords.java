@@ -45,7 +45,9 @@ final class CommandWords {
             entry(BatchRefusal.OTHER_CELL, "the stored result is of another cell: more than its target has changed; "
                     + "check it again without --rejudge"),
             entry(BatchRefusal.OTHER_SETTINGS, "the stored result was made with other settings; give the same ones, "
-                    + "or check it again without --rejudge"));
+                    + "or check it again without --rejudge"),
+            entry(BatchRefusal.TOLERANCE_NEEDS_DRAWS, "the target asks for a probability, which only draws tell; "
+                    + "check it again without --rejudge"));
 
     private CommandWords() {
     }

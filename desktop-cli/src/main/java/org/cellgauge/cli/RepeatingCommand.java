@@ -91,6 +91,22 @@ final class RepeatingCommand {
         return line(words);
     }
 
+    /**
+     * The command of a plan.
+     *
+     * @param parsed what the user gave
+     * @return one line for a POSIX shell in the folder that files are named from
+     */
+    static String plan(ParseResult parsed) {
+        List<String> words = new ArrayList<>(List.of("cellgauge", "plan"));
+        for (OptionSpec option : new LinkedHashSet<>(parsed.matchedOptions())) {
+            // one that is repeated is named again for every value
+            option.originalStringValues().forEach(value -> words.addAll(option.typeInfo().isBoolean()
+                    ? List.of(option.longestName()) : List.of(option.longestName(), value.trim())));
+        }
+        return line(words);
+    }
+
     private static void addTold(List<String> words, List<Setting<?>> rows, SettingSource settings,
             SettingSource usual) {
         for (Setting<?> row : rows) {

@@ -80,7 +80,7 @@ class PlanCommandTest {
         }
         for (JsonElement certificate : plan.getAsJsonArray("certificates")) {
             JsonObject c = certificate.getAsJsonObject();
-            assertTrue(c.get("bound_std_mm").getAsDouble() <= c.get("found_std_mm").getAsDouble() * (1 + 1e-9));
+            assertTrue(c.get("bound_ratio").getAsDouble() <= c.get("found_ratio").getAsDouble() * (1 + 1e-9));
         }
         // a cost that is raised beyond the others puts its change behind them
         String cheapest = plan.getAsJsonArray("proposals").get(0).getAsJsonObject().getAsJsonArray("changes").get(0)

@@ -22,6 +22,7 @@ import java.util.concurrent.locks.ReadWriteLock;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
 import java.util.function.Function;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.Target;
 import org.cellgauge.internal.vision.BoofThreads;
 import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.CellView;
@@ -48,13 +49,13 @@ public final class BatchCheck {
 
     private final Builder with;
     private final Cell cell;
-    private final OptionalDouble targetStdMm;
+    private final Target target;
 
     private BatchCheck(Builder builder) {
         with = builder;
         OptionalDouble asked = builder.settings.model().targetStdMm();
-        targetStdMm = asked.isPresent() ? asked : builder.cellFile.cell().targetStdMm();
-        cell = builder.cellFile.cell().withTarget(targetStdMm);
+        target = asked.isPresent() ? Target.ofStdMm(asked) : builder.cellFile.cell().target();
+        cell = builder.cellFile.cell().withTarget(target);
     }
 
     /**
@@ -80,6 +81,7 @@ public final class BatchCheck {
         private boolean storedOnly;
         private boolean anew;
         private DrawFiles draws;
+        private boolean advice = true;
         private StopSignal stop = new StopSignal();
 
         private Builder(CellFile cellFile) {
@@ -105,6 +107,17 @@ public final class BatchCheck {
          */
         public Builder folder(ResultFolder value) {
             folder = value;
+            return this;
+        }
+
+        /**
+         * Sets whether results that miss their target say which changes of the set-up would meet it.
+         *
+         * @param value true, which is usual, costs some milliseconds for each of them
+         * @return this
+         */
+        public Builder advice(boolean value) {
+            advice = value;
             return this;
         }
 
@@ -222,9 +235,9 @@ public final class BatchCheck {
     }
 
     /** What the work on each input of a run needs to know. */
-    record Plan(CellFile cellFile, Cell cell, OptionalDouble targetStdMm, CheckSettings settings, ResultFolder folder,
+    record Plan(CellFile cellFile, Cell cell, Target target, CheckSettings settings, ResultFolder folder,
             String version, String day, Function<? super Message, String> words, Function<CheckInput, String> command,
-            DrawFiles draws, boolean drawsUnwanted, boolean storedOnly, boolean anew, StopSignal stop, int count) {
+            DrawFiles draws, boolean drawsUnwanted, boolean advice, boolean storedOnly, boolean anew, StopSignal stop, int count) {
         /** Reports of many photos must stay small enough to open. */
         int reportWidthPx() {
             return count <= FEW ? LARGE_PICTURE_PX : count <= MANY ? MEDIUM_PICTURE_PX : SMALL_PICTURE_PX;
@@ -271,10 +284,10 @@ public final class BatchCheck {
             int threads = with.settings.sampling().threads();
             workers = Math.max(1, Math.min(threads, inputs.size()));
             DrawFiles draws = with.draws != null ? with.draws : isBatch ? DrawFiles.NONE : DrawFiles.BOUNDED;
-            plan = new Plan(with.cellFile, cell, targetStdMm,
+            plan = new Plan(with.cellFile, cell, target,
                     with.settings.toBuilder().threads(Math.max(1, threads / workers)).build(), with.folder,
                     with.version, with.day, with.words, with.command, draws, with.draws == DrawFiles.NONE,
-                    with.storedOnly, with.anew, with.stop, inputs.size());
+                    with.advice, with.storedOnly, with.anew, with.stop, inputs.size());
             if (with.folder != null) {
                 try {
                     summary = new GrowingFile(with.folder.file(SUMMARY), 0);
@@ -283,7 +296,7 @@ public final class BatchCheck {
                     close();
                     throw with.folder.unwritable(e);
                 }
-                report = new ReportPages(new HtmlReport(with.cellFile, CellView.of(cell), targetStdMm, with.version,
+                report = new ReportPages(new HtmlReport(with.cellFile, CellView.of(cell), target, with.version,
                         with.day, named.remarks()), with.folder.path(), inputs.size());
             }
         }

@@ -18,7 +18,9 @@ public enum BatchRefusal implements RefusalKind {
     /** The cell has changed, and not only its target. */
     OTHER_CELL("the stored result is of another cell: more than its target has changed; check it again"),
     /** The settings have changed, and not only the target. */
-    OTHER_SETTINGS("the stored result was made with other settings; check it again");
+    OTHER_SETTINGS("the stored result was made with other settings; check it again"),
+    /** A target with a probability, of which stored figures say nothing. */
+    TOLERANCE_NEEDS_DRAWS("the target asks for a probability, which only draws tell; check it again");
 
     private final String english;
 

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.cellgauge.cell.Target;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.light.ToneCurve;
@@ -98,6 +100,7 @@ public final class CheckText {
             }
             modes(view, text);
         }
+        advice(view, text);
         references(view, text);
         text.append('\n').append(diagnosticsLine(view)).append('\n').append(acceptanceLine(view)).append('\n')
                 .append(laplaceLine(view)).append('\n');
@@ -117,6 +120,13 @@ public final class CheckText {
             }
         }
         return text.toString();
+    }
+
+    private static void advice(ResultView view, StringBuilder text) {
+        if (!view.advice().isEmpty()) {
+            text.append("\nWhat would meet the target, cheapest first (forecast; cellgauge plan tells more)\n");
+            view.advice().forEach(a -> text.append(wrap("  - " + a.line(), "    ")));
+        }
     }
 
     /** What is known of the corners themselves. */
@@ -191,11 +201,10 @@ public final class CheckText {
     }
 
     private static void objects(ResultView view, String beside, StringBuilder text) {
-        OptionalDouble target = view.targetStdMm();
-        text.append("\nObjects in world, mm").append(target.isPresent()
-                ? ", against a target std of " + plain(target.getAsDouble()) + " mm" : "").append(beside).append('\n');
+        Target target = view.target();
+        text.append("\nObjects in world, mm").append(against(target)).append(beside).append('\n');
         TextTable table = new TextTable(1);
-        table.row("", "x", "y", "z", "std x", "std y", "std z", target.isPresent() ? "target" : "");
+        table.row("", "x", "y", "z", "std x", "std y", "std z", target.isAny() ? "target" : "");
         for (ResultRow row : view.points()) {
             String name = row.kind() == ResultRow.Kind.GRIP ? "  " + name(row) : name(row);
             if (!row.seen()) {
@@ -208,6 +217,45 @@ public final class CheckText {
                     fixed(std[1], 2), fixed(std[2], 2), mark(row));
         }
         text.append(table.text("  "));
+        tolerances(view, text);
+    }
+
+    /** What the objects are held against, after what stands before it; empty where there is no target. */
+    static String against(Target target) {
+        OptionalDouble std = target.oneStdMm();
+        return std.isPresent() ? ", against a target std of " + plain(std.getAsDouble()) + " mm"
+                : target.isAny() ? ", against " + target : "";
+    }
+
+    private static void tolerances(ResultView view, StringBuilder text) {
+        if (!view.target().asksForProbability()) {
+            return;
+        }
+        text.append("\nProbability of being within tolerance\n");
+        TextTable table = new TextTable(1);
+        table.row("", "tolerance", "probability", "MC error", "asked", "");
+        for (ResultRow row : view.points()) {
+            for (Conformity c : row.conformities()) {
+                table.row(name(row), tolerance(c), fixed(c.probability(), 4), fixed(c.mcse(), 4), plain(c.asked()),
+                        standing(row, c));
+            }
+        }
+        text.append(table.text("  "));
+    }
+
+    /** A tolerance in words. */
+    static String tolerance(Conformity c) {
+        return switch (c.of()) {
+            case X, Y, Z -> c.of().key() + " within " + plain(c.tolerance()) + " mm";
+            case DISTANCE -> "within " + plain(c.tolerance()) + " mm";
+            case TURN -> "turned by " + plain(c.tolerance()) + " deg";
+        };
+    }
+
+    /** How a probability stands against the one asked for: a guard band of twice its Monte Carlo error is left. */
+    static String standing(ResultRow row, Conformity c) {
+        String caution = caution(row.verdict());
+        return !caution.isEmpty() ? caution : !c.isDecided() ? "undecided" : c.isKept() ? "pass" : "FAIL";
     }
 
     private static void budgets(ResultView view, StringBuilder text) {

@@ -39,7 +39,7 @@ final class EarlierResults {
      *
      * @param folder where they are
      * @param files what the cell stands in
-     * @param cell what they must rest on, but for its target
+     * @param cell what they must rest on, but for its target, which must be one that can be held against them
      * @param settings what they must have been made with, but for the target
      */
     EarlierResults(ResultFolder folder, CellFile files, Cell cell, CheckSettings settings) {
@@ -74,6 +74,9 @@ final class EarlierResults {
         if (!sampledAs(view).equals(view.run().settings().toBuilder()
                 .set(SettingTable.TARGET_STD_MM, OptionalDouble.empty()).build())) {
             throw refused(input, BatchRefusal.OTHER_SETTINGS);
+        }
+        if (!view.canBeHeldAgainst(cell.target())) {
+            throw refused(input, BatchRefusal.TOLERANCE_NEEDS_DRAWS);
         }
         return stored;
     }

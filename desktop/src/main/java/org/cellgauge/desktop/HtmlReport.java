@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
+import org.cellgauge.cell.Target;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.CellView;
@@ -54,7 +54,7 @@ final class HtmlReport {
 
     private final CellFile cellFile;
     private final CellView cell;
-    private final OptionalDouble targetStdMm;
+    private final Target target;
     private final String version;
     private final String day;
     private final List<String> remarks;
@@ -64,16 +64,16 @@ final class HtmlReport {
      *
      * @param cellFile the cell and its files
      * @param cell what the results rest on of it
-     * @param targetStdMm largest allowed standard deviation of any axis, mm, or empty for none
+     * @param target what is asked of the objects
      * @param version version of this program
      * @param day of the run, as in {@code 2026-11-28}; null: it is not told
      * @param remarks what was found besides the inputs and not checked
      */
-    HtmlReport(CellFile cellFile, CellView cell, OptionalDouble targetStdMm, String version, String day,
+    HtmlReport(CellFile cellFile, CellView cell, Target target, String version, String day,
             List<String> remarks) {
         this.cellFile = cellFile;
         this.cell = cell;
-        this.targetStdMm = targetStdMm;
+        this.target = target;
         this.version = version;
         this.day = day;
         this.remarks = List.copyOf(remarks);
@@ -152,7 +152,8 @@ final class HtmlReport {
         out.append("<section id=\"cell\">\n<h2>Cell</h2>\n");
         Map<String, String> values = new LinkedHashMap<>();
         PinholeCamera camera = cell.camera();
-        values.put("target", targetStdMm.isPresent() ? CheckText.plain(targetStdMm.getAsDouble()) + " mm" : "none");
+        values.put("target", target.oneStdMm().isPresent()
+                ? CheckText.plain(target.oneStdMm().getAsDouble()) + " mm" : target.isAny() ? target.toString() : "none");
         values.put("noise of corners", cell.pixelStdPx().isPresent()
                 ? CheckText.plain(cell.pixelStdPx().getAsDouble()) + " px" : "learned from each photo");
         values.put("markers", cell.family());

@@ -27,6 +27,7 @@ import org.cellgauge.internal.output.StanCsv;
 import org.cellgauge.internal.overlay.CellOverlay;
 import org.cellgauge.internal.overlay.OverlayStyle;
 import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.output.AdviceView;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.output.ResultRecord;
 import org.cellgauge.output.ResultView;
@@ -187,14 +188,15 @@ final class InputWork {
             Found found = found(read);
             CheckResult sampled = sampled(found);
             stage("check");
-            computed = new StoredResult(ResultView.of(sampled, plan.words()), now);
+            computed = new StoredResult(advised(ResultView.of(sampled, plan.words())), now);
             return withFiles(computed, found, sampled);
         }
 
         /** A stored result as the target and the files of now have it; what it says already stays as it is. */
         private Result judged(Read read, StoredResult stored) {
             stage("stored result");
-            ResultView judged = stored.view().withTarget(plan.targetStdMm());
+            ResultView judged = stored.view().withTarget(plan.target());
+            judged = judged == stored.view() ? judged : advised(judged);
             ResultRecord record = plan.cellFile().in(stored.record()).withCommand(plan.command().apply(input));
             boolean anew = !judged.equals(stored.view());
             computed = new StoredResult(judged, anew ? record.withJudgedOn(plan.day()) : record);
@@ -215,6 +217,11 @@ final class InputWork {
             }
             stage("files");
             return new Result(computed, true, 0, jpeg);
+        }
+
+        /** With what would meet a target that is missed, unless that is not wanted. */
+        private ResultView advised(ResultView view) {
+            return plan.advice() ? view.withAdvice(AdviceView.of(cell, plan.settings(), view, plan.words())) : view;
         }
 
         /** The picture for the report, of the overlay in the folder; null where that is not what was written. */

@@ -3,7 +3,7 @@ package org.cellgauge.desktop;
 import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.OptionalDouble;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.BudgetShare;
@@ -94,6 +94,11 @@ final class PhotoSection {
             view.warnings().forEach(w -> out.append("<li>").append(Html.escape(w.text())).append("</li>"));
             out.append("</ul>\n");
         }
+        if (!view.advice().isEmpty()) {
+            out.append("<h3>What would meet the target, cheapest first (forecast)</h3>\n<ol>");
+            view.advice().forEach(a -> out.append("<li>").append(Html.escape(a.line())).append("</li>"));
+            out.append("</ol>\n");
+        }
         if (view.showsFigures()) {
             objects(view);
             orientations(view);
@@ -143,9 +148,7 @@ final class PhotoSection {
         if (view.objects().isEmpty()) {
             return;
         }
-        OptionalDouble target = view.targetStdMm();
-        out.append("<h3>Objects in world, mm").append(target.isPresent()
-                ? ", against a target std of " + CheckText.plain(target.getAsDouble()) + " mm" : "")
+        out.append("<h3>Objects in world, mm").append(Html.escape(CheckText.against(view.target())))
                 .append(caution(view)).append("</h3>\n");
         out.header("", "x", "y", "z", "std x", "std y", "std z", "target");
         for (ResultRow row : view.points()) {
@@ -162,6 +165,25 @@ final class PhotoSection {
             out.row(name, CheckText.fixed(mean[0], 3), CheckText.fixed(mean[1], 3), CheckText.fixed(mean[2], 3),
                     CheckText.fixed(std[0], 3), CheckText.fixed(std[1], 3), CheckText.fixed(std[2], 3),
                     mark.isEmpty() ? "" : Html.verdict(key, mark));
+        }
+        out.end();
+        tolerances(view);
+    }
+
+    private void tolerances(ResultView view) {
+        if (!view.target().asksForProbability()) {
+            return;
+        }
+        out.append("<h3>Probability of being within tolerance").append(caution(view)).append("</h3>\n");
+        out.header("", "tolerance", "probability", "Monte Carlo error", "asked", "target");
+        for (ResultRow row : view.points()) {
+            for (Conformity c : row.conformities()) {
+                String standing = CheckText.standing(row, c);
+                String key = standing.equals("pass") ? Verdict.PASS.key()
+                        : standing.equals("FAIL") ? Verdict.FAIL.key() : Verdict.NOT_CONVERGED.key();
+                out.row(Html.escape(CheckText.name(row)), CheckText.tolerance(c), CheckText.fixed(c.probability(), 4),
+                        CheckText.fixed(c.mcse(), 4), CheckText.plain(c.asked()), Html.verdict(key, standing));
+            }
         }
         out.end();
     }

@@ -1,7 +1,10 @@
 package org.cellgauge.desktop;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.ChainsView;
 import org.cellgauge.output.ResultRow;
@@ -14,7 +17,8 @@ import org.cellgauge.output.ResultView;
 final class SummaryCsv {
     private static final String[] COLUMNS = {"input", "name", "verdict", "object", "seen", "x_mm", "y_mm", "z_mm",
         "std_x_mm", "std_y_mm", "std_z_mm", "grip_x_mm", "grip_y_mm", "grip_z_mm", "grip_std_x_mm", "grip_std_y_mm",
-        "grip_std_z_mm", "worst_std_mm", "target_std_mm", "within_target", "converged", "r_hat_max", "ess_bulk_min",
+        "grip_std_z_mm", "worst_std_mm", "target_std_mm", "within_target", "probability",
+        "probability_mcse", "probability_asked", "converged", "r_hat_max", "ess_bulk_min",
         "ess_tail_min", "mcse_std_rel_max", "reason", "action"};
 
     private static final String FORMULA = "=+-@";
@@ -63,6 +67,7 @@ final class SummaryCsv {
         cells.add(shown ? number(view.worstStdMm(object)) : "");
         cells.add(number(view.targetStdMm().orElse(Double.NaN)));
         cells.add(seen && object.withinTarget() != null ? String.valueOf(object.withinTarget()) : "");
+        conformity(cells, shown ? leastSure(object, grip) : null);
         ChainsView chains = view.chains();
         cells.add(String.valueOf(chains.converged()));
         cells.add(number(chains.rHatMax()));
@@ -72,6 +77,19 @@ final class SummaryCsv {
         cells.add(text(view.reason()));
         cells.add(view.action() == null ? "" : text(view.action()));
         return line(cells);
+    }
+
+    /** The tolerance of position or gripping point that is kept least surely, or null. */
+    private static Conformity leastSure(ResultRow object, ResultRow grip) {
+        return Stream.concat(object.conformities().stream(), grip == null ? Stream.empty()
+                : grip.conformities().stream())
+                .min(Comparator.comparingDouble(c -> c.probability() - c.asked())).orElse(null);
+    }
+
+    private static void conformity(List<String> cells, Conformity c) {
+        cells.add(c == null ? "" : number(c.probability()));
+        cells.add(c == null ? "" : number(c.mcse()));
+        cells.add(c == null ? "" : number(c.asked()));
     }
 
     private static void numbers(List<String> cells, double[] values) {

@@ -561,7 +561,7 @@ public final class MainActivity extends Activity {
         View target = findViewById(R.id.target);
         target.setContentDescription(words.get(R.string.target_spoken, s.targetStdMm().isPresent()
                 ? words.get(R.string.target_mm, words.plain(s.targetStdMm().getAsDouble()))
-                : words.get(R.string.target_not_set)));
+                : words.get(s.target().isAny() ? R.string.target_stated : R.string.target_not_set)));
     }
 
     private void enable(int id, boolean enabled) {

@@ -60,6 +60,14 @@ final class RefusalStrings {
                 return R.string.refusal_cell_second_document;
             case EXPECTED:
                 return R.string.refusal_cell_expected;
+            case NEGATIVE:
+                return R.string.refusal_cell_negative;
+            case NO_WALL:
+                return R.string.refusal_cell_no_wall;
+            case NO_SUCH_OBJECT:
+                return R.string.refusal_cell_no_such_object;
+            case NOT_BELOW_ONE:
+                return R.string.refusal_cell_not_below_one;
             case NOT_POSITIVE:
                 return R.string.refusal_cell_not_positive;
             case OUT_OF_RANGE:
@@ -266,8 +274,28 @@ final class RefusalStrings {
                 return R.string.refusal_part_or_delete;
             case OBJECT:
                 return R.string.refusal_part_object;
+            case CAMERA_POSE:
+                return R.string.refusal_part_camera_pose;
+            case RANGE:
+                return R.string.refusal_part_range;
+            case AREA:
+                return R.string.refusal_part_area;
+            case WALL:
+                return R.string.refusal_part_wall;
+            case MAX_HEIGHT:
+                return R.string.refusal_part_max_height;
+            case COST:
+                return R.string.refusal_part_cost;
             case TARGET_STD:
                 return R.string.refusal_part_target_std;
+            case TARGET_TOLERANCE:
+                return R.string.refusal_part_target_tolerance;
+            case TARGET_DISTANCE:
+                return R.string.refusal_part_target_distance;
+            case TARGET_TURN:
+                return R.string.refusal_part_target_turn;
+            case TARGET_PROBABILITY:
+                return R.string.refusal_part_target_probability;
             case SIZE_STD:
                 return R.string.refusal_part_size_std;
             case FLATNESS_STD:

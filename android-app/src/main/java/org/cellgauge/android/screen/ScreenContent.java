@@ -256,7 +256,7 @@ final class ScreenContent {
                         words.number(object.ellipse95Px().semiMinor(), 1));
                 text = text == null ? ellipse : text + "\n" + ellipse;
             }
-            text = text == null ? null : text + words.misfit(object.reason(), "\n")
+            text = text == null ? null : text + words.tolerance(object.reason(), "\n") + words.misfit(object.reason(), "\n")
                     + words.misplacement(object.reason(), "\n");
         } else if (object.mark() == ObjectRow.Mark.AMBIGUOUS) {
             text = object.reason() == null ? words.get(R.string.no_figure_two_poses) : words.reason(object.reason());
@@ -277,9 +277,13 @@ final class ScreenContent {
     private String mark(ObjectRow object, CheckScreenState s) {
         switch (object.mark()) {
             case OK:
-                return words.get(R.string.mark_ok, words.plain(s.targetStdMm().getAsDouble()));
+                return s.targetStdMm().isPresent()
+                        ? words.get(R.string.mark_ok, words.plain(s.targetStdMm().getAsDouble()))
+                        : words.get(R.string.mark_target_met);
             case NOT_OK:
-                return words.get(R.string.mark_not_ok, words.plain(s.targetStdMm().getAsDouble()));
+                return s.targetStdMm().isPresent()
+                        ? words.get(R.string.mark_not_ok, words.plain(s.targetStdMm().getAsDouble()))
+                        : words.get(R.string.mark_target_missed);
             case PRELIMINARY:
                 return words.get(R.string.mark_preliminary);
             case NOT_CONVERGED:
@@ -400,10 +404,13 @@ final class ScreenContent {
     }
 
     private String target(CheckScreenState s) {
-        if (!s.targetStdMm().isPresent()) {
+        if (!s.target().isAny()) {
             return words.get(R.string.target_none);
         }
-        boolean chosen = !s.targetStdMm().equals(s.cell().cell().targetStdMm());
+        if (!s.targetStdMm().isPresent()) {
+            return words.get(R.string.target_of_cell);
+        }
+        boolean chosen = !s.target().equals(s.cell().cell().target());
         return words.get(chosen ? R.string.target_in_use_chosen : R.string.target_in_use,
                 words.plain(s.targetStdMm().getAsDouble()));
     }

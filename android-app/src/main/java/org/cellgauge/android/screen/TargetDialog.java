@@ -12,6 +12,7 @@ import java.util.Locale;
 import org.cellgauge.android.R;
 import org.cellgauge.android.state.CheckScreenState;
 import org.cellgauge.android.state.CheckSession;
+import org.cellgauge.cell.Target;
 
 /** Asks for a target in mm. */
 final class TargetDialog {
@@ -39,10 +40,10 @@ final class TargetDialog {
                 : state.targetStdMm().isPresent() ? words.plain(state.targetStdMm().getAsDouble()) : "");
         field.setSelection(field.length());
         TextView ofFile = content.findViewById(R.id.target_of_file);
-        boolean stated = state.cell() != null && state.cell().cell().targetStdMm().isPresent();
-        ofFile.setText(stated
-                ? words.get(R.string.target_of_file, words.plain(state.cell().cell().targetStdMm().getAsDouble()))
-                : words.get(R.string.target_of_file_none));
+        Target stated = state.cell() == null ? Target.NONE : state.cell().cell().target();
+        ofFile.setText(stated.oneStdMm().isPresent()
+                ? words.get(R.string.target_of_file, words.plain(stated.oneStdMm().getAsDouble()))
+                : words.get(stated.isAny() ? R.string.target_of_file_stated : R.string.target_of_file_none));
         dialog = new AlertDialog.Builder(activity).setTitle(R.string.target_title).setView(content)
                 .setPositiveButton(R.string.target_set, null).setNegativeButton(R.string.cancel, null).create();
         ofFile.setOnClickListener(v -> {

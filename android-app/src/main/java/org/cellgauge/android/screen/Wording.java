@@ -10,6 +10,7 @@ import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.android.state.Problem;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Reason;
 import org.cellgauge.internal.overlay.LabelWords;
 import org.cellgauge.internal.overlay.LegendWords;
@@ -169,10 +170,10 @@ final class Wording {
                         percent(reason.share().getAsDouble()));
             case OBJECT_NOT_SEEN:
                 return plural(R.plurals.not_seen, reason.missingObjects().size(), ids(reason.missingObjects())) + " "
-                        + deviation(reason) + undecided(reason) + misfit(reason, " ") + misplacement(reason, " ");
+                        + deviation(reason) + tolerance(reason, " ") + undecided(reason) + misfit(reason, " ") + misplacement(reason, " ");
             default:
-                return (reason.targetMm().isPresent() ? "" : get(R.string.no_target) + " ") + deviation(reason)
-                        + undecided(reason) + misfit(reason, " ") + misplacement(reason, " ");
+                return (reason.hasTarget() ? "" : get(R.string.no_target) + " ") + deviation(reason)
+                        + tolerance(reason, " ") + undecided(reason) + misfit(reason, " ") + misplacement(reason, " ");
         }
     }
 
@@ -188,6 +189,29 @@ final class Wording {
                 ? get(R.string.largest_target, std, axis(reason), of, plain(target.getAsDouble()), share,
                         source(reason))
                 : get(R.string.largest, std, axis(reason), of, share, source(reason));
+    }
+
+    /** The tolerance that is kept least surely, after what stands before it; empty where there is none. */
+    String tolerance(Reason reason, String before) {
+        Conformity c = reason == null ? null : reason.conformity();
+        if (c == null) {
+            return "";
+        }
+        String of = get(reason.conformityOfGrip() ? R.string.of_grip : R.string.of_object,
+                reason.conformityObjectId());
+        return before + get(c.isDecided() ? R.string.tolerance : R.string.tolerance_undecided, tolerance(c), of,
+                number(c.probability(), 4), plain(c.asked()), number(c.mcse(), 4));
+    }
+
+    private String tolerance(Conformity c) {
+        switch (c.of()) {
+            case DISTANCE:
+                return get(R.string.tolerance_distance, plain(c.tolerance()));
+            case TURN:
+                return get(R.string.tolerance_turn, plain(c.tolerance()));
+            default:
+                return get(R.string.tolerance_axis, plain(c.tolerance()), c.of().key());
+        }
     }
 
     private String undecided(Reason reason) {

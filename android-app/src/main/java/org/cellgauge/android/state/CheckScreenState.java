@@ -10,6 +10,7 @@ import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.SavedResult;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.Reason;
@@ -63,7 +64,16 @@ public final class CheckScreenState {
      * @return largest allowed standard deviation of any axis, mm; empty where none is set
      */
     public OptionalDouble targetStdMm() {
-        return v.targetStdMm;
+        return v.target.oneStdMm();
+    }
+
+    /**
+     * The target in force, whatever it asks for.
+     *
+     * @return what the user chose, or what the cell file states
+     */
+    public Target target() {
+        return v.target;
     }
 
     /**
@@ -379,7 +389,7 @@ public final class CheckScreenState {
         if (v.cell == null) {
             return SessionMemory.nothing(seed);
         }
-        return new SessionMemory(seed, v.cell.uri(), v.calibrationUri, v.targetChosen, v.targetStdMm, v.source,
+        return new SessionMemory(seed, v.cell.uri(), v.calibrationUri, v.targetChosen, v.target.oneStdMm(), v.source,
                 v.photoUri, v.photoCamera, v.focalEstimated);
     }
 
@@ -431,7 +441,7 @@ public final class CheckScreenState {
         private CellDocument cell;
         private boolean readingCell;
         private Problem cellProblem;
-        private OptionalDouble targetStdMm = OptionalDouble.empty();
+        private Target target = Target.NONE;
         private ImageSource source = ImageSource.LIVE;
         private Photo still;
         private ImageOrientation stillOrientation;
@@ -468,7 +478,7 @@ public final class CheckScreenState {
             cell = o.cell;
             readingCell = o.readingCell;
             cellProblem = o.cellProblem;
-            targetStdMm = o.targetStdMm;
+            target = o.target;
             source = o.source;
             still = o.still;
             stillOrientation = o.stillOrientation;
@@ -513,8 +523,8 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder target(OptionalDouble value, boolean chosen) {
-            targetStdMm = value;
+        Builder target(Target value, boolean chosen) {
+            target = value;
             targetChosen = chosen;
             return this;
         }

@@ -29,6 +29,7 @@ import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
 import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.overlay.ImageOrientation;
@@ -219,7 +220,7 @@ public final class CheckSession {
                 }
                 boolean chosen = same && s.targetChosen();
                 return s.change().cell(read).readingCell(false).cellProblem(null).calibrationUri(calibrationUri)
-                        .target(chosen ? s.targetStdMm() : read.cell().targetStdMm(), chosen).source(ImageSource.LIVE)
+                        .target(chosen ? s.target() : read.cell().target(), chosen).source(ImageSource.LIVE)
                         .still(null, null).photo(null, null, false).photoProblem(null).readingPhoto(false).fault(null)
                         .setup(null).noCheck(OptionalInt.empty()).build();
             });
@@ -240,13 +241,13 @@ public final class CheckSession {
      * @param stdMm largest allowed standard deviation of any axis, mm, positive
      */
     public void chooseTarget(double stdMm) {
-        change(s -> s.cell() == null ? s : judged(s.change().target(OptionalDouble.of(stdMm), true).build()));
+        change(s -> s.cell() == null ? s : judged(s.change().target(Target.ofStdMm(OptionalDouble.of(stdMm)), true).build()));
     }
 
     /** Takes the cell file's target again. */
     public void resetTarget() {
         change(s -> s.cell() == null ? s
-                : judged(s.change().target(s.cell().cell().targetStdMm(), false).build()));
+                : judged(s.change().target(s.cell().cell().target(), false).build()));
     }
 
     /** Holds the frame that the figures belong to, and samples it to the end. */
@@ -504,7 +505,7 @@ public final class CheckSession {
             return s;
         }
         CheckResult found = s.live().update() == null ? null : s.live().update().result();
-        CheckResult result = found == null ? null : found.withTarget(s.targetStdMm());
+        CheckResult result = found == null ? null : found.withTarget(s.target());
         if (result != null && s.result() != null && sameJudgement(s.result(), result)) {
             result = s.result();
         }
@@ -512,7 +513,7 @@ public final class CheckSession {
     }
 
     private static boolean sameJudgement(CheckResult a, CheckResult b) {
-        return a.estimate() == b.estimate() && a.cell().targetStdMm().equals(b.cell().targetStdMm());
+        return a.estimate() == b.estimate() && a.cell().target().equals(b.cell().target());
     }
 
     private CheckScreenState redrawn(CheckScreenState s) {
@@ -608,7 +609,7 @@ public final class CheckSession {
                 return;
             }
             if (m.targetChosen()) {
-                change(s -> s.change().target(m.targetStdMm(), true).build());
+                change(s -> s.change().target(Target.ofStdMm(m.targetStdMm()), true).build());
             }
             if (m.source() == ImageSource.PHOTO && m.photoCamera() == null) {
                 takePhoto(m.photoUri(), photo(m.photoUri()));

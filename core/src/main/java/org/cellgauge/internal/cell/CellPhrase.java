@@ -74,6 +74,26 @@ public enum CellPhrase implements RefusalKind {
     OBJECT("{} or {grip_mm: [x, y, z]}"),
     /** The target. */
     TARGET_STD("the largest deviation allowed, in mm"),
+    /** A tolerance of coordinates. */
+    TARGET_TOLERANCE("how far a coordinate may be off, in mm: one number, or [x, y, z]"),
+    /** A tolerance of points. */
+    TARGET_DISTANCE("how far a point may be off, in mm"),
+    /** A tolerance of orientations. */
+    TARGET_TURN("how far an object may be turned, in degrees"),
+    /** The probability of a tolerance. */
+    TARGET_PROBABILITY("the probability of keeping the tolerance, such as 0.95"),
+    /** A pose of the camera. */
+    CAMERA_POSE("[x, y, z, psi, theta, phi] in mm and degrees"),
+    /** How far the camera may be elsewhere. */
+    RANGE("how far the camera may be off either way: position_mm: [x, y, z] in mm, turn_deg in degrees, not negative"),
+    /** A rectangle. */
+    AREA("[x0, y0, x1, y1] in mm, two opposite corners seen from above"),
+    /** A wall. */
+    WALL("[x0, y0, x1, y1, height] in mm, its ends seen from above and how far it reaches up"),
+    /** How far references may be raised. */
+    MAX_HEIGHT("how far references may be raised, in mm, 0 for not at all"),
+    /** A cost. */
+    COST("what the change costs, 0 or more, in minutes of work or any other unit"),
     /** A deviation of prints. */
     SIZE_STD("the deviation of printed sizes in mm, such as 0.1"),
     /** A deviation of prints. */

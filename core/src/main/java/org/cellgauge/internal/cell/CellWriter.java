@@ -2,14 +2,20 @@ package org.cellgauge.internal.cell;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.TreeMap;
+import org.cellgauge.cell.Area;
+import org.cellgauge.cell.CameraRange;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
+import org.cellgauge.cell.Planning;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.cell.Requirement;
 import org.cellgauge.geometry.RigidTransform;
 
 /**
@@ -74,14 +80,75 @@ public final class CellWriter {
                 if (grip != null) {
                     out.append(", grip_mm: ").append(numbers(grip));
                 }
-                out.append("}\n");
+                Requirement own = cell.target().own().get(object.id());
+                out.append(own == null ? "" : ", target: " + requirement(own)).append("}\n");
             }
         }
-        if (cell.targetStdMm().isPresent()) {
-            out.append("target: {std_mm: ").append(CameraWriter.number(cell.targetStdMm().getAsDouble()))
-                    .append("}\n");
+        if (cell.target().general().isAny()) {
+            out.append("target: ").append(requirement(cell.target().general())).append('\n');
         }
+        planning(cell.planning(), out);
         return out.toString();
+    }
+
+    private static void planning(Planning plan, StringBuilder out) {
+        if (plan.equals(Planning.NONE)) {
+            return;
+        }
+        out.append("plan:\n");
+        RigidTransform pose = plan.worldFromCamera();
+        if (pose != null) {
+            String at = numbers(pose.translationMm());
+            out.append("  camera_pose: ").append(at, 0, at.length() - 1).append(", ")
+                    .append(rotation(pose).substring(1)).append('\n');
+        }
+        CameraRange range = plan.cameraRange();
+        if (!range.equals(CameraRange.NONE)) {
+            out.append("  camera_range: {position_mm: ").append(numbers(range.xMm(), range.yMm(), range.zMm()))
+                    .append(", turn_deg: ").append(CameraWriter.number(range.turnDeg())).append("}\n");
+        }
+        List<String> regions = new ArrayList<>();
+        new TreeMap<>(plan.regions()).forEach((id, area) -> regions.add(id + ": " + area(area)));
+        list(out, "regions_mm", '{', regions, '}');
+        list(out, "free_mm", '[', plan.free().stream().map(CellWriter::area).toList(), ']');
+        list(out, "walls_mm", '[', plan.walls().stream().map(w -> numbers(w.xFromMm(), w.yFromMm(), w.xToMm(),
+                w.yToMm(), w.heightMm())).toList(), ']');
+        if (plan.maxHeightMm().isPresent()) {
+            out.append("  max_height_mm: ").append(CameraWriter.number(plan.maxHeightMm().getAsDouble())).append('\n');
+        }
+        List<String> costs = new ArrayList<>();
+        new TreeMap<>(plan.costs()).forEach((kind, cost) -> costs.add(kind.code() + ": " + CameraWriter.number(cost)));
+        list(out, "costs", '{', costs, '}');
+    }
+
+    private static String area(Area area) {
+        return numbers(area.xLowMm(), area.yLowMm(), area.xHighMm(), area.yHighMm());
+    }
+
+    private static void list(StringBuilder out, String key, char open, List<String> items, char close) {
+        if (!items.isEmpty()) {
+            out.append("  ").append(key).append(": ").append(open).append(String.join(", ", items)).append(close)
+                    .append('\n');
+        }
+    }
+
+    private static String requirement(Requirement asked) {
+        List<String> parts = new ArrayList<>();
+        limits(parts, "std_mm", asked.stdMm());
+        limits(parts, "tolerance_mm", asked.toleranceMm());
+        limits(parts, "distance_mm", Requirement.Axes.all(asked.distanceMm()));
+        limits(parts, "tolerance_deg", Requirement.Axes.all(asked.toleranceDeg()));
+        if (asked.asksForProbability()) {
+            parts.add("probability: " + CameraWriter.number(asked.probability()));
+        }
+        return "{" + String.join(", ", parts) + "}";
+    }
+
+    private static void limits(List<String> parts, String key, Requirement.Axes limits) {
+        if (limits.isAny()) {
+            parts.add(key + ": " + (limits.isUniform() ? CameraWriter.number(limits.x())
+                    : numbers(limits.x(), limits.y(), limits.z())));
+        }
     }
 
     private static void print(StringBuilder out, String key, double stdMm, double usualMm) {

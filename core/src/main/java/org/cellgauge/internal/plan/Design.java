@@ -1,32 +1,48 @@
 package org.cellgauge.internal.plan;
 
+import java.util.stream.IntStream;
 import org.cellgauge.internal.geometry.Cholesky;
 
 /**
  * What a set of observations is to be good for, by Fisher information: the largest variance of some linear functions of
  * the unknowns, each in its own unit; with room for one evaluation, so not thread-safe.
  *
- * <p>{@code f(I) = max_a c_a^T I^-1 c_a + d_a}, over functions a of all views, is convex in the information I and falls
+ * <p>{@code f(I) = max_a sum_r c_r^T I^-1 c_r + d_r}, over functions a of all views and the rows r of each, is convex in the information I and falls
  * with it: E- and G-optimal designs are of this kind (Pukelsheim, "Optimal Design of Experiments", 2006, chapter 6).
  */
 public final class Design {
     private final int n;
     private final double[][] rows;
+    /** Where the rows of each function end. */
+    private final int[] ends;
     private final double[] own;
     private final double[] factor;
     private final double[] scratch;
+
+    /**
+     * Functions of one row each.
+     *
+     * @param n number of unknowns
+     * @param rows as in {@link #Design(int, double[][], double[], int[])}
+     * @param own as there
+     */
+    public Design(int n, double[][] rows, double[] own) {
+        this(n, rows, own, IntStream.rangeClosed(1, own.length).toArray());
+    }
 
     /**
      * Functions of the unknowns of one view.
      *
      * @param n number of unknowns
      * @param rows the functions, n values each; in such units that 1 is what is asked for
-     * @param own variance of each beside what the unknowns leave
+     * @param own variance of each row beside what the unknowns leave
+     * @param ends of each function the row after its last: variances of its rows add up
      */
-    public Design(int n, double[][] rows, double[] own) {
+    public Design(int n, double[][] rows, double[] own, int[] ends) {
         this.n = n;
         this.rows = rows;
         this.own = own;
+        this.ends = ends;
         factor = new double[n * n];
         scratch = new double[n];
     }
@@ -38,7 +54,12 @@ public final class Design {
 
     /** Number of functions. */
     public int functions() {
-        return own.length;
+        return ends.length;
+    }
+
+    /** The row after the last of a function; its first is that of the function before. */
+    int end(int a) {
+        return a < 0 ? 0 : ends[a];
     }
 
     /**
@@ -53,17 +74,22 @@ public final class Design {
             return Double.POSITIVE_INFINITY;
         }
         double worst = 0;
-        for (int a = 0; a < own.length; a++) {
-            worst = Math.max(worst, variance(a));
+        int row = 0;
+        for (int end : ends) {
+            double sum = 0;
+            while (row < end) {
+                sum += variance(row++);
+            }
+            worst = Math.max(worst, sum);
         }
         return worst;
     }
 
-    /** Of the information factored last. */
-    private double variance(int a) {
-        System.arraycopy(rows[a], 0, scratch, 0, n);
+    /** Of a row, by the information factored last. */
+    private double variance(int row) {
+        System.arraycopy(rows[row], 0, scratch, 0, n);
         Cholesky.solveLower(factor, n, scratch);
-        double sum = own[a];
+        double sum = own[row];
         for (int i = 0; i < n; i++) {
             sum += scratch[i] * scratch[i];
         }
@@ -71,12 +97,12 @@ public final class Design {
     }
 
     /**
-     * All variances, and for each {@code x_a = I^-1 c_a}: the derivative of the variance by the information is
-     * {@code -x_a x_a^T}.
+     * All variances, and for each row {@code x_r = I^-1 c_r}: the derivative of the variance by the information is
+     * the sum of {@code -x_r x_r^T}.
      *
      * @param information n x n
      * @param variances receives one for each function
-     * @param solutions receives n values for each function
+     * @param solutions receives n values for each row
      * @return false where the information is singular
      */
     boolean variances(double[] information, double[] variances, double[][] solutions) {
@@ -84,10 +110,13 @@ public final class Design {
         if (!Cholesky.factor(factor, n)) {
             return false;
         }
-        for (int a = 0; a < own.length; a++) {
-            variances[a] = variance(a);
-            System.arraycopy(scratch, 0, solutions[a], 0, n);
-            Cholesky.solveUpper(factor, n, solutions[a]);
+        for (int a = 0; a < ends.length; a++) {
+            variances[a] = 0;
+            for (int row = end(a - 1); row < ends[a]; row++) {
+                variances[a] += variance(row);
+                System.arraycopy(scratch, 0, solutions[row], 0, n);
+                Cholesky.solveUpper(factor, n, solutions[row]);
+            }
         }
         return true;
     }

@@ -1,6 +1,7 @@
 package org.cellgauge.internal.plan;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -10,11 +11,14 @@ import java.util.Set;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.cell.Target;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.vision.CornerForecast;
 import org.cellgauge.plan.Forecast;
 import org.cellgauge.plan.Layout;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A layout as information: for every place that the camera may have, what each reference tells, and what the target
@@ -25,6 +29,8 @@ public final class LayoutModel {
 
     private final Layout layout;
     private final List<View> views = new ArrayList<>();
+    /** Where markers do not err independently: one for each view. */
+    private final List<JointLayout> joints = new ArrayList<>();
     private final Set<Integer> unseen = new LinkedHashSet<>();
     private final Set<Integer> seenEverywhere = new LinkedHashSet<>();
 
@@ -36,6 +42,8 @@ public final class LayoutModel {
         final Map<Integer, double[]> references = new LinkedHashMap<>();
         final List<Label> labels = new ArrayList<>();
         final List<PlannedView.PointRows> points = new ArrayList<>();
+        /** Of the orientation; null at gripping points. */
+        final List<PlannedView.@Nullable PointRows> turns = new ArrayList<>();
         Design design;
 
         View(PlannedView view) {
@@ -62,14 +70,17 @@ public final class LayoutModel {
         Set<Double> sizes = new LinkedHashSet<>();
         cell.references().forEach(r -> sizes.add(r.sizeMm()));
         cell.objects().forEach(o -> sizes.add(o.sizeMm()));
-        double unit = 1 / cell.targetStdMm().orElse(1);
         cell.references().forEach(r -> seenEverywhere.add(r.id()));
         for (RigidTransform worldFromCamera : layout.worldFromCameras()) {
-            View view = new View(new PlannedView(cell, worldFromCamera, forecast, 1, intrinsics,
-                    new ArrayList<>(sizes), cell.references().size() + layout.worldFromObjects().size()));
+            View view = new View(view(worldFromCamera, forecast, intrinsics, sizes));
+            List<PlannedView> photos = new ArrayList<>(List.of(view.view));
+            layout.cameraFromOthers().forEach(other -> photos.add(
+                    view(worldFromCamera.compose(other), forecast, intrinsics, sizes)));
             for (Reference r : cell.references()) {
                 double[] information = view.view.information(r.worldFromMarker(), r.sizeMm(), r.placement());
-                if (information == null) {
+                boolean inAll = information != null && photos.subList(1, photos.size()).stream()
+                        .allMatch(photo -> photo.withPlace(r.worldFromMarker(), r.sizeMm()) != null);
+                if (information == null || !inAll) {
                     seenEverywhere.remove(r.id());
                 } else {
                     view.references.put(r.id(), information);
@@ -81,9 +92,19 @@ public final class LayoutModel {
                     look(view, object, places);
                 }
             }
-            setDesign(view, unit);
+            setDesign(view);
             views.add(view);
+            if (!layout.isOnePhoto()) {
+                joints.add(new JointLayout(layout, photos, List.copyOf(view.references.keySet())));
+            }
         }
+    }
+
+    private PlannedView view(RigidTransform worldFromCamera, CornerForecast forecast, IntrinsicsPrior intrinsics,
+            Set<Double> sizes) {
+        Cell cell = layout.cell();
+        return new PlannedView(cell, worldFromCamera, forecast, 1, intrinsics, new ArrayList<>(sizes),
+                cell.references().size() + layout.worldFromObjects().size());
     }
 
     private void look(View view, ObjectMarker object, List<RigidTransform> places) {
@@ -98,10 +119,12 @@ public final class LayoutModel {
             ofSquare = ofSquare == null ? seen.information() : ofSquare;
             view.labels.add(new Label(object.id(), false));
             view.points.add(seen.point(CENTRE));
+            view.turns.add(seen.turn());
             double[] grip = object.gripMm();
             if (grip != null) {
                 view.labels.add(new Label(object.id(), true));
                 view.points.add(seen.point(grip));
+                view.turns.add(null);
             }
         }
         if (ofSquare != null) {
@@ -109,19 +132,55 @@ public final class LayoutModel {
         }
     }
 
-    private static void setDesign(View view, double unit) {
+    /** What is asked of an object; of each 1 mm along every axis where nothing is asked of any. */
+    private Asked asked(int object) {
+        Target target = layout.cell().target();
+        return new Asked(target.isAny() ? target.of(object) : Asked.ONE_MM);
+    }
+
+    private void setDesign(View view) {
         int n = view.view.unknowns();
-        double[][] rows = new double[3 * view.points.size()][n];
-        double[] own = new double[rows.length];
+        List<double[]> rows = new ArrayList<>();
+        List<Double> own = new ArrayList<>();
+        List<Integer> ends = new ArrayList<>();
         for (int p = 0; p < view.points.size(); p++) {
+            Asked asked = asked(view.labels.get(p).object());
+            PlannedView.PointRows point = view.points.get(p);
             for (int axis = 0; axis < 3; axis++) {
-                for (int i = 0; i < n; i++) {
-                    rows[3 * p + axis][i] = view.points.get(p).rows()[axis * n + i] * unit;
-                }
-                own[3 * p + axis] = view.points.get(p).ownMm2()[4 * axis] * unit * unit;
+                addRow(point, axis, asked.limitMm(axis), n, rows, own, ends);
+            }
+            addRows(point, asked.traceLimitMm(), n, rows, own, ends);
+            if (view.turns.get(p) != null) {
+                addRows(view.turns.get(p), asked.traceLimitRad(), n, rows, own, ends);
             }
         }
-        view.design = new Design(n, rows, own);
+        view.design = new Design(n, rows.toArray(new double[0][]), own.stream().mapToDouble(d -> d).toArray(),
+                ends.stream().mapToInt(e -> e).toArray());
+    }
+
+    private static void addRow(PlannedView.PointRows point, int axis, double limit, int n, List<double[]> rows,
+            List<Double> own, List<Integer> ends) {
+        if (limit < Double.POSITIVE_INFINITY) {
+            double[] row = new double[n];
+            for (int i = 0; i < n; i++) {
+                row[i] = point.rows()[axis * n + i] / limit;
+            }
+            rows.add(row);
+            own.add(point.ownMm2()[4 * axis] / (limit * limit));
+            ends.add(rows.size());
+        }
+    }
+
+    /** All three as one function. */
+    private static void addRows(PlannedView.PointRows point, double limit, int n, List<double[]> rows,
+            List<Double> own, List<Integer> ends) {
+        if (limit < Double.POSITIVE_INFINITY) {
+            for (int axis = 0; axis < 3; axis++) {
+                addRow(point, axis, limit, n, rows, own, ends);
+                ends.remove(ends.size() - 1);
+            }
+            ends.add(rows.size());
+        }
     }
 
     static void add(double[] what, double[] to) {
@@ -168,10 +227,10 @@ public final class LayoutModel {
     }
 
     /**
-     * What is asked for in one of the photos, in units of the target (of 1 mm where there is none).
+     * What is asked for in one of the photos, so that 1 just meets the target (of 1 mm where there is none).
      *
      * @param v 0 to {@link #views()} - 1
-     * @return with functions for x, y, z of every point; of its own for one thread
+     * @return with a function for all that is asked of every point; of its own for one thread
      */
     public Design design(int v) {
         return views.get(v).design;
@@ -209,16 +268,90 @@ public final class LayoutModel {
     }
 
     /**
-     * The largest variance of any point along any axis, in units of the target's square.
+     * How much of what is asked for is taken by the point that takes most, squared; a distance or a turn counts at
+     * most, which may be more than it does.
      *
-     * @return at most 1 where the target is met; infinite where an object is not seen
+     * @return at most 1 where the target is met for sure; mm² where there is no target; infinite where an object is not
+     *     seen
      */
     public double worst() {
         double worst = unseen.isEmpty() ? 0 : Double.POSITIVE_INFINITY;
         for (int v = 0; v < views.size(); v++) {
-            worst = Math.max(worst, views.get(v).design.worst(information(v, List.of(), 0)));
+            if (joints.isEmpty()) {
+                worst = Math.max(worst, views.get(v).design.worst(information(v, List.of(), 0)));
+            } else {
+                for (Found found : found(v)) {
+                    worst = Math.max(worst, asked(found.label().object()).square(found.known().covarianceMm2(),
+                            found.known().turnRad2()));
+                }
+            }
         }
         return worst;
+    }
+
+    /** What is known of a point at one of its places. */
+    private record Found(Label label, JointLayout.Known known) {
+    }
+
+    private List<Found> found(int v) {
+        return joints.isEmpty() ? byInformation(v) : joint(joints.get(v));
+    }
+
+    private List<Found> byInformation(int v) {
+        View view = views.get(v);
+        int n = view.view.unknowns();
+        double[] factor = information(v, List.of(), 0);
+        double[] inverse = Cholesky.inverse(factor, n);
+        List<Found> all = new ArrayList<>();
+        for (int p = 0; p < view.points.size(); p++) {
+            PlannedView.PointRows turn = view.turns.get(p);
+            all.add(new Found(view.labels.get(p), new JointLayout.Known(
+                    covariance(view.points.get(p), inverse, n), view.points.get(p).ownMm2(),
+                    turn == null ? null : covariance(turn, inverse, n), turn == null ? null : turn.ownMm2())));
+        }
+        return all;
+    }
+
+    private static double[] covariance(PlannedView.PointRows point, double @Nullable [] inverse, int n) {
+        double[] out = point.ownMm2().clone();
+        if (inverse == null) {
+            Arrays.fill(out, Double.POSITIVE_INFINITY);
+            return out;
+        }
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 3; j++) {
+                for (int a = 0; a < n; a++) {
+                    double sum = 0;
+                    for (int b = 0; b < n; b++) {
+                        sum += inverse[a * n + b] * point.rows()[j * n + b];
+                    }
+                    out[3 * i + j] += point.rows()[i * n + a] * sum;
+                }
+            }
+        }
+        return out;
+    }
+
+    private List<Found> joint(JointLayout joint) {
+        List<Found> all = new ArrayList<>();
+        for (ObjectMarker object : layout.cell().objects()) {
+            double[] grip = object.gripMm();
+            for (RigidTransform place : layout.worldFromObjects().getOrDefault(object.id(), List.of())) {
+                List<JointLayout.Known> known = joint.of(object, place, grip == null ? List.of(CENTRE)
+                        : List.of(CENTRE, grip));
+                if (known == null) {
+                    unseen.add(object.id());
+                    break;
+                }
+                all.add(new Found(new Label(object.id(), false), known.get(0)));
+                if (grip != null) {
+                    JointLayout.Known k = known.get(1);
+                    all.add(new Found(new Label(object.id(), true),
+                            new JointLayout.Known(k.covarianceMm2(), k.ownMm2(), null, null)));
+                }
+            }
+        }
+        return all;
     }
 
     /**
@@ -227,27 +360,36 @@ public final class LayoutModel {
      * @return the forecast
      */
     public Forecast forecast() {
-        double target = layout.cell().targetStdMm().orElse(1);
         Map<Label, double[]> worst = new LinkedHashMap<>();
         for (int v = 0; v < views.size(); v++) {
-            View view = views.get(v);
-            Design design = view.design;
-            double[] variances = new double[design.functions()];
-            double[][] solutions = new double[variances.length][design.unknowns()];
-            boolean told = design.variances(information(v, List.of(), 0), variances, solutions);
-            for (int p = 0; p < view.points.size(); p++) {
-                double[] most = worst.computeIfAbsent(view.labels.get(p), label -> new double[4]);
+            for (Found found : found(v)) {
+                JointLayout.Known known = found.known();
+                Asked asked = asked(found.label().object());
+                double[] most = worst.computeIfAbsent(found.label(),
+                        label -> new double[] {0, 0, 0, 0, 0, -1, 0, Double.NaN, 0});
                 for (int axis = 0; axis < 3; axis++) {
-                    double std = told ? Math.sqrt(variances[3 * p + axis]) * target : Double.POSITIVE_INFINITY;
-                    most[axis] = Math.max(most[axis], std);
-                    most[3] = Math.max(most[3], Math.sqrt(view.points.get(p).ownMm2()[4 * axis]));
+                    most[axis] = Math.max(most[axis], Math.sqrt(known.covarianceMm2()[4 * axis]));
+                    most[3] = Math.max(most[3], Math.sqrt(known.ownMm2()[4 * axis]));
+                    if (known.turnRad2() != null) {
+                        most[4] = Math.max(most[4], Math.toDegrees(Math.sqrt(known.turnRad2()[4 * axis])));
+                    }
                 }
+                double ratio = asked.ratio(known.covarianceMm2(), known.turnRad2());
+                if (ratio > most[5]) {
+                    double[] c = known.covarianceMm2();
+                    most[5] = ratio;
+                    most[8] = Double.isFinite(c[0]) ? c[1] / Math.sqrt(c[0] * c[4]) : 0;
+                }
+                most[6] = Math.max(most[6], asked.ratio(known.ownMm2(), known.ownTurnRad2()));
+                double probability = asked.probability(known.covarianceMm2(), known.turnRad2());
+                most[7] = most[7] < probability ? most[7] : probability;
             }
         }
         List<Forecast.Row> rows = new ArrayList<>();
-        worst.forEach((label, std) -> {
+        worst.forEach((label, most) -> {
             if (!unseen.contains(label.object())) {
-                rows.add(new Forecast.Row(label.object(), label.grip(), std[0], std[1], std[2], std[3]));
+                rows.add(new Forecast.Row(label.object(), label.grip(), most[0], most[1], most[2], most[3],
+                        label.grip() ? Double.NaN : most[4], most[5], most[6], most[7], most[8]));
             }
         });
         return new Forecast(rows, List.copyOf(seenEverywhere), List.copyOf(unseen));

@@ -10,19 +10,21 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.ChangeKind;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.internal.geometry.Rotations;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.vision.CornerForecast;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.plan.Change;
-import org.cellgauge.plan.ChangeKind;
 import org.cellgauge.plan.Layout;
+import org.cellgauge.plan.MeasuredDistance;
 import org.cellgauge.plan.PlanOptions;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.warning.Warning;
@@ -35,20 +37,38 @@ final class Levers {
     private static final double[] LARGER = {1.25, 1.5, 2, 3};
     private static final double[] CLOSER = {0.85, 0.7, 0.5};
     private static final double[] ASLANT_DEG = {20, 35, 50};
+    private static final double[] ASLANT_QUICKLY_DEG = {35};
     private static final double[] LONGER = {1.33, 1.5, 2};
     private static final double TILT_DEG = 30;
     private static final int AROUND = 8;
     private static final int HALVINGS = 12;
     /** No further apart than this are the sizes that a change is offered in: people set up to so many parts of it. */
     private static final double FINE = 0.02;
+    /**
+     * What a proposal may take of what is asked, squared: nine tenths. Deviations differ from photo to photo by some per
+     * cent, and a verdict leaves a guard band of twice their Monte Carlo error.
+     */
+    static final double MEETS = 0.81;
     /** References that are added at once, at most. */
     static final int MOST_ADDED = 3;
+    /** More places of the camera than this, and places of references are tried on the coarser grid. */
+    private static final int FEW_VIEWS = 3;
+    private static final int BOUND_STEPS = 200;
+    /** Centres of plates that are tried, at most. */
+    private static final int MOST_PLATES = 24;
+    /** From one reference of a plate to the next, in sizes of theirs: a plate of three sizes either way. */
+    private static final double PLATE_SPACING = 2;
+    /** What a steel rule is good for over the length of a table, mm. */
+    private static final double DISTANCE_STD_MM = 0.5;
+    private static final int MOST_PHOTOS = 3;
+    private static final double PHOTO_DEG = 25;
 
     private final Layout layout;
     private final PlanOptions options;
     private final CornerForecast forecast;
     private final List<Step> steps = new ArrayList<>();
     private final ReferencePlaces places;
+    private final boolean quick;
     /** Whether there is a target that is missed as it is. */
     private final boolean missed;
     private double @Nullable [] bounds;
@@ -64,18 +84,33 @@ final class Levers {
     record Step(String group, Change change, UnaryOperator<@Nullable Layout> apply, boolean calibrated) {
     }
 
-    Levers(Layout layout, PlanOptions options) {
+    /**
+     * The changes of a layout.
+     *
+     * @param layout one photo of references that err independently
+     * @param options what to reckon with
+     * @param quick whether to leave out what takes long: the finer grid of places, several references at once, their
+     *     bound, plates and more photos
+     */
+    Levers(Layout layout, PlanOptions options, boolean quick) {
         this.layout = layout;
         this.options = options;
+        this.quick = quick;
         forecast = new CornerForecast(options.toneCurve(), options.blurPx(), options.noiseGrey());
-        places = new ReferencePlaces(layout, options);
-        missed = layout.cell().targetStdMm().isPresent() && worst(layout, false) > 1;
+        places = new ReferencePlaces(layout, options, quick ? ReferencePlaces.Grid.QUICK
+                : layout.worldFromCameras().size() > FEW_VIEWS ? ReferencePlaces.Grid.COARSE : ReferencePlaces.Grid.FINE);
+        missed = layout.cell().target().isAny() && worst(layout, false) > 1;
         placements();
         added();
         raised();
         tilted();
         larger();
         camera();
+        if (!quick) {
+            plate();
+            distance();
+            photos();
+        }
     }
 
     Layout layout() {
@@ -176,12 +211,12 @@ final class Levers {
             if (Double.isInfinite(reached)) {
                 continue;
             }
-            if (reached <= 1 && missed) {
+            if (reached <= MEETS && missed) {
                 double meets = size;
                 double misses = before;
                 for (int i = 0; i < HALVINGS && Math.abs(meets - misses) > FINE * Math.abs(meets); i++) {
                     double middle = 0.5 * (meets + misses);
-                    if (worst(step.apply(middle).apply().apply(layout), false) <= 1) {
+                    if (worst(step.apply(middle).apply().apply(layout), false) <= MEETS) {
                         meets = middle;
                     } else {
                         misses = middle;
@@ -213,7 +248,7 @@ final class Levers {
             }
         }
         bounds = new double[MOST_ADDED];
-        for (int size = 1; size <= MOST_ADDED; size++) {
+        for (int size = 1; size <= (quick ? 1 : MOST_ADDED); size++) {
             double[][] base = new double[model.views()][];
             for (int v = 0; v < base.length; v++) {
                 base[v] = model.information(v, List.of(), size);
@@ -224,19 +259,13 @@ final class Levers {
                 return;
             }
             // with one, all were tried
-            bounds[size - 1] = size == 1 ? choice.worst() : search.bound(size, 200);
+            bounds[size - 1] = size == 1 ? choice.worst() : search.bound(size, BOUND_STEPS);
             List<Reference> more = new ArrayList<>();
             List<Change> changes = new ArrayList<>();
-            Set<Integer> taken = new LinkedHashSet<>();
-            layout.cell().references().forEach(r -> taken.add(r.id()));
-            layout.cell().objects().forEach(o -> taken.add(o.id()));
+            Set<Integer> taken = taken();
             for (int member : choice.members()) {
                 RigidTransform pose = places.worldFromMarkers.get(member);
-                int id = 0;
-                while (taken.contains(id) || !layout.cell().family().has(id)) {
-                    id++;
-                }
-                taken.add(id);
+                int id = free(taken);
                 more.add(new Reference(id, places.sizeMm, pose, places.placement));
                 changes.add(change(pose));
             }
@@ -246,6 +275,120 @@ final class Levers {
                 references.addAll(more);
                 return all.with(all.cell().withReferences(references));
             }, false));
+        }
+    }
+
+    private Set<Integer> taken() {
+        Set<Integer> taken = new LinkedHashSet<>();
+        layout.cell().references().forEach(r -> taken.add(r.id()));
+        layout.cell().objects().forEach(o -> taken.add(o.id()));
+        return taken;
+    }
+
+    /** The smallest id of the family that is not taken yet, which it is then. */
+    private int free(Set<Integer> taken) {
+        int id = 0;
+        while (taken.contains(id) || !layout.cell().family().has(id)) {
+            id++;
+        }
+        taken.add(id);
+        return id;
+    }
+
+    /** Four references on one plate, flat, at the best of some places where all of them are clear. */
+    private void plate() {
+        double half = 0.5 * PLATE_SPACING * places.sizeMm;
+        List<RigidTransform> middles = places.clearPlates(half);
+        int every = Math.max(1, (middles.size() + MOST_PLATES - 1) / MOST_PLATES);
+        Step best = null;
+        double least = Double.POSITIVE_INFINITY;
+        for (int m = every / 2; m < middles.size(); m += every) {
+            Step step = plate(middles.get(m), half);
+            double reached = worst(step.apply().apply(layout), false);
+            if (reached < least) {
+                least = reached;
+                best = step;
+            }
+        }
+        if (best != null) {
+            steps.add(best);
+        }
+    }
+
+    private Step plate(RigidTransform middle, double half) {
+        Set<Integer> taken = taken();
+        List<Reference> four = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            four.add(new Reference(free(taken), places.sizeMm, middle.compose(ReferencePlaces.onPlate(i, half)),
+                    places.placement));
+        }
+        double[] at = middle.translationMm();
+        return new Step("added", new Change(Warning.of(ChangeKind.ADD_PLATE, Decimal.shortest(places.sizeMm),
+                whole(2 * half), whole(at[0]), whole(at[1]), whole(at[2])), options.cost(ChangeKind.ADD_PLATE)),
+                all -> {
+                    List<Reference> references = new ArrayList<>(all.cell().references());
+                    references.addAll(four);
+                    return all.with(all.cell().withReferences(references))
+                            .withPlate(four.stream().map(Reference::id).toList());
+                }, false);
+    }
+
+    /** The distance between the two references where it helps most. */
+    private void distance() {
+        List<Reference> references = layout.cell().references();
+        Step best = null;
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < references.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                MeasuredDistance distance = new MeasuredDistance(references.get(j).id(), references.get(i).id(),
+                        DISTANCE_STD_MM);
+                Step step = new Step("distance", new Change(Warning.of(ChangeKind.MEASURE_DISTANCE, distance.first(),
+                        distance.second(), Decimal.shortest(DISTANCE_STD_MM)),
+                        options.cost(ChangeKind.MEASURE_DISTANCE)), all -> all.withDistance(distance), false);
+                double reached = worst(step.apply().apply(layout), false);
+                if (reached < least) {
+                    least = reached;
+                    best = step;
+                }
+            }
+        }
+        if (best != null) {
+            steps.add(best);
+        }
+    }
+
+    /** More photos, each from the side of where the camera stands that helps most beside those before. */
+    private void photos() {
+        double[] centre = centre();
+        RigidTransform camera = layout.worldFromCameras().get(0);
+        List<RigidTransform> chosen = new ArrayList<>();
+        for (int k = 1; k <= MOST_PHOTOS; k++) {
+            RigidTransform best = null;
+            double least = Double.POSITIVE_INFINITY;
+            for (int a = 0; a <= AROUND; a++) {
+                // the last is one more from where it stands
+                RigidTransform other = camera.inverse().compose(a == AROUND ? camera
+                        : aslant(camera, centre, PHOTO_DEG, 2 * Math.PI * a / AROUND));
+                List<RigidTransform> others = new ArrayList<>(chosen);
+                others.add(other);
+                double reached = worst(seen(layout.withOtherPhotos(others)), false);
+                if (reached < least) {
+                    least = reached;
+                    best = other;
+                }
+            }
+            if (best == null) {
+                return;
+            }
+            chosen.add(best);
+            List<RigidTransform> others = List.copyOf(chosen);
+            List<Object> where = new ArrayList<>();
+            for (RigidTransform other : others) {
+                double[] at = camera.compose(other).translationMm();
+                where.add("(" + whole(at[0]) + ", " + whole(at[1]) + ", " + whole(at[2]) + ")");
+            }
+            steps.add(new Step("photos", new Change(Warning.of(ChangeKind.MORE_PHOTOS, Listing.and(where)),
+                    options.cost(ChangeKind.MORE_PHOTOS) * k), all -> seen(all.withOtherPhotos(others)), false));
         }
     }
 
@@ -302,7 +445,7 @@ final class Levers {
             double reached = worst(tried.apply().apply(layout), false);
             if (!Double.isInfinite(reached)) {
                 steps.add(tried);
-                if (reached <= 1 && missed) {
+                if (reached <= MEETS && missed) {
                     return;
                 }
             }
@@ -393,7 +536,7 @@ final class Levers {
                     whole(at[1]), whole(at[2]), whole(100 * share)),
                     options.cost(ChangeKind.CAMERA_CLOSER)), all -> seen(all.withCameras(nearer)), false);
         });
-        for (double degrees : ASLANT_DEG) {
+        for (double degrees : quick ? ASLANT_QUICKLY_DEG : ASLANT_DEG) {
             Step best = null;
             double least = Double.POSITIVE_INFINITY;
             for (int k = 0; k < AROUND; k++) {
@@ -453,23 +596,7 @@ final class Levers {
     private Step aslant(double[] centre, double degrees, double around) {
         List<RigidTransform> aslant = new ArrayList<>();
         for (RigidTransform pose : layout.worldFromCameras()) {
-            // about an axis of the image, so that the camera goes round what it sees
-            double[] r = pose.rotation();
-            double[] axis = new double[3];
-            for (int i = 0; i < 3; i++) {
-                axis[i] = Math.toRadians(degrees) * (Math.cos(around) * r[3 * i] + Math.sin(around) * r[3 * i + 1]);
-            }
-            double[] turn = new double[9];
-            double[] turned = new double[9];
-            Rotations.exp(axis[0], axis[1], axis[2], turn);
-            Rotations.multiply(turn, r, turned);
-            double[] at = pose.translationMm();
-            double[] moved = RigidTransform.of(turn, new double[3]).apply(at[0] - centre[0], at[1] - centre[1],
-                    at[2] - centre[2]);
-            for (int i = 0; i < 3; i++) {
-                moved[i] += centre[i];
-            }
-            aslant.add(RigidTransform.of(turned, moved));
+            aslant.add(aslant(pose, centre, degrees, around));
         }
         double[] at = aslant.get(0).translationMm();
         return new Step("camera", new Change(Warning.of(ChangeKind.CAMERA_ASLANT, whole(at[0]),
@@ -477,10 +604,41 @@ final class Levers {
                 options.cost(ChangeKind.CAMERA_ASLANT)), all -> seen(all.withCameras(aslant)), false);
     }
 
+    private static RigidTransform aslant(RigidTransform pose, double[] centre, double degrees, double around) {
+        // about an axis of the image, so that the camera goes round what it sees
+        double[] r = pose.rotation();
+        double[] axis = new double[3];
+        for (int i = 0; i < 3; i++) {
+            axis[i] = Math.toRadians(degrees) * (Math.cos(around) * r[3 * i] + Math.sin(around) * r[3 * i + 1]);
+        }
+        double[] turn = new double[9];
+        double[] turned = new double[9];
+        Rotations.exp(axis[0], axis[1], axis[2], turn);
+        Rotations.multiply(turn, r, turned);
+        double[] at = pose.translationMm();
+        double[] moved = RigidTransform.of(turn, new double[3]).apply(at[0] - centre[0], at[1] - centre[1],
+                at[2] - centre[2]);
+        for (int i = 0; i < 3; i++) {
+            moved[i] += centre[i];
+        }
+        return RigidTransform.of(turned, moved);
+    }
+
     /** A layout in which no reference is lost from sight that was seen before; null where one is. */
     private @Nullable Layout seen(Layout changed) {
-        int before = model(layout, false).forecast().references().size();
-        return model(changed, false).forecast().references().size() < before ? null : changed;
+        return seenReferences(changed) < seenReferences(layout) ? null : changed;
+    }
+
+    /** How many references every photo shows, from wherever the camera may stand. */
+    private static long seenReferences(Layout of) {
+        return of.cell().references().stream().filter(r -> of.worldFromCameras().stream().allMatch(camera ->
+                isSeen(of, camera, r) && of.cameraFromOthers().stream().allMatch(other ->
+                        isSeen(of, camera.compose(other), r)))).count();
+    }
+
+    private static boolean isSeen(Layout of, RigidTransform worldFromCamera, Reference r) {
+        return MarkerGeometry.seenPx(of.cell().camera(), worldFromCamera.inverse().compose(r.worldFromMarker()),
+                r.sizeMm()) != null;
     }
 
     private double[] centre() {

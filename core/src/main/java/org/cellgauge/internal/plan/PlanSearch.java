@@ -5,7 +5,8 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
+import org.cellgauge.cell.ChangeKind;
+import org.cellgauge.cell.Target;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.vision.CornerForecast;
 import org.cellgauge.plan.Change;
@@ -20,7 +21,9 @@ import org.jspecify.annotations.Nullable;
 public final class PlanSearch {
     /** Changes that are combined: the most useful for what they cost. */
     private static final int COMBINED = 24;
+    private static final int COMBINED_QUICKLY = 8;
     private static final int MOST_PROPOSALS = 5;
+    private static final int MOST_ADVICE = 3;
     private static final double USEFUL = 0.999;
 
     private final Layout layout;
@@ -57,10 +60,54 @@ public final class PlanSearch {
      */
     public Plan plan() {
         Forecast now = forecast();
-        OptionalDouble target = layout.cell().targetStdMm();
-        double unit = target.orElse(1);
-        Levers levers = new Levers(layout, options);
+        Target target = layout.cell().target();
+        Levers levers = new Levers(layout, options, false);
         double worstNow = levers.worst(layout, false);
+        List<Tried> singles = singles(levers);
+        List<Tried> all = new ArrayList<>(singles);
+        all.removeIf(t -> !(t.worst() < worstNow * USEFUL));
+        List<Tried> combined = mostUseful(all, COMBINED);
+        combine(levers, combined, 2, all);
+        if (target.isAny() && all.stream().noneMatch(t -> t.worst() <= Levers.MEETS)) {
+            combine(levers, combined, 3, all);
+        }
+        List<Tried> front = front(all);
+        List<Tried> best = best(all, target);
+        List<Plan.Certificate> certificates = new ArrayList<>();
+        for (Tried single : singles) {
+            ChangeKind kind = single.steps().get(0).change().kind();
+            if (kind == ChangeKind.ADD_REFERENCE || kind == ChangeKind.ADD_REFERENCES) {
+                int count = certificates.size() + 1;
+                certificates.add(new Plan.Certificate(count, Math.sqrt(single.worst()),
+                        Math.sqrt(levers.bound(count))));
+            }
+        }
+        return new Plan(layout, now, target, proposals(levers, best), proposals(levers, front),
+                proposals(levers, largest(singles)), now.boundStdMm(), certificates);
+    }
+
+    /**
+     * The cheapest changes that meet the target, found quickly: fewer sizes, places and combinations than a plan tries.
+     *
+     * @return at most three, cheapest first; none where the target is met as it is, or where nothing that was tried
+     *     meets it
+     */
+    public List<Proposal> advice() {
+        Levers levers = new Levers(layout, options, true);
+        if (!(levers.worst(layout, false) > 1)) {
+            return List.of();
+        }
+        List<Tried> all = singles(levers);
+        if (all.stream().filter(t -> t.worst() <= Levers.MEETS).map(t -> t.steps().get(0).group()).distinct().count()
+                < MOST_ADVICE) {
+            combine(levers, mostUseful(all, COMBINED_QUICKLY), 2, all);
+        }
+        all.removeIf(t -> !(t.worst() <= Levers.MEETS));
+        List<Tried> best = best(all, layout.cell().target());
+        return proposals(levers, best.subList(0, Math.min(MOST_ADVICE, best.size())));
+    }
+
+    private static List<Tried> singles(Levers levers) {
         List<Tried> singles = new ArrayList<>();
         for (Levers.Step step : levers.steps()) {
             Tried tried = tried(levers, List.of(step));
@@ -68,35 +115,25 @@ public final class PlanSearch {
                 singles.add(tried);
             }
         }
-        List<Tried> useful = new ArrayList<>(singles);
-        useful.removeIf(t -> !(t.worst() < worstNow * USEFUL));
-        List<Tried> all = new ArrayList<>(useful);
-        useful.sort(Comparator.comparingDouble(t -> Math.log(t.worst()) - 1e-3 * t.cost()));
-        List<Tried> combined = useful.subList(0, Math.min(COMBINED, useful.size()));
-        combine(levers, combined, 2, all);
-        if (target.isPresent() && all.stream().noneMatch(t -> t.worst() <= 1)) {
-            combine(levers, combined, 3, all);
-        }
-        List<Tried> front = front(all);
+        return singles;
+    }
+
+    /** Those that bring most; what costs less is worth a little less. */
+    private static List<Tried> mostUseful(List<Tried> all, int most) {
+        List<Tried> sorted = new ArrayList<>(all);
+        sorted.sort(Comparator.comparingDouble(t -> Math.log(t.worst()) - 1e-3 * t.cost()));
+        return List.copyOf(sorted.subList(0, Math.min(most, sorted.size())));
+    }
+
+    private static List<Tried> best(List<Tried> all, Target target) {
         List<Tried> best = new ArrayList<>(all);
-        if (target.isPresent() && all.stream().anyMatch(t -> t.worst() <= 1)) {
-            best.removeIf(t -> !(t.worst() <= 1));
+        if (target.isAny() && all.stream().anyMatch(t -> t.worst() <= Levers.MEETS)) {
+            best.removeIf(t -> !(t.worst() <= Levers.MEETS));
             best.sort(Comparator.comparingDouble(Tried::cost).thenComparingDouble(Tried::worst));
-            best = withoutNeedless(best);
-        } else {
-            best.sort(Comparator.comparingDouble(Tried::worst));
-            best = best.subList(0, Math.min(1, best.size()));
+            return withoutNeedless(best);
         }
-        List<Plan.Certificate> certificates = new ArrayList<>();
-        for (Tried single : singles) {
-            if (single.steps().get(0).group().equals("added")) {
-                int count = certificates.size() + 1;
-                certificates.add(new Plan.Certificate(count, Math.sqrt(single.worst()) * unit,
-                        Math.sqrt(levers.bound(count)) * unit));
-            }
-        }
-        return new Plan(layout, now, target, proposals(levers, best), proposals(levers, front),
-                proposals(levers, largest(singles)), now.boundStdMm(), certificates);
+        best.sort(Comparator.comparingDouble(Tried::worst));
+        return best.subList(0, Math.min(1, best.size()));
     }
 
     private static @Nullable Tried tried(Levers levers, List<Levers.Step> steps) {

@@ -130,6 +130,17 @@ public final class PlannedView {
     }
 
     /**
+     * Whether an unknown is one of every photo for itself, as the pose and the shift of edges are, and not of the
+     * camera and the prints.
+     *
+     * @param unknown 0 to {@link #unknowns()} - 1
+     * @return false for intrinsics, ink and sizes
+     */
+    boolean isOfPhoto(int unknown) {
+        return unknown < POSE || unknown >= firstShift() && unknown < firstGain();
+    }
+
+    /**
      * Where the camera stands.
      *
      * @return x_world = worldFromCamera · x_camera
@@ -296,6 +307,54 @@ public final class PlannedView {
      * @return information, n x n; null where it would not be seen from the front and wholly in the image
      */
     public double @Nullable [] information(RigidTransform worldFromMarker, double sizeMm, Placement placement) {
+        Jacobians seen = jacobians(worldFromMarker, sizeMm);
+        if (seen == null) {
+            return null;
+        }
+        double[] variances = {placement.stdMm(0), placement.stdMm(1), placement.stdMm(2), placement.stdRad(),
+            placement.stdRad(), placement.stdRad()};
+        int m = seen.rows().count;
+        double[] covariance = seen.rows().covariance;
+        double[] byPlace = seen.byPlace();
+        for (int i = 0; i < 8; i++) {
+            for (int j = 0; j < 8; j++) {
+                for (int p = 0; p < POSE; p++) {
+                    covariance[i * m + j] += byPlace[i * POSE + p] * byPlace[j * POSE + p] * variances[p]
+                            * variances[p];
+                }
+            }
+        }
+        return gram(covariance, m, seen.byUnknown(), unknowns);
+    }
+
+    /**
+     * What a marker tells of the shared unknowns and of its own place together.
+     *
+     * @param worldFromMarker where it stands
+     * @param sizeMm its size, one of those named
+     * @return information, (n + 6) x (n + 6): the shared unknowns, then the marker's shift in the world (mm) and its
+     *     turn about world axes (rad); null where it would not be seen from the front and wholly in the image
+     */
+    public double @Nullable [] withPlace(RigidTransform worldFromMarker, double sizeMm) {
+        Jacobians seen = jacobians(worldFromMarker, sizeMm);
+        if (seen == null) {
+            return null;
+        }
+        int n = unknowns;
+        int m = seen.rows().count;
+        double[] both = new double[m * (n + POSE)];
+        for (int row = 0; row < m; row++) {
+            System.arraycopy(seen.byUnknown(), row * n, both, row * (n + POSE), n);
+            System.arraycopy(seen.byPlace(), row * POSE, both, row * (n + POSE) + n, POSE);
+        }
+        return gram(seen.rows().covariance, m, both, n + POSE);
+    }
+
+    /** A marker's rows and their changes by the shared unknowns, and by its own place. */
+    private record Jacobians(Rows rows, double[] byUnknown, double[] byPlace) {
+    }
+
+    private @Nullable Jacobians jacobians(RigidTransform worldFromMarker, double sizeMm) {
         RigidTransform cameraFromMarker = cameraFromWorld.compose(worldFromMarker);
         double[] px = MarkerGeometry.seenPx(camera, cameraFromMarker, sizeMm);
         if (px == null) {
@@ -330,21 +389,10 @@ public final class PlannedView {
             }
             setCross(arm, inWorld, byPlace, row * POSE + 3, 1);
         }
-        double[] variances = {placement.stdMm(0), placement.stdMm(1), placement.stdMm(2), placement.stdRad(),
-            placement.stdRad(), placement.stdRad()};
-        double[] covariance = rows.covariance;
-        for (int i = 0; i < 8; i++) {
-            for (int j = 0; j < 8; j++) {
-                for (int p = 0; p < POSE; p++) {
-                    covariance[i * m + j] += byPlace[i * POSE + p] * byPlace[j * POSE + p] * variances[p]
-                            * variances[p];
-                }
-            }
-        }
         for (int row = 0; row < m; row++) {
             System.arraycopy(rows.shared, row * (n - POSE), byUnknown, row * n + POSE, n - POSE);
         }
-        return gram(covariance, m, byUnknown, n);
+        return new Jacobians(rows, byUnknown, byPlace);
     }
 
     /** From the camera to a corner, in world axes. */
@@ -477,6 +525,24 @@ public final class PlannedView {
         }
 
         /**
+         * The orientation of the object.
+         *
+         * @return how its turn about world axes hangs together with the shared unknowns, in rad
+         */
+        public PointRows turn() {
+            int n = unknowns;
+            double[] rows = new double[3 * n];
+            double[] byPose = new double[3 * POSE];
+            for (int i = 0; i < 3; i++) {
+                rows[i * n + 3 + i] = 1;
+                for (int j = 0; j < 3; j++) {
+                    byPose[i * POSE + 3 + j] = rotation[3 * i + j];
+                }
+            }
+            return joined(rows, byPose);
+        }
+
+        /**
          * A point of the object.
          *
          * @param pointMm its place in the frame of the object's marker, mm
@@ -494,9 +560,7 @@ public final class PlannedView {
                 }
             }
             int n = unknowns;
-            int after = n - POSE;
             double[] rows = new double[3 * n];
-            double[] own = new double[9];
             double[] byPose = new double[3 * POSE];
             double[] axis = new double[3];
             for (int i = 0; i < 3; i++) {
@@ -510,13 +574,21 @@ public final class PlannedView {
                     byPose[i * POSE + j] = axis[j];
                 }
                 setCross(arm, axis, byPose, i * POSE + 3, 1);
+            }
+            return joined(rows, byPose);
+        }
+
+        /** Rows that have the camera's pose, completed by what changes with the object's pose in the camera frame. */
+        private PointRows joined(double[] rows, double[] byPose) {
+            int n = unknowns;
+            int after = n - POSE;
+            double[] own = new double[9];
+            for (int i = 0; i < 3; i++) {
                 for (int c = 0; c < after; c++) {
                     for (int k = 0; k < POSE; k++) {
                         rows[i * n + POSE + c] += byPose[i * POSE + k] * byShared[k * after + c];
                     }
                 }
-            }
-            for (int i = 0; i < 3; i++) {
                 for (int j = 0; j < 3; j++) {
                     for (int a = 0; a < POSE; a++) {
                         for (int b = 0; b < POSE; b++) {
@@ -530,7 +602,7 @@ public final class PlannedView {
     }
 
     /**
-     * A point in the world as far as it depends on what is shared: its error is {@code rows · (error of the unknowns)}
+     * A point in the world, or a turn about its axes, as far as it depends on what is shared: its error is {@code rows · (error of the unknowns)}
      * plus an error of its own.
      */
     public static final class PointRows {

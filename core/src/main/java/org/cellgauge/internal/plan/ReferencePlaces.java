@@ -1,12 +1,14 @@
 package org.cellgauge.internal.plan;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.cell.Wall;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
@@ -19,11 +21,9 @@ import org.jspecify.annotations.Nullable;
  * over it, flat and tilted; seen whole, large and not too aslant from wherever the camera may be, and in nobody's way.
  */
 final class ReferencePlaces {
-    /** Places across and down the image. */
-    private static final int COLUMNS = 20;
-    private static final int ROWS = 12;
-    /** Heights between the plane and the highest allowed. */
-    private static final int HEIGHTS = 4;
+    /** Places along the length and the height of a wall. */
+    private static final int ALONG_WALL = 12;
+    private static final int UP_WALL = 4;
     private static final double TILT_RAD = Math.toRadians(30);
     /** Paper reaches beyond the black square by this share of its size on every side. */
     private static final double PAPER = 0.2;
@@ -38,7 +38,16 @@ final class ReferencePlaces {
     private final Layout layout;
     private final PlanOptions options;
 
-    ReferencePlaces(Layout layout, PlanOptions options) {
+    /**
+     * How finely places are tried: across and down the image, and heights between the plane and the highest allowed.
+     */
+    record Grid(int columns, int rows, int heights) {
+        static final Grid FINE = new Grid(20, 12, 4);
+        static final Grid COARSE = new Grid(10, 6, 2);
+        static final Grid QUICK = new Grid(8, 5, 1);
+    }
+
+    ReferencePlaces(Layout layout, PlanOptions options, Grid grid) {
         this.layout = layout;
         this.options = options;
         Cell cell = layout.cell();
@@ -55,22 +64,49 @@ final class ReferencePlaces {
             turns.add(RigidTransform.ofRotationVector(new double[] {sign * TILT_RAD, 0, 0}, new double[3]));
             turns.add(RigidTransform.ofRotationVector(new double[] {0, sign * TILT_RAD, 0}, new double[3]));
         }
-        int heights = options.maxHeightMm() > 0 ? HEIGHTS : 0;
+        int heights = options.maxHeightMm() > 0 ? grid.heights() : 0;
         for (int h = 0; h <= heights; h++) {
             double height = heights == 0 ? 0 : options.maxHeightMm() * h / heights;
-            for (int i = 0; i < ROWS * COLUMNS; i++) {
-                int row = i / COLUMNS;
-                double[] at = onPlane((i % COLUMNS + 0.5) / COLUMNS, (row + 0.5) / ROWS, normal, level + height);
+            for (int i = 0; i < grid.rows() * grid.columns(); i++) {
+                double[] at = onPlane((i % grid.columns() + 0.5) / grid.columns(),
+                        (i / grid.columns() + 0.5) / grid.rows(), normal, level + height);
                 if (at == null || !options.isFree(at[0], at[1])) {
                     continue;
                 }
                 for (RigidTransform turn : turns) {
-                    RigidTransform pose = RigidTransform.of(plane, rounded(at)).compose(turn);
-                    double[] circle = circles(pose, sizeMm);
-                    if (circle != null && isClear(circle, taken)) {
-                        worldFromMarkers.add(pose);
-                        circles.add(circle);
-                    }
+                    offer(RigidTransform.of(plane, rounded(at)).compose(turn), taken);
+                }
+            }
+        }
+        options.walls().forEach(wall -> offer(wall, taken));
+    }
+
+    private void offer(RigidTransform pose, List<double[]> taken) {
+        double[] circle = circles(pose, sizeMm);
+        if (circle != null && isClear(circle, taken)) {
+            worldFromMarkers.add(pose);
+            circles.add(circle);
+        }
+    }
+
+    /** Upright on a wall, on the side of the camera, as high as the marker's paper allows. */
+    private void offer(Wall wall, List<double[]> taken) {
+        double length = Math.hypot(wall.xToMm() - wall.xFromMm(), wall.yToMm() - wall.yFromMm());
+        double[] along = {(wall.xToMm() - wall.xFromMm()) / length, (wall.yToMm() - wall.yFromMm()) / length};
+        double[] camera = layout.worldFromCameras().get(0).translationMm();
+        boolean left = along[0] * (camera[1] - wall.yFromMm()) - along[1] * (camera[0] - wall.xFromMm()) > 0;
+        // x along the wall so that x, up and out of the wall are right-handed
+        double sign = left ? -1 : 1;
+        double[] out = {along[1] * sign, -along[0] * sign};
+        double[] rotation = {sign * along[0], 0, out[0], sign * along[1], 0, out[1], 0, 1, 0};
+        double margin = sizeMm * (0.5 + PAPER);
+        for (int i = 0; i < ALONG_WALL; i++) {
+            for (int k = 0; k < UP_WALL; k++) {
+                double at = (i + 0.5) / ALONG_WALL * length;
+                double up = (k + 0.5) / UP_WALL * wall.heightMm();
+                if (at > margin && at < length - margin && up > margin && up < wall.heightMm() - margin) {
+                    offer(RigidTransform.of(rotation, rounded(new double[] {wall.xFromMm() + at * along[0],
+                        wall.yFromMm() + at * along[1], up})), taken);
                 }
             }
         }
@@ -138,7 +174,7 @@ final class ReferencePlaces {
             double[] t = cameraFromMarker.translationMm();
             double cosine = -(r[2] * t[0] + r[5] * t[1] + r[8] * t[2])
                     / Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
-            if (paper == null || cosine < LEAST_COSINE) {
+            if (paper == null || cosine < LEAST_COSINE || isHidden(worldFromMarker, ofSizeMm, v)) {
                 return null;
             }
             double shortest = Double.POSITIVE_INFINITY;
@@ -158,6 +194,23 @@ final class ReferencePlaces {
             }
         }
         return out;
+    }
+
+    private boolean isHidden(RigidTransform worldFromMarker, double ofSizeMm, int view) {
+        if (options.walls().isEmpty()) {
+            return false;
+        }
+        double[] camera = layout.worldFromCameras().get(view).translationMm();
+        // a little before its own plane, so that no marker is hidden by the wall that it hangs on
+        double half = 0.5 * ofSizeMm;
+        for (int corner = 0; corner < 4; corner++) {
+            double[] at = worldFromMarker.apply(new double[] {corner % 2 == 0 ? half : -half,
+                corner / 2 == 0 ? half : -half, 1});
+            if (options.walls().stream().anyMatch(wall -> wall.hides(at, camera))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private List<double[]> taken() {
@@ -193,6 +246,31 @@ final class ReferencePlaces {
             }
         }
         return true;
+    }
+
+    /** Where the middle of a flat plate with four references could be, each so far from it either way. */
+    List<RigidTransform> clearPlates(double half) {
+        List<double[]> taken = taken();
+        List<RigidTransform> clear = new ArrayList<>();
+        double[] plane = usual(layout.cell()).worldFromMarker().rotation();
+        for (RigidTransform middle : worldFromMarkers) {
+            boolean all = Arrays.equals(plane, middle.rotation());
+            for (int i = 0; i < 4 && all; i++) {
+                RigidTransform marker = middle.compose(onPlate(i, half));
+                double[] at = marker.translationMm();
+                double[] circle = options.isFree(at[0], at[1]) ? circles(marker, sizeMm) : null;
+                all = circle != null && isClear(circle, taken);
+            }
+            if (all) {
+                clear.add(middle);
+            }
+        }
+        return clear;
+    }
+
+    /** A corner of a plate in the frame of its middle. */
+    static RigidTransform onPlate(int corner, double half) {
+        return RigidTransform.ofEuler(corner % 2 == 0 ? -half : half, corner / 2 == 0 ? -half : half, 0, 0, 0, 0);
     }
 
     /** Whether two of the places can be taken at the same time. */

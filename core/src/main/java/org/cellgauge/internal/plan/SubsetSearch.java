@@ -253,7 +253,7 @@ public final class SubsetSearch {
         for (int v = 0; v < at.length; v++) {
             at[v] = new double[base[v].length];
             variances[v] = new double[views.get(v).functions()];
-            solutions[v] = new double[variances[v].length][views.get(v).unknowns()];
+            solutions[v] = new double[views.get(v).end(variances[v].length - 1)][views.get(v).unknowns()];
         }
         double[] slopes = new double[count];
         double best = 0;
@@ -309,10 +309,12 @@ public final class SubsetSearch {
             for (int a = 0; a < variances[v].length; a++) {
                 double lambda = Math.exp(sharpness * (variances[v][a] / worst - 1)) / total;
                 value += lambda * variances[v][a];
-                double[] x = solutions[v][a];
-                for (int i = 0; i < n; i++) {
-                    for (int j = 0; j < n; j++) {
-                        outer[i * n + j] += lambda * x[i] * x[j];
+                for (int row = views.get(v).end(a - 1); row < views.get(v).end(a); row++) {
+                    double[] x = solutions[v][row];
+                    for (int i = 0; i < n; i++) {
+                        for (int j = 0; j < n; j++) {
+                            outer[i * n + j] += lambda * x[i] * x[j];
+                        }
                     }
                 }
             }

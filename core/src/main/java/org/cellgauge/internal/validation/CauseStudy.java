@@ -395,7 +395,8 @@ public final class CauseStudy {
         List<ObjectMarker> objects = new ArrayList<>();
         cell.objects().forEach(o -> objects.add(new ObjectMarker(o.id(), sizes * o.sizeMm(),
                 o.hasGrip() ? o.gripMm() : null)));
-        return new Cell(camera, cell.family(), sized, objects, cell.pixelStdPx(), cell.targetStdMm(), cell.prints());
+        return new Cell(camera, cell.family(), sized, objects, cell.pixelStdPx(), cell.targetStdMm(), cell.prints())
+                .withTarget(cell.target());
     }
 
     private static Reference placed(Reference r, RigidTransform worldFromMarker) {

@@ -1,4 +1,4 @@
-package org.cellgauge.plan;
+package org.cellgauge.cell;
 
 import org.cellgauge.warning.WarningKind;
 
@@ -28,6 +28,12 @@ public enum ChangeKind implements WarningKind {
     LONGER_LENS("take a lens of %s px focal length, %s times as long", 60),
     /** More pixels in the same field of view: width and height, px. */
     MORE_PIXELS("take a camera of %s x %s px with the same field of view", 120),
+    /** A plate with four references: size, mm; distance from one to the next, mm; x, y, z of its middle, mm. */
+    ADD_PLATE("add a plate with four references of %s mm, %s mm apart, its middle at (%s, %s, %s) mm", 30),
+    /** A distance between references that is measured: ids; standard deviation, mm. */
+    MEASURE_DISTANCE("measure the distance between references %s and %s to within %s mm (standard deviation)", 5),
+    /** More photos while nothing moves: from where, mm. */
+    MORE_PHOTOS("take one more photo from each of %s mm while nothing moves", 3),
     /** A calibration in place of unknown intrinsics. */
     CALIBRATE("calibrate the camera", 30);
 
