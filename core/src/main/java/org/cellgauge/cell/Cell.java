@@ -141,7 +141,8 @@ public final class Cell {
      * @throws IllegalArgumentException if an id stands twice in the cell then
      */
     public Cell withObjects(List<ObjectMarker> others) {
-        return new Cell(camera, family, references, others, pixelStdPx, target, prints, toneCurve, calibration, planning, joint);
+        return new Cell(camera, family, references, others, pixelStdPx, target, prints, toneCurve, calibration,
+                planning, joint);
     }
 
     /**
@@ -162,7 +163,8 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withTarget(Target other) {
-        return new Cell(camera, family, references, objects, pixelStdPx, other, prints, toneCurve, calibration, planning, joint);
+        return new Cell(camera, family, references, objects, pixelStdPx, other, prints, toneCurve, calibration,
+                planning, joint);
     }
 
     /**

@@ -1,7 +1,7 @@
 package org.cellgauge.survey;
 
-import java.util.LinkedHashMap;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.cellgauge.cell.ObjectMarker;

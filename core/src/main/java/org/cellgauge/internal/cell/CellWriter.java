@@ -84,7 +84,8 @@ public final class CellWriter {
                     out.append(", grip_mm: ").append(numbers(grip));
                 }
                 Requirement own = cell.target().own().get(object.id());
-                out.append(own == null ? "" : ", target: " + requirement(own)).append(object.moves() ? ", moves: true}\n" : "}\n");
+                out.append(own == null ? "" : ", target: " + requirement(own))
+                        .append(object.moves() ? ", moves: true}\n" : "}\n");
             }
         }
         SurveyedPlacement surveyed = cell.joint().surveyed();
