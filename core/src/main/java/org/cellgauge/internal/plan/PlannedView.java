@@ -602,8 +602,8 @@ public final class PlannedView {
     }
 
     /**
-     * A point in the world, or a turn about its axes, as far as it depends on what is shared: its error is {@code rows · (error of the unknowns)}
-     * plus an error of its own.
+     * A point in the world, or a turn about its axes, as far as it depends on what is shared: its error is
+     * {@code rows · (error of the unknowns)} plus an error of its own.
      */
     public static final class PointRows {
         private final double[] rows;
