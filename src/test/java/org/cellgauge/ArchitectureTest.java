@@ -79,11 +79,11 @@ class ArchitectureTest {
     /**
      * Hand on what others take apart: the bytes of any file, values of any YAML, standard input, what a cell's hash is
      * of; a picture that was just made. A table of numbers that {@code validate} goes on with, which it wrote. And of
-     * earlier runs one number at the head of a file of draws.
+     * earlier runs one number at the head of a file of draws, and figures that are made again where they are damaged.
      */
     private static final List<String> NO_READERS = List.of("internal.cell.InputFiles", "cell.YamlValue",
             "cli.StandardInput", "desktop.CellFile", "desktop.EarlierResults", "desktop.render.GreyJpeg",
-            "cli.CoverageStudyRun");
+            "cli.CoverageStudyRun", "desktop.reproduce.KeptFigures");
 
     private static JavaClasses product;
     private static JavaClasses core;

@@ -13,8 +13,9 @@ import org.jspecify.annotations.Nullable;
  *
  * @param camera the camera
  * @param lens name of the lens model among {@link Calibration#lenses()}
- * @param parameters the unknowns of the lens
- * @param covariance their joint covariance, row by row in their order, widened as said
+ * @param parameters the unknowns of the lens, and those that a richer one has which explains the photos about as well
+ * @param covariance their joint covariance about their values, row by row in their order, widened as said; where the
+ *     lens was chosen by the photos, it has in it what other lenses say that explain them about as well
  * @param widenedBy factor of all deviations, at least 1
  * @param board unknowns of the board
  * @param figures figures of all photos together
@@ -91,8 +92,10 @@ public record CalibrationResult(PinholeCamera camera, String lens, List<Paramete
      * @param lens its name
      * @param unknowns how many parameters it has
      * @param heldOutRmsPx error of a coordinate in photos that its fit did not see, px; odd and even ones in turn
+     * @param weight its share in the covariance, by these errors; 0 where it was not to be chosen, or is of another model than
+     *     the one that was
      */
-    public record LensTrial(String lens, int unknowns, double heldOutRmsPx) {
+    public record LensTrial(String lens, int unknowns, double heldOutRmsPx, double weight) {
     }
 
     /**

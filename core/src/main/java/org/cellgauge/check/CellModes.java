@@ -10,6 +10,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.laplace.CameraFit;
 import org.cellgauge.internal.laplace.LinearModel;
@@ -24,6 +25,7 @@ import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.PosePrior;
 import org.cellgauge.internal.pose.ReferenceNoise;
 import org.cellgauge.internal.pose.ReferenceView;
+import org.cellgauge.internal.pose.StateLayout;
 import org.cellgauge.internal.statistics.CoverageRegion;
 import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.internal.warning.Decimal;
@@ -74,6 +76,8 @@ final class CellModes {
      * the camera in 91 % at 15 % (one in 200 is off by 8 deviations), in 87 % at 19 % and in 77 % at 28 %.
      */
     private static final double LARGEST_SHARE = 0.12;
+    /** Deviation of a focal length, as a share of it, beyond which nothing may be left open of it beforehand. */
+    private static final double LARGEST_FOCAL_SHARE = 0.2;
     /** Share of the pose prior in any direction above which the result is said to lean on it. */
     private static final double LEANING_SHARE = 0.01;
 
@@ -191,6 +195,7 @@ final class CellModes {
         CellModes found() {
             ReferenceView view = ReferenceView.of(cell.references(), errors);
             CameraFit camera = withNoise(cameraFit(view, IntrinsicsPrior.stated(cell, settings.model())));
+            requireFocalLength(camera);
             CameraState atMode = camera.mode().state();
             List<ObjectFit> objects = new ArrayList<>();
             List<Integer> missing = new ArrayList<>();
@@ -210,6 +215,23 @@ final class CellModes {
                 judgePlacements(camera);
             }
             return new CellModes(observed, camera, objects, warnings, contradiction);
+        }
+
+        /**
+         * A flat prior leaves a tail that no mode shows: as the focal length goes to infinity, and the distance with
+         * it, the image becomes that of a parallel projection, and the likelihood does not go to zero.
+         */
+        private void requireFocalLength(CameraFit camera) {
+            if (!camera.intrinsicsPrior.isFlat() || contradiction != null) {
+                return;
+            }
+            PoseMode mode = camera.mode();
+            double std = Math.sqrt(mode.covariance()[StateLayout.POSE * (mode.dimension() + 1)]);
+            double share = std / mode.state().intrinsics[PinholeCamera.FX];
+            if (share > LARGEST_FOCAL_SHARE) {
+                throw new InputRefusedException(detections.imageName(), CheckRefusal.FLAT_FOCAL_OPEN,
+                        Decimal.of(100 * share, 0));
+            }
         }
 
         /** One warning for all markers of the cell that the image shows too small. */
@@ -465,9 +487,10 @@ final class CellModes {
                     return fromStart;
                 }
             }
-            RigidTransform initial = InitialPose.of(settings.sampling().initial()).estimate(view, cell.camera());
+            PinholeCamera start = IntrinsicsPrior.start(cell.camera(), settings);
+            RigidTransform initial = InitialPose.of(settings.sampling().initial()).estimate(view, start);
             if (initial == null) {
-                initial = InitialPose.PNP.estimate(view, cell.camera());
+                initial = InitialPose.PNP.estimate(view, start);
                 if (initial == null) {
                     throw noPose();
                 }
@@ -475,13 +498,13 @@ final class CellModes {
             }
             PosePrior posePrior = null;
             if (needsPosePrior) {
-                posePrior = PosePrior.weak(CameraState.of(view.cameraFromSet(initial), cell.camera()));
+                posePrior = PosePrior.weak(CameraState.of(view.cameraFromSet(initial), start));
             }
             CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, posePrior, errors,
                     observed.noiseLevel);
             List<PoseMode> modes = fit.finder(view).modes(initial);
             if (modes.isEmpty() && settings.sampling().initial() != InitialEstimate.PNP) {
-                RigidTransform other = InitialPose.PNP.estimate(view, cell.camera());
+                RigidTransform other = InitialPose.PNP.estimate(view, start);
                 modes = other == null ? modes : fit.finder(view).modes(other);
             }
             return modes.isEmpty() ? fit : fit.at(notNegligible(modes), initial);

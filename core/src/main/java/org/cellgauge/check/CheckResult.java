@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.Target;
+import org.cellgauge.estimate.IntrinsicsEstimate;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.chains.CameraTarget;
 import org.cellgauge.internal.pose.CameraState;
@@ -13,6 +14,7 @@ import org.cellgauge.internal.posterior.CameraPosterior;
 import org.cellgauge.internal.statistics.ParetoTail;
 import org.cellgauge.internal.warning.CheckPhrase;
 import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.NoiseFit;
 import org.cellgauge.placement.ReferenceCheck;
 import org.cellgauge.sampling.AcceptanceCount;
@@ -73,6 +75,11 @@ public final class CheckResult {
         Warning open = modes.directionOpen();
         if (open != null) {
             warnings.add(open);
+        }
+        IntrinsicsEstimate intrinsics = sampled.estimate.intrinsics();
+        List<String> notLearned = intrinsics == null ? List.of() : intrinsics.notLearned();
+        if (!notLearned.isEmpty()) {
+            warnings.add(Warning.of(CheckWarning.INTRINSICS_NOT_LEARNED, Listing.and(notLearned)));
         }
         Warning apart = sampled.againstLaplace().warning();
         if (apart != null) {

@@ -44,8 +44,7 @@ final class Estimates {
         IntrinsicsEstimate intrinsics = null;
         IntrinsicsEstimate quick = quickLook.intrinsics();
         if (quick != null) {
-            intrinsics = new IntrinsicsEstimate(quick.names(), summary.mean(quantities.intrinsics),
-                    summary.covariance(quantities.intrinsics));
+            intrinsics = quick.with(summary.mean(quantities.intrinsics), summary.covariance(quantities.intrinsics));
         }
         PinholeCamera lens = ImageEllipses.camera(cell.camera(), quantities.camera.intrinsicsPrior, intrinsics);
         List<ObjectEstimate> objects = new ArrayList<>();

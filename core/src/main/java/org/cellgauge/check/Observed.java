@@ -93,7 +93,7 @@ final class Observed {
             return NoiseFit.untested();
         }
         IntrinsicsPrior prior = IntrinsicsPrior.stated(cell, settings.model());
-        return prior.count() > 0 ? NoiseFit.ofUnknownIntrinsics(cell, errors, prior)
+        return prior.count() > 0 ? NoiseFit.ofUnknownIntrinsics(cell, errors, prior.proper())
                 : NoiseFit.of(cell, errors, cell.camera());
     }
 

@@ -103,11 +103,16 @@ public final class QuickLook {
         if (camera.intrinsicsPrior.count() > 0) {
             List<String> names = new ArrayList<>();
             double[] mean = new double[camera.intrinsicsPrior.count()];
+            double[] priorMean = new double[mean.length];
+            double[] priorStd = new double[mean.length];
             for (int i = 0; i < mean.length; i++) {
                 names.add(state.lens.parameterNames().get(camera.intrinsicsPrior.index(i)));
                 mean[i] = state.intrinsics[camera.intrinsicsPrior.index(i)];
+                priorMean[i] = camera.intrinsicsPrior.mean(i);
+                priorStd[i] = camera.intrinsicsPrior.std(i);
             }
-            intrinsics = new IntrinsicsEstimate(names, mean, linear.intrinsicsCovariance());
+            intrinsics = new IntrinsicsEstimate(names, mean, linear.intrinsicsCovariance(), priorMean, priorStd,
+                    camera.intrinsicsPrior.estimatedCount());
         }
         PinholeCamera lens = ImageEllipses.camera(camera.lens, camera.intrinsicsPrior, intrinsics);
         List<ObjectEstimate> list = new ArrayList<>();

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
@@ -24,6 +25,7 @@ import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.PosePrior;
 import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.SettingTable;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
 import org.jspecify.annotations.Nullable;
@@ -98,7 +100,10 @@ public final class LayoutPrediction {
         ReferenceView view = ReferenceView.of(cell.references(), errors);
         PosePrior posePrior = settings.model().posePriorAllowed() && PosePrior.isNeededFor(view.size())
                 ? PosePrior.weak(CameraState.of(view.cameraFromSet(worldFromCamera), cell.camera())) : null;
-        CameraFit fit = new CameraFit(cell.camera(), settings, view,
+        // corners are where the cell's own camera has them: nothing is searched for
+        CheckSettings asKnown = settings.toBuilder().set(SettingTable.INITIAL_FOCAL_PX, OptionalDouble.empty())
+                .set(SettingTable.FIELD_OF_VIEW_DEG, OptionalDouble.empty()).build();
+        CameraFit fit = new CameraFit(cell.camera(), asKnown, view,
                 IntrinsicsPrior.stated(cell, settings.model()), posePrior, errors, 0);
         PoseMode mode = fit.finder(view).at(Collections.singletonList(worldFromCamera));
         if (mode == null) {

@@ -492,9 +492,15 @@ public final class ResultJson {
         int size = view.intrinsics().size();
         double[] mean = new double[size];
         double[] std = new double[size];
+        double[] priorMean = new double[size];
+        double[] priorStd = new double[size];
         String[] names = new String[size];
+        String[] restsOn = new String[size];
         for (int i = 0; i < size; i++) {
             names[i] = view.intrinsics().get(i).name();
+            priorMean[i] = view.intrinsics().get(i).priorMean();
+            priorStd[i] = view.intrinsics().get(i).priorStd();
+            restsOn[i] = view.intrinsics().get(i).restsOn();
             mean[i] = view.intrinsics().get(i).mean();
             std[i] = view.intrinsics().get(i).std();
         }
@@ -503,6 +509,14 @@ public final class ResultJson {
         numbers("mean", mean);
         numbers("std", std);
         matrix("covariance", view.intrinsicsCovariance());
+        numbers("prior_mean", priorMean);
+        numbers("prior_std", priorStd);
+        json.name("calibrated").beginArray();
+        for (ResultView.Intrinsic intrinsic : view.intrinsics()) {
+            json.value(intrinsic.calibrated());
+        }
+        json.endArray();
+        strings("rests_on", List.of(restsOn));
         json.endObject();
     }
 

@@ -184,8 +184,12 @@ public final class ResultReader {
             List<Node> names = unknown.at("names").elements();
             double[] mean = unknown.at("mean").numbers(names.size());
             double[] std = unknown.at("std").numbers(names.size());
+            double[] priorMean = unknown.at("prior_mean").numbers(names.size());
+            double[] priorStd = unknown.at("prior_std").numbers(names.size());
+            List<Node> calibrated = unknown.at("calibrated").elements();
             for (int i = 0; i < mean.length; i++) {
-                intrinsics.add(new ResultView.Intrinsic(names.get(i).text(), mean[i], std[i]));
+                intrinsics.add(new ResultView.Intrinsic(names.get(i).text(), mean[i], std[i], priorMean[i],
+                        priorStd[i], calibrated.get(i).bool()));
             }
             view.intrinsics(intrinsics, unknown.at("covariance").matrix(names.size()));
         }

@@ -42,11 +42,62 @@ public final class ResultView extends Value {
         private final String name;
         private final double mean;
         private final double std;
+        private final double priorMean;
+        private final double priorStd;
+        private final boolean calibrated;
 
-        Intrinsic(String name, double mean, double std) {
+        Intrinsic(String name, double mean, double std, double priorMean, double priorStd, boolean calibrated) {
             this.name = name;
             this.mean = Figures.finite(mean);
             this.std = Figures.finite(std);
+            this.priorMean = Figures.finite(priorMean);
+            this.priorStd = Figures.finite(priorStd);
+            this.calibrated = calibrated;
+        }
+
+        /**
+         * Its value as known before the photo was seen.
+         *
+         * @return in its unit
+         */
+        public double priorMean() {
+            return priorMean;
+        }
+
+        /**
+         * How well it was known before.
+         *
+         * @return standard deviation in its unit; NaN where nothing was known
+         */
+        public double priorStd() {
+            return priorStd;
+        }
+
+        /**
+         * Whether what was known before is what a calibration leaves open.
+         *
+         * @return false where it was to be estimated
+         */
+        public boolean calibrated() {
+            return calibrated;
+        }
+
+        /**
+         * Whether the photo tells anything of it.
+         *
+         * @return false where its figures are what was known beforehand
+         */
+        public boolean learned() {
+            return IntrinsicsEstimate.isLearned(std, priorStd);
+        }
+
+        /**
+         * What its figures rest on, in words.
+         *
+         * @return {@code learned}, {@code not learned} or {@code as calibrated}
+         */
+        public String restsOn() {
+            return learned() ? "learned" : calibrated ? "as calibrated" : "not learned";
         }
 
         /**
@@ -296,7 +347,8 @@ public final class ResultView extends Value {
         List<Intrinsic> all = new ArrayList<>();
         double[] std = Figures.std(estimate.covariance());
         for (int i = 0; i < std.length; i++) {
-            all.add(new Intrinsic(estimate.names().get(i), estimate.mean()[i], std[i]));
+            all.add(new Intrinsic(estimate.names().get(i), estimate.mean()[i], std[i], estimate.priorMean()[i],
+                    estimate.priorStd()[i], i >= estimate.estimated()));
         }
         return builder.intrinsics(all, estimate.covariance());
     }

@@ -220,7 +220,7 @@ public final class CheckSettings implements SettingSource {
         /**
          * Sets the prior deviation of the focal length.
          *
-         * @param value px, positive
+         * @param value px, positive; +infinity for a flat prior
          * @return this
          */
         public Builder focalPriorStdPx(double value) {

@@ -52,7 +52,7 @@ public final class ModelSettings {
     /**
      * Standard deviation of the prior of the focal length about the camera file's.
      *
-     * @return px
+     * @return px; +infinity where it is flat
      */
     public double focalPriorStdPx() {
         return values.get(SettingTable.FOCAL_PRIOR_STD_PX);

@@ -71,10 +71,26 @@ public final class SettingTable {
 
     /** Standard deviation of the prior of the focal length about the camera file's. */
     public static final Setting<Double> FOCAL_PRIOR_STD_PX = Setting.of(Part.MODEL, "focal_prior_std_px",
-            SettingForm.number("PX"), 200.0,
+            SettingForm.numberOr("PX", "flat"), 200.0,
             "Where focal lengths are estimated: standard deviation of what is known of the focal length beforehand, "
-                    + "about the camera file's fx, px")
-            .in("px").where(SettingTable::focalUnknown).within(positive(), SettingRefusal.NOT_POSITIVE_IN, "px");
+                    + "about the camera file's fx, px; flat for nothing at all, which takes references that stand out "
+                    + "of one plane")
+            .in("px").where(SettingTable::focalUnknown).within(px -> px > 0, SettingRefusal.NOT_POSITIVE_IN, "px");
+
+    /** The same as a share of the focal length, in place of px. */
+    public static final Setting<OptionalDouble> FOCAL_PRIOR_SHARE = Setting.of(Part.MODEL, "focal_prior_share",
+            SettingForm.numberOrOpen("SHARE"), OptionalDouble.empty(),
+            "Where focal lengths are estimated: the same as a share of the focal length, in place of a number of px")
+            .where(SettingTable::focalUnknown)
+            .within(share -> positive().test(share.orElse(1)), SettingRefusal.NOT_ABOVE_NOTHING);
+
+    /** Horizontal field of view that the prior of the focal length is about, in place of the camera file's fx. */
+    public static final Setting<OptionalDouble> FIELD_OF_VIEW_DEG = Setting.of(Part.MODEL, "field_of_view_deg",
+            SettingForm.numberOrOpen("DEG"), OptionalDouble.empty(),
+            "Where focal lengths are estimated: horizontal field of view by the camera's data sheet, degrees; the "
+                    + "focal length is about what it gives in place of the camera file's fx")
+            .in("deg").where(SettingTable::focalUnknown)
+            .within(deg -> deg.orElse(60) >= 1 && deg.orElse(60) <= 170, SettingRefusal.NOT_BETWEEN, 1, 170);
 
     /** Standard deviation of the prior of the aspect ratio fy / fx, as a share of the camera file's. */
     public static final Setting<Double> ASPECT_PRIOR_STD = Setting.of(Part.MODEL, "aspect_prior_std",
@@ -99,6 +115,22 @@ public final class SettingTable {
                     + "k2 beforehand, about the camera file's")
             .where(SettingTable::allUnknown).within(positive(), SettingRefusal.NOT_POSITIVE);
 
+    /** Standard deviation of the prior of further radial coefficients; they are exact where there is none. */
+    public static final Setting<OptionalDouble> HIGHER_RADIAL_PRIOR_STD = Setting.of(Part.MODEL,
+            "higher_radial_prior_std", SettingForm.numberOrOpen("STD"), OptionalDouble.empty(),
+            "Where all intrinsics are estimated: takes the radial coefficients from k3 on as unknown, too, with this "
+                    + "standard deviation of what is known of each beforehand, about the camera file's")
+            .where(SettingTable::allUnknown)
+            .within(std -> positive().test(std.orElse(1)), SettingRefusal.NOT_POSITIVE);
+
+    /** Standard deviation of the prior of the tangential coefficients; they are exact where there is none. */
+    public static final Setting<OptionalDouble> TANGENTIAL_PRIOR_STD = Setting.of(Part.MODEL, "tangential_prior_std",
+            SettingForm.numberOrOpen("STD"), OptionalDouble.empty(),
+            "Where all intrinsics are estimated: takes the tangential coefficients p1 and p2 as unknown, too, with "
+                    + "this standard deviation of what is known of each beforehand, about the camera file's")
+            .where(SettingTable::allUnknown)
+            .within(std -> positive().test(std.orElse(1)), SettingRefusal.NOT_POSITIVE);
+
     /** Whether the covariance that comes with a camera file counts. */
     public static final Setting<CalibrationUse> CALIBRATION = Setting.of(Part.MODEL, "calibration_use",
             SettingForm.choice(CalibrationUse.values()), CalibrationUse.UNCERTAIN,
@@ -113,6 +145,14 @@ public final class SettingTable {
     /** First estimate of the camera pose. */
     public static final Setting<InitialEstimate> INITIAL = Setting.of(Part.SAMPLING, "initial",
             SettingForm.choice(InitialEstimate.values()), InitialEstimate.PNP, "First estimate of the camera pose");
+
+    /** Focal length that the search for the camera starts at. */
+    public static final Setting<OptionalDouble> INITIAL_FOCAL_PX = Setting.of(Part.SAMPLING, "initial_focal_px",
+            SettingForm.numberOrOpen("PX"), OptionalDouble.empty(),
+            "Where focal lengths are estimated: the one that the search for the camera starts at, px, in place of what "
+                    + "is known beforehand; no figure depends on it but by chance")
+            .in("px").where(SettingTable::focalUnknown)
+            .within(px -> positive().test(px.orElse(1)), SettingRefusal.NOT_POSITIVE_IN, "px");
 
     /** Where random walks start. */
     public static final Setting<ChainStart> START = Setting.of(Part.SAMPLING, "start",
@@ -150,8 +190,9 @@ public final class SettingTable {
             .usually("all cores").withoutEffectOnFigures().within(n -> n >= 1, SettingRefusal.TOO_SMALL, 1);
 
     private static final List<Setting<?>> ALL = List.of(MODEL, KAPPA, SAMPLER, CHAINS, ITERATIONS, PRECISION,
-            MAX_ITERATIONS, WARMUP, SEED, ESTIMATE, FOCAL_PRIOR_STD_PX, ASPECT_PRIOR_STD,
-            PRINCIPAL_PRIOR_STD_PX, RADIAL_PRIOR_STD, CALIBRATION, SCALE_CAMERA, INITIAL, START, OBJECT_NOISE,
+            MAX_ITERATIONS, WARMUP, SEED, ESTIMATE, FOCAL_PRIOR_STD_PX, FOCAL_PRIOR_SHARE, FIELD_OF_VIEW_DEG,
+            ASPECT_PRIOR_STD, PRINCIPAL_PRIOR_STD_PX, RADIAL_PRIOR_STD, HIGHER_RADIAL_PRIOR_STD, TANGENTIAL_PRIOR_STD,
+            CALIBRATION, SCALE_CAMERA, INITIAL, INITIAL_FOCAL_PX, START, OBJECT_NOISE,
             ROTATION_PRIOR, POSE_PRIOR_ALLOWED, TARGET_STD_MM, THREADS);
 
     private SettingTable() {

@@ -24,6 +24,17 @@ public enum CheckRefusal implements RefusalKind {
     PLACE_UNKNOWN("reference %s may stand %s mm off its place (std_mm of all axes together), %s %% of its distance of "
             + "%s mm from the camera: beyond %s %% the model says nothing; measure its place, or leave it out of the "
             + "cell file"),
+    /** Nothing is known of the focal length beforehand, and the references cannot tell it. */
+    FLAT_FOCAL_IN_PLANE("with nothing known of the focal length beforehand, references in one plane do not tell it: a "
+            + "longer one and a camera farther away look alike; state how well it is known, by a field of view of the "
+            + "data sheet for instance, or raise a reference out of the plane of the others"),
+    /** Nothing is known of the focal length beforehand, and the photo hardly tells it: its deviation, %. */
+    FLAT_FOCAL_OPEN("with nothing known of the focal length beforehand, this photo tells it to %s %% only, and there is "
+            + "no end to how long it may be; state how well it is known, by a field of view of the data sheet for "
+            + "instance, or raise references farther"),
+    /** Tangential coefficients are to be estimated of a lens that has none: its model. */
+    NO_TANGENTIAL_COEFFICIENTS("a lens of the model %s has no tangential coefficients: leave their prior deviation "
+            + "out"),
     /** Chains find no start: why, {@link CheckPhrase#INITIAL_PNP}. */
     CHAINS_CANNOT_START("the chains cannot start, %s; check the references' positions in the cell file or %s");
 

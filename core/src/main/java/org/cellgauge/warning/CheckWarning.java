@@ -118,6 +118,9 @@ public enum CheckWarning implements WarningKind {
             + "explains it; compare ids, positions, rotations and sizes in the cell file with the cell"),
     /** The initial estimate failed: its name. */
     INITIAL_ESTIMATE_FAILED("the %s estimate found no camera pose; pnp was used instead"),
+    /** The photo tells nothing of intrinsics that are estimated: their names. */
+    INTRINSICS_NOT_LEARNED("not learned: the photo tells next to nothing of %s, and what is said of it is what was "
+            + "taken for known beforehand"),
     /** The result leans on the pose prior: its share, %, {@link CheckPhrase#WEAK_PRIOR}. */
     DIRECTION_OPEN("the references leave a direction of the camera pose open: %s %% of what is known there is the weak "
             + "prior %s; add a reference"),

@@ -70,6 +70,8 @@ final class CalibrationStudyRun {
                 .toList());
         row(table, "odd against even beyond 2, %", outcomes.stream()
                 .map(o -> CheckText.fixed(100 * o.beyondTwo(), 0)).toList());
+        row(table, "board called bent otherwise, %", outcomes.stream()
+                .map(o -> CheckText.fixed(100 * o.bent(), 1)).toList());
         return simulations + " calibrations each, noise of a corner's coordinate " + CheckText.plain(noisePx)
                 + " px\n" + table.text("");
     }
@@ -97,6 +99,7 @@ final class CalibrationStudyRun {
             one.add("projection_error_over_std", gson.toJsonTree(o.places()));
             one.addProperty("projection_std_px", o.meanStdPx());
             one.addProperty("cross_validation_beyond_2", o.beyondTwo());
+            one.addProperty("called_bent", o.bent());
             one.addProperty("failed", o.failed());
             scenes.add(one);
         }

@@ -51,6 +51,15 @@ final class StudyTable {
             .in("px").where(settings -> !settings.get(PHOTOS)).within(StudyTable::positive,
                     SettingRefusal.NOT_POSITIVE_IN, "px");
 
+    /** Photos of a board that the camera of every simulated cell is calibrated from. */
+    static final Setting<OptionalInt> CALIBRATION_PHOTOS = Setting.of("calibration_photos",
+            SettingForm.wholeOrOpen("N"), OptionalInt.empty(),
+            "Calibrates the camera of every simulated cell from N simulated photos of a board, and checks with what "
+                    + "comes of it; the true camera is the cell file's in all, and what that says of a calibration "
+                    + "does not count")
+            .usually("none").where(settings -> !settings.get(PHOTOS) && !settings.get(RANDOM_LAYOUTS))
+            .within(n -> n.orElse(8) >= 8 && n.orElse(8) <= 200, SettingRefusal.NOT_BETWEEN, 8, 200);
+
     /** Corners that are far off: their share, and by how many deviations of the corner noise. */
     static final Setting<Optional<NumberPair>> OUTLIERS = Setting.of("outliers",
             SettingForm.of("SHARE,DEVIATIONS", text -> Optional.of(pair(text, StudyRefusal.NO_OUTLIERS)),
@@ -168,8 +177,8 @@ final class StudyTable {
                     + "--random-layouts: auto)")
             .named("state-pixel-std").where(StudyTable::ofPhotos);
 
-    private static final List<Setting<?>> ALL = List.of(SIMULATIONS, SPREAD, PIXEL_STD_PX, OUTLIERS, PHOTOS,
-            RANDOM_LAYOUTS, GRID, CORNERS_ONLY, TONE_CURVE, BLUR_PX, MARKER_PX, EXPOSURE, JPEG_QUALITY, UNSHARP,
+    private static final List<Setting<?>> ALL = List.of(SIMULATIONS, SPREAD, PIXEL_STD_PX, CALIBRATION_PHOTOS, OUTLIERS,
+            PHOTOS, RANDOM_LAYOUTS, GRID, CORNERS_ONLY, TONE_CURVE, BLUR_PX, MARKER_PX, EXPOSURE, JPEG_QUALITY, UNSHARP,
             PRINT_GAIN_MM, GRADIENT, NOISE_GREY, FULL_WELL_ELECTRONS, STATED_PIXEL_STD_PX);
 
     private StudyTable() {

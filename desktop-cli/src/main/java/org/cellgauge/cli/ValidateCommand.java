@@ -63,7 +63,6 @@ public final class ValidateCommand implements Callable<Integer> {
     private static final double MOST_WITHOUT_FIGURE = 0.05;
     private static final int REPORTS = 10;
     /** Noise of corners where none is given: that of a sharp photo as cameras compress it, px. */
-    private static final double CALIBRATION_STD_PX = 0.2;
     /** Options besides settings on which figures depend. */
     private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only", "--cause", "--alone",
             "--deviations");
@@ -181,7 +180,7 @@ public final class ValidateCommand implements Callable<Integer> {
                     + (cellFile != null ? "--cell" : "--photos"));
         }
         return CalibrationStudyRun.run(spec.commandLine(),
-                study.get(StudyTable.PIXEL_STD_PX).orElse(CALIBRATION_STD_PX), study.simulations(),
+                study.get(StudyTable.PIXEL_STD_PX).orElse(Validation.CALIBRATION_STD_PX), study.simulations(),
                 check.sampling().seed(), json, done -> { });
     }
 
@@ -240,8 +239,9 @@ public final class ValidateCommand implements Callable<Integer> {
         NumberPair spread = study.get(StudyTable.SPREAD);
         try {
             return new TruthPrior(cell, nominal, spread.first(), Math.toRadians(spread.second()),
+                    study.get(StudyTable.CALIBRATION_PHOTOS).isPresent() ? IntrinsicsPrior.KNOWN
                     // true cameras differ from the calibrated one as it says, whatever the check makes of that
-                    IntrinsicsPrior.stated(cell, check.toBuilder()
+                    : IntrinsicsPrior.stated(cell, check.toBuilder()
                             .set(SettingTable.CALIBRATION, CalibrationUse.UNCERTAIN).build().model()));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), "--spread: " + e.getMessage());
@@ -254,7 +254,8 @@ public final class ValidateCommand implements Callable<Integer> {
             throw new InputRefusedException(cellFile.toString(), CommandRefusal.NO_CORNER_NOISE);
         }
         double pixels = asked.isPresent() ? asked.getAsDouble() : cell.pixelStdPx().getAsDouble();
-        return new ValidationSettings(study.simulations(), check, pixels, check.sampling().threads());
+        return new ValidationSettings(study.simulations(), check, pixels, check.sampling().threads())
+                .calibrating(study.get(StudyTable.CALIBRATION_PHOTOS).orElse(0));
     }
 
     private void progress(int done) {

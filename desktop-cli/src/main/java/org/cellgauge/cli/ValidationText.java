@@ -105,6 +105,10 @@ final class ValidationText {
                 : String.format(Locale.ROOT, "true poses spread by %s mm and %s degrees",
                         CheckText.plain(prior.stdMm()),
                         CheckText.plain(Math.round(Math.toDegrees(prior.stdRad()) * 1e6) / 1e6));
+        if (settings.calibrationPhotos() > 0) {
+            return poses + ", the camera calibrated from " + settings.calibrationPhotos()
+                    + " simulated photos of a board, lens and board chosen by these";
+        }
         return prior.intrinsicsPrior().count() == 0 ? poses : poses + ", true focal lengths by what is known of them";
     }
 

@@ -39,7 +39,7 @@ class FirstHourTest {
         CommandCall help = CommandCall.of("help");
         assertEquals(0, help.code());
         for (String text : List.of(bare.err(), help.out())) {
-            for (String command : List.of("check", "simulate", "validate", "families")) {
+            for (String command : List.of("check", "simulate", "validate", "reproduce", "families")) {
                 assertTrue(text.lines().anyMatch(line -> line.matches(" +" + command + " .*")), text);
             }
         }
@@ -59,7 +59,7 @@ class FirstHourTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "check", "simulate", "validate", "families"})
+    @ValueSource(strings = {"", "check", "simulate", "validate", "reproduce", "families"})
     void helpFitsAndHasExamplesFirst(String command) {
         for (int width : new int[] {60, 80}) {
             assertEquals(width, Main.helpWidth(String.valueOf(width)));

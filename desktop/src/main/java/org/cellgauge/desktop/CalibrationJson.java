@@ -99,6 +99,7 @@ public final class CalibrationJson {
             one.addProperty("lens", t.lens());
             one.addProperty("unknowns", t.unknowns());
             one.addProperty("held_out_rms_px", finite(t.heldOutRmsPx()));
+            one.addProperty("weight", finite(t.weight()));
             ladder.add(one);
         }
         out.add("ladder", ladder);

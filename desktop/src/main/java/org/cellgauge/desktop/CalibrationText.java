@@ -34,9 +34,9 @@ public final class CalibrationText {
                 .append(" mm): ").append(projection(result)).append('\n');
         if (!result.ladder().isEmpty()) {
             TextTable ladder = new TextTable(1);
-            ladder.row("  lens", "unknowns", "error in photos held out, px");
+            ladder.row("  lens", "unknowns", "error in photos held out, px", "weight, %");
             result.ladder().forEach(t -> ladder.row("  " + t.lens(), String.valueOf(t.unknowns()),
-                    CheckText.fixed(t.heldOutRmsPx(), 4)));
+                    CheckText.fixed(t.heldOutRmsPx(), 4), CheckText.fixed(100 * t.weight(), 0)));
             out.append(ladder.text(""));
         }
         return out.toString();

@@ -186,12 +186,18 @@ public final class CheckText {
         text.append(table.row(mean).row(std).text("  "));
         if (!view.intrinsics().isEmpty()) {
             text.append("\nIntrinsics").append(beside).append('\n');
-            TextTable intrinsics = new TextTable(1).row("", "mean", "std");
+            TextTable intrinsics = new TextTable(1).row("", "mean", "std", "mean before", "std before", "");
             for (ResultView.Intrinsic intrinsic : view.intrinsics()) {
-                intrinsics.row(intrinsic.name(), significant(intrinsic.mean(), 6), significant(intrinsic.std(), 3));
+                intrinsics.row(intrinsic.name(), significant(intrinsic.mean(), 6), significant(intrinsic.std(), 3),
+                        significant(intrinsic.priorMean(), 6), priorStd(intrinsic), intrinsic.restsOn());
             }
             text.append(intrinsics.text("  "));
         }
+    }
+
+    /** How well an intrinsic was known before the photo was seen. */
+    static String priorStd(ResultView.Intrinsic intrinsic) {
+        return Double.isNaN(intrinsic.priorStd()) ? "flat" : significant(intrinsic.priorStd(), 3);
     }
 
     private static void objects(ResultView view, String beside, StringBuilder text) {
@@ -499,7 +505,7 @@ public final class CheckText {
         return Double.isFinite(value) ? String.format(Locale.ROOT, "%." + decimals + "f", value) : "-";
     }
 
-    private static String significant(double value, int digits) {
+    static String significant(double value, int digits) {
         if (!Double.isFinite(value) || value == 0) {
             return fixed(value, 0);
         }

@@ -226,10 +226,11 @@ final class PhotoSection {
         out.end();
         if (!view.intrinsics().isEmpty()) {
             out.append("<h3>Intrinsics").append(caution(view)).append("</h3>\n");
-            out.header("", "mean", "std");
+            out.header("", "mean", "std", "mean before", "std before", "");
             for (ResultView.Intrinsic intrinsic : view.intrinsics()) {
-                out.row(Html.escape(intrinsic.name()), CheckText.fixed(intrinsic.mean(), 3),
-                        CheckText.fixed(intrinsic.std(), 3));
+                out.row(Html.escape(intrinsic.name()), CheckText.significant(intrinsic.mean(), 6),
+                        CheckText.significant(intrinsic.std(), 3), CheckText.significant(intrinsic.priorMean(), 6),
+                        CheckText.priorStd(intrinsic), intrinsic.restsOn());
             }
             out.end();
         }

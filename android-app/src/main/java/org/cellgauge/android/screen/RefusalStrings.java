@@ -385,6 +385,12 @@ final class RefusalStrings {
                 return R.string.refusal_check_no_object_pose;
             case PLACE_UNKNOWN:
                 return R.string.refusal_check_place_unknown;
+            case FLAT_FOCAL_IN_PLANE:
+                return R.string.refusal_check_flat_focal_in_plane;
+            case FLAT_FOCAL_OPEN:
+                return R.string.refusal_check_flat_focal_open;
+            case NO_TANGENTIAL_COEFFICIENTS:
+                return R.string.refusal_check_no_tangential_coefficients;
             case CHAINS_CANNOT_START:
                 return R.string.refusal_check_chains_cannot_start;
             default:

@@ -148,6 +148,8 @@ final class WarningStrings {
                 return R.string.warning_reference_left_out;
             case INITIAL_ESTIMATE_FAILED:
                 return R.string.warning_initial_estimate_failed;
+            case INTRINSICS_NOT_LEARNED:
+                return R.string.warning_intrinsics_not_learned;
             case DIRECTION_OPEN:
                 return R.string.warning_direction_open;
             case CAP_REACHED:

@@ -3,7 +3,9 @@ package org.cellgauge.internal.calibration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import org.cellgauge.calibration.CalibrationOptions;
 import org.cellgauge.calibration.CalibrationRefusal;
@@ -42,13 +44,17 @@ public final class CameraCalibrator {
     private static final double LEAST_COVERED = 0.75;
     private static final double CONTRADICTING = 2.5;
     private static final double TURNED_DEG = 45;
+    private static final double MUCH_WEIGHT = 0.2;
 
     private final TargetPoints points;
     private final List<TargetObservation> given;
     private final List<TargetObservation> seen = new ArrayList<>();
     private final CalibrationOptions options;
     private final List<Warning> warnings = new ArrayList<>();
-    private final List<CalibrationResult.LensTrial> ladder = new ArrayList<>();
+    /** Lenses and boards that the choice was among. */
+    private final List<ModelAverage.Trial> trials = new ArrayList<>();
+    /** Errors in photos held out by lens, px, with the chosen board; empty where none was tried. */
+    private final Map<LensChoice, Double> ladder = new LinkedHashMap<>();
 
     /**
      * A calibration to be made.
@@ -109,7 +115,15 @@ public final class CameraCalibrator {
         if (points.isFlat() && options.aspect() == CalibrationOptions.Aspect.BY_PHOTOS && isTurned(fit)) {
             fit = fit.ofPhotos(choice, new BoardShape(points, warp, true), all(fit));
         }
-        fit = byHeldOut(fit);
+        CalibrationFit usual = fit;
+        fit = byHeldOut(usual, true);
+        if (fit.choice.lens() == RationalLens.MODEL && options.lens().equals(CalibrationOptions.AUTO)
+                && !isToldByHalves(fit)) {
+            // nothing could be held against it, however well it does
+            trials.clear();
+            ladder.clear();
+            fit = byHeldOut(usual, false);
+        }
         // what the adjustment itself takes, all of it once
         long start = System.nanoTime();
         fit = CalibrationFit.of(fit.choice, points, seen, fit.board.warp, fit.board.aspect);
@@ -162,8 +176,10 @@ public final class CameraCalibrator {
     /**
      * Chooses lens and warp by photos held out: every unknown more has to earn the logarithm of the number of errors
      * there (G. Schwarz, "Estimating the dimension of a model", 1978). What the options state is not chosen.
+     *
+     * @param withRational whether a quotient of polynomials is among the lenses
      */
-    private CalibrationFit byHeldOut(CalibrationFit usual) {
+    private CalibrationFit byHeldOut(CalibrationFit usual, boolean withRational) {
         if (seen.size() < FEWEST_FOR_HALVES) {
             return usual;
         }
@@ -177,7 +193,8 @@ public final class CameraCalibrator {
         double least = Double.POSITIVE_INFINITY;
         for (int b = 0; b < boards.size(); b++) {
             for (int l = 0; l < lenses.size(); l++) {
-                errors[b][l] = heldOut(usual, lenses.get(l), boards.get(b));
+                errors[b][l] = withRational || lenses.get(l).lens() != RationalLens.MODEL
+                        ? heldOut(usual, lenses.get(l), boards.get(b)) : Double.POSITIVE_INFINITY;
                 least = Math.min(least, errors[b][l]);
             }
         }
@@ -189,11 +206,15 @@ public final class CameraCalibrator {
         double best = Double.POSITIVE_INFINITY;
         for (int b = 0; b < boards.size(); b++) {
             for (int l = stated; l < lenses.size(); l++) {
-                double score = freedom * errors[b][l] * errors[b][l] / (least * least)
+                if (l != stated && !(options.lens().equals(CalibrationOptions.AUTO)
+                        && Double.isFinite(errors[b][l]))) {
+                    continue;
+                }
+                double deviance = freedom * errors[b][l] * errors[b][l] / (least * least);
+                trials.add(new ModelAverage.Trial(lenses.get(l), boards.get(b), deviance));
+                double score = deviance
                         + (lenses.get(l).unknowns() + boards.get(b).unknowns()) * Math.log(freedom);
-                boolean may = l == stated || options.lens().equals(CalibrationOptions.AUTO)
-                        && Double.isFinite(errors[b][l]);
-                if (may && score < best) {
+                if (score < best) {
                     best = score;
                     board = b;
                     lens = l;
@@ -201,8 +222,7 @@ public final class CameraCalibrator {
             }
         }
         for (int l = 0; l < lenses.size(); l++) {
-            ladder.add(new CalibrationResult.LensTrial(lenses.get(l).name(), lenses.get(l).unknowns(),
-                    errors[board][l]));
+            ladder.put(lenses.get(l), errors[board][l]);
         }
         return usual.ofPhotos(lenses.get(lens), boards.get(board), all(usual));
     }
@@ -231,6 +251,12 @@ public final class CameraCalibrator {
             sum += part.covariance == null || hasPole(part) ? Double.POSITIVE_INFINITY : part.heldOut(others);
         }
         return Math.sqrt(sum / heldOutFreedom(fit));
+    }
+
+    /** Whether odd and even photos alone tell the lens, as {@link CrossValidation} needs them to. */
+    private boolean isToldByHalves(CalibrationFit fit) {
+        return IntStream.range(0, 2).mapToObj(parity -> fit.ofPhotos(fit.choice, fit.board, half(fit, parity)))
+                .noneMatch(part -> part.covariance == null || hasPole(part));
     }
 
     /** Whether a quotient of polynomials folds the image, as it readily does where few photos tell its coefficients. */
@@ -292,8 +318,8 @@ public final class CameraCalibrator {
     private CalibrationResult result(CalibrationFit fit, double milliseconds) {
         int width = seen.get(0).widthPx();
         int height = seen.get(0).heightPx();
-        double[] covariance = fit.covariance;
-        if (covariance == null) {
+        double[] own = fit.covariance;
+        if (own == null) {
             throw refused(CalibrationRefusal.FOCAL_UNKNOWN, Decimal.of(0, 0));
         }
         Coverage coverage = new Coverage(fit.photos, width, height);
@@ -305,11 +331,18 @@ public final class CameraCalibrator {
         }
         List<CalibrationResult.Residual> residuals = residuals(fit);
         int outliers = (int) residuals.stream().filter(CalibrationResult.Residual::outlier).count();
-        List<CalibrationResult.Photo> photos = photos(fit, map, covariance);
+        List<CalibrationResult.Photo> photos = photos(fit, map, own);
         boolean inQuestion = warnOfOutliers(outliers, residuals.size(), photos);
         CrossValidation cross = CrossValidation.of(fit, map, half(fit, 0), half(fit, 1));
         double widened = warnOfModel(cross, fit);
+        ModelAverage average = new ModelAverage(fit, own, trials, cross.ratio());
+        LensChoice choice = average.choice;
+        double[] covariance = average.covariance;
+        ProjectionMap surety = choice == fit.choice ? map
+                : new ProjectionMap(choice, fit.values, width, height, coverage);
+        warnOfChoice(fit, average);
         warnOfPhotos(coverage, photos);
+        warnOfBend(fit, cross.ratio());
         double[] field = {fieldDeg(camera, 0, height / 2.0, width, height / 2.0),
             fieldDeg(camera, width / 2.0, 0, width / 2.0, height)};
         if (field[0] < 5 || field[0] > 120 && !camera.lens().isWide()) {
@@ -317,30 +350,31 @@ public final class CameraCalibrator {
         }
         double distance = options.distanceMm() > 0 ? options.distanceMm()
                 : photos.stream().mapToDouble(CalibrationResult.Photo::distanceMm).average().orElse(0);
-        int lensUnknowns = fit.choice.unknowns();
+        int lensUnknowns = choice.unknowns();
         List<List<Double>> exported = new ArrayList<>();
         List<CalibrationResult.Parameter> parameters = new ArrayList<>();
         for (int a = 0; a < lensUnknowns; a++) {
             List<Double> row = new ArrayList<>();
             for (int b = 0; b < lensUnknowns; b++) {
-                row.add(widened * widened * covariance[a * fit.globals + b]);
+                row.add(widened * widened * covariance[a * lensUnknowns + b]);
             }
             exported.add(row);
-            int index = fit.choice.parameter(a);
+            int index = choice.parameter(a);
             parameters.add(new CalibrationResult.Parameter(fit.choice.lens().parameterNames().get(index),
                     fit.values[index], Math.sqrt(row.get(a))));
         }
         List<CalibrationResult.Parameter> board = new ArrayList<>();
         for (int k = 0; k < fit.board.unknowns(); k++) {
-            int g = lensUnknowns + k;
+            int g = fit.choice.unknowns() + k;
             board.add(new CalibrationResult.Parameter(k < fit.board.warp ? "warp_" + (k + 1) + "_mm" : "aspect",
                     fit.values[fit.choice.lens().parameterCount() + k],
-                    widened * Math.sqrt(covariance[g * (fit.globals + 1)])));
+                    widened * Math.sqrt(own[g * (fit.globals + 1)])));
         }
         CalibrationResult.Figures figures = new CalibrationResult.Figures(residuals.size() - outliers, outliers,
                 rms(fit), fit.stdPx, milliseconds, coverage.share(), field[0], field[1], distance, cross.ratio());
         return new CalibrationResult(camera, fit.choice.name(), parameters, exported, widened, board, figures, photos,
-                residuals, places(fit, map, covariance, widened, cross), ProjectionMap.COLUMNS, ladder, warnings,
+                residuals, places(surety, covariance, lensUnknowns, widened, cross), ProjectionMap.COLUMNS,
+                trials(average), warnings,
                 NextPhoto.of(fit, map, fit.information, width, height), inQuestion);
     }
 
@@ -369,12 +403,19 @@ public final class CameraCalibrator {
         return out;
     }
 
-    private static List<CalibrationResult.Place> places(CalibrationFit fit, ProjectionMap map, double[] covariance,
+    private List<CalibrationResult.LensTrial> trials(ModelAverage average) {
+        List<CalibrationResult.LensTrial> out = new ArrayList<>();
+        ladder.forEach((lens, error) -> out.add(new CalibrationResult.LensTrial(lens.name(), lens.unknowns(), error,
+                average.weight(lens))));
+        return out;
+    }
+
+    private static List<CalibrationResult.Place> places(ProjectionMap map, double[] covariance, int size,
             double widened, CrossValidation cross) {
         List<CalibrationResult.Place> out = new ArrayList<>();
         for (int k = 0; k < map.u.length; k++) {
             out.add(new CalibrationResult.Place(map.u[k], map.v[k],
-                    map.seen[k] ? widened * map.stdPx(k, covariance, fit.globals) : Double.NaN, cross.differencePx(k),
+                    map.seen[k] ? widened * map.stdPx(k, covariance, size) : Double.NaN, cross.differencePx(k),
                     cross.ratio(k)));
         }
         return out;
@@ -443,6 +484,24 @@ public final class CameraCalibrator {
             warnings.add(Warning.of(CalibrationWarning.SOME_MODEL_ERROR, ratio));
         }
         return 1;
+    }
+
+    private void warnOfChoice(CalibrationFit fit, ModelAverage average) {
+        double others = 1 - average.weight(fit.choice);
+        if (others > MUCH_WEIGHT) {
+            warnings.add(Warning.of(CalibrationWarning.LENS_OPEN, fit.choice.name(),
+                    Listing.and(ladder.keySet().stream().filter(l -> l != fit.choice
+                            && average.weight(l) > MUCH_WEIGHT / ladder.size()).map(LensChoice::name).toList()),
+                    Decimal.of(100 * others, 0)));
+        }
+    }
+
+    private void warnOfBend(CalibrationFit fit, double crossRatio) {
+        BoardBend bend = points.isFlat() ? BoardBend.of(fit, crossRatio) : null;
+        if (bend != null && bend.isThere()) {
+            warnings.add(Warning.of(fit.board.warp == 0 ? CalibrationWarning.BENT : CalibrationWarning.BENT_OTHERWISE,
+                    Decimal.of(bend.heightMm(), 2), Decimal.of(bend.stdMm(), 2)));
+        }
     }
 
     private void warnOfPhotos(Coverage coverage, List<CalibrationResult.Photo> photos) {

@@ -67,6 +67,11 @@ final class LensChoice {
         return new LensChoice(name, lens, new int[] {PinholeCamera.FX, PinholeCamera.SKEW + 1}, true);
     }
 
+    /** The same lens with nothing unknown: for poses alone. */
+    LensChoice known() {
+        return new LensChoice(name, lens, new int[0], false);
+    }
+
     String name() {
         return name;
     }
@@ -82,6 +87,16 @@ final class LensChoice {
     /** Index among the lens's parameters of an unknown. */
     int parameter(int unknown) {
         return free[unknown];
+    }
+
+    /** Which unknown a parameter of the lens is; -1 where it is known. */
+    int unknown(int parameter) {
+        for (int k = 0; k < free.length; k++) {
+            if (free[k] == parameter) {
+                return k;
+            }
+        }
+        return -1;
     }
 
     /** Takes the unknown columns out of a lens's derivative. */

@@ -26,12 +26,12 @@ final class TargetPoses {
      * Poses for one target.
      *
      * @param board its shape, which does not change here
-     * @param lens the lens of the photos
+     * @param lens the lens of the photos, whose parameters do not change either
      */
     TargetPoses(TargetPoints points, BoardShape board, LensChoice lens) {
         this.points = points;
         this.board = board;
-        this.none = lens;
+        this.none = lens.known();
     }
 
     /**

@@ -22,6 +22,8 @@ import org.jspecify.annotations.Nullable;
 public final class CameraFit {
     /** The camera as calibrated. */
     public final PinholeCamera lens;
+    /** Where the search for unknown intrinsics starts; the others are as calibrated. */
+    private final PinholeCamera start;
     /** How the cell is modelled. */
     public final CheckSettings settings;
     /** The references seen. */
@@ -55,14 +57,16 @@ public final class CameraFit {
      */
     public CameraFit(PinholeCamera lens, CheckSettings settings, ReferenceView view, IntrinsicsPrior intrinsicsPrior,
             @Nullable PosePrior posePrior, CornerErrors errors, double noiseLevel) {
-        this(lens, settings, view, intrinsicsPrior, posePrior, errors, noiseLevel, List.of(), null, null, null);
+        this(lens, IntrinsicsPrior.start(lens, settings), settings, view, intrinsicsPrior, posePrior, errors,
+                noiseLevel, List.of(), null, null, null);
     }
 
-    private CameraFit(PinholeCamera lens, CheckSettings settings, ReferenceView view, IntrinsicsPrior intrinsicsPrior,
-            @Nullable PosePrior posePrior, CornerErrors errors, double noiseLevel, List<PoseMode> modes,
-            @Nullable RigidTransform initialWorldFromCamera, @Nullable NoiseBelief belief,
+    private CameraFit(PinholeCamera lens, PinholeCamera start, CheckSettings settings, ReferenceView view,
+            IntrinsicsPrior intrinsicsPrior, @Nullable PosePrior posePrior, CornerErrors errors, double noiseLevel,
+            List<PoseMode> modes, @Nullable RigidTransform initialWorldFromCamera, @Nullable NoiseBelief belief,
             double @Nullable [] logNoise) {
         this.lens = lens;
+        this.start = start;
         this.settings = settings;
         this.view = view;
         this.intrinsicsPrior = intrinsicsPrior;
@@ -77,31 +81,31 @@ public final class CameraFit {
 
     /** The same camera at its modes, found from an initial estimate. */
     public CameraFit at(List<PoseMode> found, RigidTransform initial) {
-        return new CameraFit(lens, settings, view, intrinsicsPrior, posePrior, errors, noiseLevel, found, initial,
-                belief, logNoise);
+        return new CameraFit(lens, start, settings, view, intrinsicsPrior, posePrior, errors, noiseLevel, found,
+                initial, belief, logNoise);
     }
 
     /** The same camera at other modes, the initial estimate being what it was. */
     public CameraFit at(List<PoseMode> found) {
-        return new CameraFit(lens, settings, view, intrinsicsPrior, posePrior, errors, noiseLevel, found,
+        return new CameraFit(lens, start, settings, view, intrinsicsPrior, posePrior, errors, noiseLevel, found,
                 initialWorldFromCamera, belief, logNoise);
     }
 
     /** The same camera from other references, at the modes found for them. */
     public CameraFit with(ReferenceView other, List<PoseMode> otherModes) {
-        return new CameraFit(lens, settings, other, intrinsicsPrior, posePrior, errors, noiseLevel, otherModes,
-                initialWorldFromCamera, belief, logNoise);
+        return new CameraFit(lens, start, settings, other, intrinsicsPrior, posePrior, errors, noiseLevel,
+                otherModes, initialWorldFromCamera, belief, logNoise);
     }
 
     /** The same camera with what is known of the added noise; its modes are yet to be found again. */
     public CameraFit with(NoiseBelief known, double level, double[] logWithoutReferences) {
-        return new CameraFit(lens, settings, view, intrinsicsPrior, posePrior, errors, level, modes,
+        return new CameraFit(lens, start, settings, view, intrinsicsPrior, posePrior, errors, level, modes,
                 initialWorldFromCamera, known, logWithoutReferences);
     }
 
     /** The same camera with other errors of the corners, as if they were stated. */
     public CameraFit with(CornerErrors other) {
-        return new CameraFit(lens, settings, view, intrinsicsPrior, posePrior, other, noiseLevel, modes,
+        return new CameraFit(lens, start, settings, view, intrinsicsPrior, posePrior, other, noiseLevel, modes,
                 initialWorldFromCamera, null, null);
     }
 
@@ -112,7 +116,7 @@ public final class CameraFit {
 
     /** Finds the modes from some references, at an added noise. */
     public CameraModeFinder finder(ReferenceView from, double level) {
-        return new CameraModeFinder(from, lens, noise(from, level), intrinsicsPrior, posePrior);
+        return new CameraModeFinder(from, start, noise(from, level), intrinsicsPrior, posePrior);
     }
 
     /** Finds the modes from some references, at the added noise of this fit. */
@@ -130,7 +134,7 @@ public final class CameraFit {
         return view.worldFromCamera(mode().state().cameraFromSet());
     }
 
-    /** The initial estimate as a state; its intrinsics are the prior means. */
+    /** The initial estimate as a state; its intrinsics are those that the search starts at. */
     public CameraState initialState() {
         if (initialWorldFromCamera == null) {
             throw new IllegalStateException("the modes are yet to be found");
@@ -140,7 +144,7 @@ public final class CameraFit {
         System.arraycopy(cameraFromSet.rotation(), 0, state.rotation, 0, 9);
         System.arraycopy(cameraFromSet.translationMm(), 0, state.offset, 0, 3);
         for (int i = 0; i < intrinsicsPrior.count(); i++) {
-            state.intrinsics[intrinsicsPrior.index(i)] = intrinsicsPrior.mean(i);
+            state.intrinsics[intrinsicsPrior.index(i)] = start.get(intrinsicsPrior.index(i));
         }
         return state;
     }

@@ -6,9 +6,6 @@ import java.util.Collections;
 import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
-import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
-import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -106,7 +103,7 @@ public final class CameraModeFinder {
         found.add(first);
         List<List<RigidTransform>> visited = new ArrayList<>();
         visited.add(poses(first));
-        RigidTransform planeFromSet = planeFromSet();
+        RigidTransform planeFromSet = NearestPlane.planeFromPoints(view.points());
         for (int v = 0; v < view.views(); v++) {
             RigidTransform cameraFromPlane = visited.get(0).get(v).compose(planeFromSet.inverse());
             follow(v, MarkerPoseFinder.mirrored(cameraFromPlane).compose(planeFromSet), found, visited);
@@ -229,38 +226,6 @@ public final class CameraModeFinder {
             }
         }
         return poses;
-    }
-
-    /** Rotation that turns the plane nearest to all corners into z = 0. */
-    private RigidTransform planeFromSet() {
-        double[] points = view.points();
-        double[] mean = new double[3];
-        int n = points.length / 3;
-        for (int k = 0; k < points.length; k++) {
-            mean[k % 3] += points[k] / n;
-        }
-        DMatrixRMaj scatter = new DMatrixRMaj(3, 3);
-        for (int k = 0; k < points.length; k += 3) {
-            for (int i = 0; i < 3; i++) {
-                for (int j = 0; j < 3; j++) {
-                    scatter.add(i, j, (points[k + i] - mean[i]) * (points[k + j] - mean[j]));
-                }
-            }
-        }
-        EigenDecomposition_F64<DMatrixRMaj> eigen = DecompositionFactory_DDRM.eig(3, true, true);
-        eigen.decompose(scatter);
-        int least = 0;
-        int most = 0;
-        for (int i = 1; i < 3; i++) {
-            least = eigen.getEigenvalue(i).getReal() < eigen.getEigenvalue(least).getReal() ? i : least;
-            most = eigen.getEigenvalue(i).getReal() >= eigen.getEigenvalue(most).getReal() ? i : most;
-        }
-        DMatrixRMaj x = eigen.getEigenVector(most);
-        DMatrixRMaj z = eigen.getEigenVector(least);
-        double[] rows = {x.get(0), x.get(1), x.get(2),
-            z.get(1) * x.get(2) - z.get(2) * x.get(1), z.get(2) * x.get(0) - z.get(0) * x.get(2),
-            z.get(0) * x.get(1) - z.get(1) * x.get(0), z.get(0), z.get(1), z.get(2)};
-        return RigidTransform.of(rows, new double[3]);
     }
 
     private static boolean isKnown(CameraState state, List<PoseMode> known, double stds) {

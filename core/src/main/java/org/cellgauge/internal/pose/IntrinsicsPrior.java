@@ -1,17 +1,22 @@
 package org.cellgauge.internal.pose;
 
 import java.util.Arrays;
+import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.Lenses;
 import org.cellgauge.settings.CalibrationUse;
+import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.ModelSettings;
 import org.cellgauge.settings.SettingTable;
+import org.cellgauge.warning.CheckRefusal;
+import org.cellgauge.warning.Refusal;
 
 /**
  * Which intrinsics are unknown and what is known of them beforehand: a Gaussian; immutable.
@@ -20,8 +25,9 @@ import org.cellgauge.settings.SettingTable;
  * about {@code sum_k b_ik d_k} with a deviation of its own. The rows of {@code (d_i - sum_k b_ik d_k) / s_i} are
  * independent and standard normal beforehand: {@code L^-1 d}, L the Cholesky factor of the covariance.
  *
- * <p>The prior is always proper: references in one plane alone do not determine a focal length, and a flat prior would
- * leave a posterior that cannot be normalised.
+ * <p>The prior of a focal length may be flat: a deviation of +infinity. References in one plane alone do not determine
+ * a focal length, and leave a posterior then that cannot be normalised, which {@link #stated} refuses; nothing can be
+ * drawn from such a prior.
  */
 public final class IntrinsicsPrior {
     /** All intrinsics are known. */
@@ -59,9 +65,14 @@ public final class IntrinsicsPrior {
      * @param cell gives the values of the camera file, and how well its calibration knows them
      * @param model which are estimated, and how well they are known
      * @return the prior
+     * @throws InputRefusedException if nothing is known of the focal length and all references lie in one plane, or the
+     *     lens has no coefficients of a kind that is to be estimated
      */
     public static IntrinsicsPrior stated(Cell cell, ModelSettings model) {
         IntrinsicsPrior estimated = estimated(cell.camera(), model);
+        if (estimated.isFlat() && NearestPlane.holds(cell.references())) {
+            throw new InputRefusedException(Refusal.of(CheckRefusal.FLAT_FOCAL_IN_PLANE));
+        }
         CameraCalibration calibration = cell.calibration();
         if (calibration == null || model.get(SettingTable.CALIBRATION) == CalibrationUse.EXACT) {
             return estimated;
@@ -86,19 +97,80 @@ public final class IntrinsicsPrior {
     }
 
     /** The prior of those that settings call unknown. */
-    private static IntrinsicsPrior estimated(PinholeCamera camera, ModelSettings model) {
+    private static IntrinsicsPrior estimated(PinholeCamera file, ModelSettings model) {
         if (model.estimate() == Estimate.NONE) {
             return KNOWN;
         }
-        IntrinsicsPrior focal = Double.isInfinite(model.aspectPriorStd()) ? focal(camera, model.focalPriorStdPx())
-                : focalAndAspect(camera, model.focalPriorStdPx(), model.aspectPriorStd());
+        PinholeCamera camera = known(file, model);
+        double focalStdPx = model.get(SettingTable.FOCAL_PRIOR_SHARE).isPresent()
+                ? model.get(SettingTable.FOCAL_PRIOR_SHARE).getAsDouble() * camera.get(PinholeCamera.FX)
+                : model.focalPriorStdPx();
+        IntrinsicsPrior focal = Double.isInfinite(model.aspectPriorStd()) ? focal(camera, focalStdPx)
+                : focalAndAspect(camera, focalStdPx, model.aspectPriorStd());
         if (model.estimate() == Estimate.FOCAL) {
             return focal;
         }
         double principal = model.get(SettingTable.PRINCIPAL_PRIOR_STD_PX);
         double radial = model.get(SettingTable.RADIAL_PRIOR_STD);
-        return focal.and(of(camera, new int[] {PinholeCamera.CX, PinholeCamera.CY, Lenses.FIRST_RADIAL,
+        IntrinsicsPrior all = focal.and(of(camera, new int[] {PinholeCamera.CX, PinholeCamera.CY, Lenses.FIRST_RADIAL,
             Lenses.FIRST_RADIAL + 1}, new double[] {principal, principal, radial, radial}), 6);
+        all = all.and(camera, model.get(SettingTable.HIGHER_RADIAL_PRIOR_STD), "k[3-9]");
+        IntrinsicsPrior withTangential = all.and(camera, model.get(SettingTable.TANGENTIAL_PRIOR_STD), "p[12]");
+        if (withTangential == all && model.get(SettingTable.TANGENTIAL_PRIOR_STD).isPresent()) {
+            throw new InputRefusedException(Refusal.of(CheckRefusal.NO_TANGENTIAL_COEFFICIENTS,
+                    camera.lens().modelName()));
+        }
+        return withTangential;
+    }
+
+    /**
+     * The camera as it is known before the photo is seen: that of the file, with the focal length of the field of view
+     * where settings state one. A lens that is not wide sees {@code 2 atan(width / 2 fx)}, a wide one about
+     * {@code width / fx}.
+     *
+     * @param file the camera of the cell file
+     * @param model settings
+     * @return another camera where a field of view is stated and focal lengths are estimated
+     */
+    private static PinholeCamera known(PinholeCamera file, ModelSettings model) {
+        OptionalDouble degrees = model.get(SettingTable.FIELD_OF_VIEW_DEG);
+        if (model.estimate() == Estimate.NONE || degrees.isEmpty()) {
+            return file;
+        }
+        double half = Math.toRadians(degrees.getAsDouble()) / 2;
+        return withFocal(file, file.widthPx() / 2.0 / (file.lens().isWide() ? half : Math.tan(half)));
+    }
+
+    /**
+     * Where a search for the unknown intrinsics starts.
+     *
+     * @param file the camera of the cell file
+     * @param settings may state a focal length for it
+     * @return the prior's means, exact values where there are none, with the focal length stated
+     */
+    public static PinholeCamera start(PinholeCamera file, CheckSettings settings) {
+        OptionalDouble focalPx = settings.sampling().get(SettingTable.INITIAL_FOCAL_PX);
+        return settings.model().estimate() == Estimate.NONE || focalPx.isEmpty() ? known(file, settings.model())
+                : withFocal(file, focalPx.getAsDouble());
+    }
+
+    private static PinholeCamera withFocal(PinholeCamera camera, double focalPx) {
+        double[] values = camera.intrinsics();
+        values[PinholeCamera.FY] *= focalPx / values[PinholeCamera.FX];
+        values[PinholeCamera.FX] = focalPx;
+        return camera.withIntrinsics(values);
+    }
+
+    /** This prior and that of all parameters whose names fit, of one deviation; this one where there is none. */
+    private IntrinsicsPrior and(PinholeCamera camera, OptionalDouble std, String names) {
+        int[] more = IntStream.range(0, camera.lens().parameterCount())
+                .filter(i -> camera.lens().parameterNames().get(i).matches(names)).toArray();
+        if (std.isEmpty() || more.length == 0) {
+            return this;
+        }
+        double[] stds = new double[more.length];
+        Arrays.fill(stds, std.getAsDouble());
+        return and(of(camera, more, stds), count() + more.length);
     }
 
     /**
@@ -140,6 +212,29 @@ public final class IntrinsicsPrior {
     }
 
     /**
+     * Whether nothing is known beforehand of one of them.
+     *
+     * @return true for a flat prior of the focal length
+     */
+    public boolean isFlat() {
+        return Arrays.stream(stds).anyMatch(Double::isInfinite);
+    }
+
+    /**
+     * The same with a wide deviation in the place of a flat one, for searches that go by deviations.
+     *
+     * @return half of the mean where nothing is known
+     */
+    public IntrinsicsPrior proper() {
+        return new IntrinsicsPrior(indices, means, proper(stds), slopes, proper(ownStds), estimated);
+    }
+
+    private double[] proper(double[] deviations) {
+        return IntStream.range(0, deviations.length)
+                .mapToDouble(i -> Double.isInfinite(deviations[i]) ? means[i] / 2 : deviations[i]).toArray();
+    }
+
+    /**
      * Whether an intrinsic is unknown.
      *
      * @param index index of {@link PinholeCamera}
@@ -153,9 +248,9 @@ public final class IntrinsicsPrior {
      * Unknown focal lengths fx and fy that know nothing of each other, each N(camera's value, std²): as in the thesis.
      *
      * @param camera gives the means
-     * @param stdPx standard deviation, px, positive
+     * @param stdPx standard deviation, px, positive; +infinity for a flat prior
      * @return the prior
-     * @throws IllegalArgumentException if the deviation is not positive and finite
+     * @throws IllegalArgumentException if the deviation is not positive
      */
     public static IntrinsicsPrior focal(PinholeCamera camera, double stdPx) {
         return of(camera, new int[] {PinholeCamera.FX, PinholeCamera.FY}, new double[] {stdPx, stdPx});
@@ -169,12 +264,15 @@ public final class IntrinsicsPrior {
      * focal lengths leave room for shapes of pixels that no camera has, and their posterior lies off the truth.
      *
      * @param camera gives the means and the ratio
-     * @param stdPx standard deviation of fx, px, positive
+     * @param stdPx standard deviation of fx, px, positive; +infinity for a flat prior
      * @param aspectStd standard deviation of {@code fy / fx} as a share of the camera's, positive
      * @return the prior of fx and fy
-     * @throws IllegalArgumentException if a deviation is not positive and finite
+     * @throws IllegalArgumentException if a deviation is not positive, or that of the aspect ratio infinite
      */
     public static IntrinsicsPrior focalAndAspect(PinholeCamera camera, double stdPx, double aspectStd) {
+        if (Double.isInfinite(aspectStd)) {
+            throw new IllegalArgumentException("two focal lengths that know nothing of each other have no aspect ratio");
+        }
         double fx = camera.get(PinholeCamera.FX);
         double fy = camera.get(PinholeCamera.FY);
         double ofAspect = fy * aspectStd;
@@ -191,15 +289,16 @@ public final class IntrinsicsPrior {
      *
      * @param camera gives the means
      * @param indices indices of {@link PinholeCamera}; copied
-     * @param stds standard deviations in the units of the values, positive; copied
+     * @param stds standard deviations in the units of the values, positive; +infinity of a focal length where nothing is
+     *     known of it; copied
      * @return the prior
-     * @throws IllegalArgumentException if a deviation is not positive and finite
+     * @throws IllegalArgumentException if a deviation is not positive, or infinite and not a focal length's
      */
     public static IntrinsicsPrior of(PinholeCamera camera, int[] indices, double[] stds) {
         double[] means = new double[indices.length];
         for (int i = 0; i < indices.length; i++) {
             means[i] = camera.get(indices[i]);
-            if (!(stds[i] > 0) || !Double.isFinite(stds[i])) {
+            if (!(stds[i] > 0) || Double.isInfinite(stds[i]) && indices[i] > PinholeCamera.FY) {
                 throw new IllegalArgumentException("prior deviation must be positive, not " + stds[i]);
             }
         }
@@ -273,7 +372,7 @@ public final class IntrinsicsPrior {
      * Prior standard deviation of the i-th unknown.
      *
      * @param i 0 to count - 1
-     * @return in the unit of the value
+     * @return in the unit of the value; +infinity where it is flat
      */
     public double std(int i) {
         return stds[i];

@@ -76,6 +76,9 @@ public final class TruthPrior {
             throw new IllegalArgumentException("the spread takes two positive values (rotations below 57 degrees), "
                     + "or 0 twice");
         }
+        if (intrinsicsPrior.isFlat()) {
+            throw new InputRefusedException(Refusal.of(ValidationRefusal.FLAT_PRIOR));
+        }
         this.cell = cell;
         this.stdMm = stdMm;
         this.stdRad = stdRad;

@@ -9,6 +9,7 @@ import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.calibration.CalibrationStudy;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.statistics.RankHistogram;
@@ -35,6 +36,10 @@ import org.cellgauge.warning.Refusal;
  * longer exact: in a check the corners of objects say nothing of the intrinsics, while a full posterior would listen to
  * them.
  *
+ * <p>Where the camera of every cell is calibrated anew, from simulated photos of a board, the true camera is that of the
+ * cell file, and the check gets what the calibration found and leaves open. Its posterior then stands for a prior of the
+ * intrinsics, so that ranks are right to first order only; coverage is what is counted.
+ *
  * <p><b>Coverage is what a user gets.</b> It is counted for regions as the check states them, under its flat prior,
  * unweighted. Flat posteriors of a location cover exactly at every fixed truth; poses are close to locations where
  * uncertainties are small, and coverage is right to first order there (Welch and Peers, "On formulae for confidence
@@ -60,6 +65,9 @@ public final class Validation {
     static final long STREAM_NOISE = 103;
     static final long STREAM_CHECK = 104;
     static final long STREAM_RANKS = 105;
+    static final long STREAM_CALIBRATION = 106;
+    /** Deviation of a corner's coordinate in the photos of a calibration, px. */
+    public static final double CALIBRATION_STD_PX = 0.2;
 
     private final TruthPrior prior;
     private final ValidationSettings settings;
@@ -116,7 +124,10 @@ public final class Validation {
                 throw new InputRefusedException(
                         Refusal.of(ValidationRefusal.REFERENCE_BEHIND_CAMERA));
             }
-            result = CellCheck.run(cell, detections, own);
+            Cell known = settings.calibrationPhotos() == 0 ? cell : CalibrationStudy.calibrated(cell,
+                    settings.calibrationPhotos(), CALIBRATION_STD_PX,
+                    RandomStreams.of(seed, STREAM_CALIBRATION, index).nextLong());
+            result = CellCheck.run(known, detections, own);
         } catch (InputRefusedException e) {
             outcome.refused = true;
             return outcome;

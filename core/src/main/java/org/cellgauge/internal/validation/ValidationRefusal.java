@@ -16,6 +16,9 @@ public enum ValidationRefusal implements RefusalKind {
     MARKER_BEHIND_CAMERA("a marker is behind the camera"),
     /** A reference cannot be seen at all. */
     REFERENCE_BEHIND_CAMERA("a reference is behind the camera"),
+    /** Nothing can be drawn from a flat prior. */
+    FLAT_PRIOR("true focal lengths are drawn from what is known of them beforehand, and nothing can be drawn from a "
+            + "flat prior: state how well they are known"),
     /** No layout was found. */
     NO_LAYOUT("no layout fits into the image"),
 

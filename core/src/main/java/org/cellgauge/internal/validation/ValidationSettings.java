@@ -8,6 +8,7 @@ public final class ValidationSettings {
     private final CheckSettings check;
     private final double pixelStdPx;
     private final int threads;
+    private final int calibrationPhotos;
 
     /**
      * Settings.
@@ -19,6 +20,11 @@ public final class ValidationSettings {
      * @throws IllegalArgumentException if a value is out of range
      */
     public ValidationSettings(int simulations, CheckSettings check, double pixelStdPx, int threads) {
+        this(simulations, check, pixelStdPx, threads, 0);
+    }
+
+    private ValidationSettings(int simulations, CheckSettings check, double pixelStdPx, int threads,
+            int calibrationPhotos) {
         if (simulations < 1 || simulations > 1_000_000) {
             throw new IllegalArgumentException("simulations must be between 1 and 1000000, not " + simulations);
         }
@@ -32,6 +38,26 @@ public final class ValidationSettings {
         this.check = check;
         this.pixelStdPx = pixelStdPx;
         this.threads = threads;
+        this.calibrationPhotos = calibrationPhotos;
+    }
+
+    /**
+     * The same with the camera of every cell calibrated anew.
+     *
+     * @param photos simulated photos of a board that a calibration takes; 0 for none, the camera being that of the cell
+     * @return other settings
+     */
+    public ValidationSettings calibrating(int photos) {
+        return new ValidationSettings(simulations, check, pixelStdPx, threads, photos);
+    }
+
+    /**
+     * How many simulated photos of a board the camera of every cell is calibrated from.
+     *
+     * @return 0 where the check gets the camera of the cell
+     */
+    public int calibrationPhotos() {
+        return calibrationPhotos;
     }
 
     /**

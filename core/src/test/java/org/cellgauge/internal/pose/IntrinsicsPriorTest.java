@@ -2,11 +2,30 @@ package org.cellgauge.internal.pose;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.MultivariateNormalDistribution;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Reference;
+import org.cellgauge.check.ThesisScene;
 import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.settings.Estimate;
+import org.cellgauge.settings.ModelSettings;
+import org.cellgauge.settings.SettingTable;
+import org.cellgauge.warning.CheckRefusal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class IntrinsicsPriorTest {
     private static final double FX = 600;
@@ -130,9 +149,94 @@ class IntrinsicsPriorTest {
 
     @Test
     void deviationsMustBePositive() {
-        for (double bad : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+        assertThrows(IllegalArgumentException.class,
+                () -> IntrinsicsPrior.focalAndAspect(CAMERA, 200, Double.POSITIVE_INFINITY));
+        assertThrows(IllegalArgumentException.class, () -> IntrinsicsPrior.of(CAMERA, new int[] {PinholeCamera.CX},
+                new double[] {Double.POSITIVE_INFINITY}));
+        for (double bad : new double[] {0, -1, Double.NaN}) {
             assertThrows(IllegalArgumentException.class, () -> IntrinsicsPrior.focalAndAspect(CAMERA, bad, ASPECT_STD));
             assertThrows(IllegalArgumentException.class, () -> IntrinsicsPrior.focalAndAspect(CAMERA, 200, bad));
+        }
+    }
+
+    @Test
+    void aFlatPriorSaysNothingOfTheFocalLengthButOfTheAspectRatio() {
+        IntrinsicsPrior flat = IntrinsicsPrior.focalAndAspect(CAMERA, Double.POSITIVE_INFINITY, ASPECT_STD);
+        assertTrue(flat.isFlat());
+        assertEquals(0, flat.information(0, 1) * FX + flat.information(1, 1) * FY, 1e-9);
+        assertEquals(flat.logDensity(withFocal(FX, FY)), flat.logDensity(withFocal(10 * FX, 10 * FY)), 1e-9);
+        assertEquals(-0.5, flat.logDensity(withFocal(FX, FY * (1 + ASPECT_STD))), 1e-9);
+    }
+
+    @Test
+    void aFieldOfViewSaysWhatTheFocalLengthIsAbout() {
+        Cell cell = ThesisScene.oneRaised(4).camera(CAMERA).cell();
+        CheckSettings settings = CheckSettings.builder().estimate(Estimate.FOCAL)
+                .set(SettingTable.FIELD_OF_VIEW_DEG, OptionalDouble.of(90))
+                .set(SettingTable.FOCAL_PRIOR_SHARE, OptionalDouble.of(0.1)).build();
+        IntrinsicsPrior prior = IntrinsicsPrior.stated(cell, settings.model());
+        // half the width is seen under 45 degrees
+        double half = CAMERA.widthPx() / 2.0;
+        assertEquals(half, prior.mean(0), 1e-9);
+        assertEquals(half * FY / FX, prior.mean(1), 1e-9);
+        assertEquals(half / 10, prior.std(0), 1e-9);
+        assertEquals(half, IntrinsicsPrior.start(CAMERA, settings).get(PinholeCamera.FX), 1e-9);
+        PinholeCamera start = IntrinsicsPrior.start(CAMERA, settings.toBuilder()
+                .set(SettingTable.INITIAL_FOCAL_PX, OptionalDouble.of(250)).build());
+        assertEquals(250, start.get(PinholeCamera.FX), 0);
+        assertEquals(250 * FY / FX, start.get(PinholeCamera.FY), 1e-9);
+        assertEquals(CAMERA.get(PinholeCamera.CX), start.get(PinholeCamera.CX), 0);
+        PinholeCamera known = IntrinsicsPrior.start(CAMERA, CheckSettings.builder()
+                .set(SettingTable.INITIAL_FOCAL_PX, OptionalDouble.of(250)).build());
+        assertEquals(FX, known.get(PinholeCamera.FX), 0, "a known focal length is not searched for");
+    }
+
+    @Test
+    void furtherCoefficientsAreUnknownWhereSomethingIsStatedOfThem() {
+        Cell cell = ThesisScene.oneRaised(4).cell();
+        CheckSettings.Builder settings = CheckSettings.builder().estimate(Estimate.INTRINSICS)
+                .set(SettingTable.HIGHER_RADIAL_PRIOR_STD, OptionalDouble.of(0.3))
+                .set(SettingTable.TANGENTIAL_PRIOR_STD, OptionalDouble.of(0.002));
+        assertEquals("fx_px fy_px cx_px cy_px k1 k2 k3 p1 p2", names(IntrinsicsPrior.stated(cell,
+                settings.build().model()), cell));
+        PinholeCamera wide = PinholeCamera.of(KannalaBrandtLens.MODEL, 1280, 720,
+                new double[] {400, 400, 640, 360, 0, 0, 0, 0, 0});
+        Cell fisheye = cell.withCamera(wide);
+        InputRefusedException refused = assertThrows(InputRefusedException.class,
+                () -> IntrinsicsPrior.stated(fisheye, settings.build().model()));
+        assertEquals(CheckRefusal.NO_TANGENTIAL_COEFFICIENTS, refused.refusal().kind());
+        IntrinsicsPrior all = IntrinsicsPrior.stated(fisheye,
+                settings.set(SettingTable.TANGENTIAL_PRIOR_STD, OptionalDouble.empty()).build().model());
+        assertEquals("fx_px fy_px cx_px cy_px k1 k2 k3 k4", names(all, fisheye));
+        assertEquals(0.3, all.std(7), 0);
+        assertEquals(8, all.estimatedCount());
+    }
+
+    private static String names(IntrinsicsPrior prior, Cell cell) {
+        return IntStream.range(0, prior.count()).mapToObj(i -> cell.camera().lens().parameterNames().get(prior.index(i)))
+                .collect(Collectors.joining(" "));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, true", "15, true", "40, false"})
+    void aFlatPriorTakesReferencesOutOfOnePlane(double raisedMm, boolean refused) {
+        // placed to 5 mm
+        List<Reference> references = new ArrayList<>();
+        for (Reference r : ThesisScene.inPlane(4).cell().references()) {
+            boolean last = references.size() == 3;
+            double[] t = r.worldFromMarker().translationMm();
+            references.add(new Reference(r.id(), r.sizeMm(), RigidTransform.ofEuler(t[0], t[1],
+                    last ? raisedMm : 0, 0, 0, 0), r.placement()));
+        }
+        Cell cell = ThesisScene.inPlane(4).cell().withReferences(references);
+        ModelSettings model = CheckSettings.builder().estimate(Estimate.FOCAL).focalPriorStdPx(Double.POSITIVE_INFINITY)
+                .build().model();
+        if (refused) {
+            InputRefusedException e = assertThrows(InputRefusedException.class,
+                    () -> IntrinsicsPrior.stated(cell, model));
+            assertEquals(CheckRefusal.FLAT_FOCAL_IN_PLANE, e.refusal().kind());
+        } else {
+            assertTrue(IntrinsicsPrior.stated(cell, model).isFlat());
         }
     }
 }
