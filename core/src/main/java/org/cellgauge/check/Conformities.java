@@ -94,7 +94,7 @@ final class Conformities {
                 double[][] along = series[i];
                 double mean = meanMm[i];
                 int axis = i;
-                found.add(least(shifts, shift -> of(Of.values()[axis], limit,
+                found.add(least(shifts, shift -> of(axis == 0 ? Of.X : axis == 1 ? Of.Y : Of.Z, limit,
                         (c, d) -> Math.abs(along[c][d] - mean) + Math.abs(shift[axis]) <= limit)));
             }
         }
