@@ -43,11 +43,12 @@ final class ModelAverage {
      *
      * @param chosen the fit whose values count
      * @param covariance its own, of lens and board
-     * @param trials what the choice was among, the chosen one included; empty where there was none
+     * @param tried what the choice was among, the chosen one included; empty where there was none; of other lens
+     *     models, whose parameters mean something else, none is averaged in
      * @param crossRatio difference of odd and even photos over its stated deviation; NaN where unknown
      */
-    ModelAverage(CalibrationFit chosen, double[] covariance, List<Trial> trials, double crossRatio) {
-        this.trials = trials;
+    ModelAverage(CalibrationFit chosen, double[] covariance, List<Trial> tried, double crossRatio) {
+        trials = tried.stream().filter(t -> t.lens.lens() == chosen.choice.lens()).toList();
         double scatter = crossRatio > 1 ? crossRatio * crossRatio : 1;
         double least = trials.stream().mapToDouble(Trial::deviance).min().orElse(0);
         weights = trials.stream().mapToDouble(t -> Math.exp(-(t.deviance - least) / (2 * scatter))).toArray();
@@ -57,6 +58,7 @@ final class ModelAverage {
         }
         List<CalibrationFit> fits = new ArrayList<>();
         List<Double> kept = new ArrayList<>();
+        List<double[]> own = new ArrayList<>();
         LensChoice widest = chosen.choice;
         List<Integer> photos = IntStream.range(0, chosen.photos.size()).boxed().toList();
         for (int k = 0; k < weights.length; k++) {
@@ -64,11 +66,14 @@ final class ModelAverage {
             Trial trial = trials.get(k);
             if (trial.lens == chosen.choice && trial.board == chosen.board) {
                 fits.add(chosen);
+                own.add(covariance);
                 kept.add(weights[k]);
             } else if (weights[k] > NEGLIGIBLE && holds(chosen.choice.lens(), trial.lens.lens())) {
                 CalibrationFit fit = chosen.ofPhotos(trial.lens, trial.board, photos);
-                if (fit.covariance != null) {
+                double[] ofFit = fit.covariance;
+                if (ofFit != null) {
                     fits.add(fit);
+                    own.add(ofFit);
                     kept.add(weights[k]);
                     widest = trial.lens.unknowns() > widest.unknowns() ? trial.lens : widest;
                 }
@@ -76,6 +81,7 @@ final class ModelAverage {
         }
         if (fits.isEmpty()) {
             fits.add(chosen);
+            own.add(covariance);
             kept.add(1.0);
         }
         choice = widest;
@@ -83,7 +89,7 @@ final class ModelAverage {
         int n = choice.unknowns();
         this.covariance = new double[n * n];
         for (int f = 0; f < fits.size(); f++) {
-            add(kept.get(f) / sum, fits.get(f), fits.get(f) == chosen ? covariance : fits.get(f).covariance, chosen);
+            add(kept.get(f) / sum, fits.get(f), own.get(f), chosen);
         }
     }
 
