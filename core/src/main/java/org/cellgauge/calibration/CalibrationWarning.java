@@ -13,10 +13,10 @@ public enum CalibrationWarning implements WarningKind {
     IN_QUESTION("%s %% of the corners had to be left out, which is more than mistakes of detection account for: the "
             + "calibration is in question; look at the photos named"),
     /** Photos that contradict the others: names. */
-    CONTRADICTS("%s contradict the other photos: the target moved or bent, or focus or zoom changed; leave them out or "
-            + "take them again"),
+    CONTRADICTS("the other photos contradict %s: the target moved or bent, or focus or zoom changed; leave out what is "
+            + "named, or take it again"),
     /** Photos that tell next to nothing: names. */
-    ADDS_LITTLE("%s add next to nothing to what the others tell"),
+    ADDS_LITTLE("next to nothing comes from %s to what the other photos tell"),
     /** Odd and even photos calibrate to different cameras: ratio, factor of the deviations. */
     MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: lens "
             + "model or target are wrong by more than the corners' noise. The stated deviations are widened by %s"),
@@ -24,11 +24,11 @@ public enum CalibrationWarning implements WarningKind {
     SOME_MODEL_ERROR("calibrations of the odd and of the even photos differ by %s times what chance makes likely: "
             + "chance is possible, a small error of lens model or target too"),
     /** The board is taken for flat and is bent: by how much, its deviation, mm. */
-    BENT("the target is taken for flat and is bent, by %s mm (give or take %s mm): the stated deviations are far too small; "
-            + "let its warp be unknown, or lay it on glass"),
+    BENT("the target is taken for flat and is bent, by %s mm (give or take %s mm): the stated deviations are far too "
+            + "small; let its warp be unknown, or lay it on glass"),
     /** The board is bent otherwise than modelled: by how much, its deviation, mm. */
-    BENT_OTHERWISE("the target is bent or twisted otherwise than its two coefficients of warp can follow, by %s mm (give "
-            + "or take %s mm): the stated deviations are too small; let all five be unknown, or lay it on glass"),
+    BENT_OTHERWISE("the target is bent or twisted otherwise than its two coefficients of warp can follow, by %s mm "
+            + "(give or take %s mm): the stated deviations are too small; let all five be unknown, or lay it on glass"),
     /** Other lenses explain photos held out about as well: the chosen lens, the others, their weight, %. */
     LENS_OPEN("the photos do not decide between %s and %s, which explain photos held out about as well (weight %s %%): "
             + "the stated deviations allow for both; name the lens model where it is known, or take more photos"),

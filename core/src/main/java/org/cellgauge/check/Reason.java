@@ -151,7 +151,7 @@ public final class Reason {
      *
      * @param objects the objects seen
      * @param missingObjects ids of objects that count as a failure because they are not seen; empty where none does
-     * @param targetMm the target, or empty
+     * @param target of the cell, or none
      * @param misplacement what misplaced references add, or null
      * @param misfit what of the figures' foundations the photo contradicts, or null
      * @param undecidedMm Monte Carlo error because of which the target is neither met nor missed; empty where it is

@@ -89,6 +89,27 @@ class CellWriterTest {
     }
 
     @Test
+    void whatIsSaidForPlanningComesBack() {
+        Cell cell = CellReaderTest.read(CellReaderTest.CELL + "plan:\n"
+                + "  camera_pose: [418, 106, 1070, 176.5, 5.5, 1]\n"
+                + "  camera_range: {position_mm: [50, 40, 0], turn_deg: 5}\n"
+                + "  regions_mm: {5: [500, 400, 0, 0]}\n"
+                + "  free_mm: [[0, 0, 500, 400], [600, 0, 700, 50.5]]\n"
+                + "  walls_mm: [[0, 450, 500, 450, 300]]\n"
+                + "  max_height_mm: 0\n"
+                + "  costs: {raise-reference: 40, more-pixels: 0}\n");
+        assertEquals(new Area(0, 0, 500, 400), cell.planning().regions().get(5));
+        assertEquals(40, cell.planning().costs().get(ChangeKind.RAISE_REFERENCE));
+        Cell again = again(cell);
+        assertArrayEquals(cell.planning().worldFromCamera().rotation(), again.planning().worldFromCamera().rotation(),
+                1e-15);
+        assertArrayEquals(new double[] {418, 106, 1070}, again.planning().worldFromCamera().translationMm());
+        Planning read = cell.planning();
+        assertEquals(new Planning(again.planning().worldFromCamera(), read.cameraRange(), read.regions(), read.free(),
+                read.walls(), read.maxHeightMm(), read.costs()), again.planning());
+    }
+
+    @Test
     void markersAreTheSameWayUpAgain() {
         String text = CellReaderTest.CELL.replace("{family: square-binary,", "{family: tag36h11, orientation: opencv,")
                 .replace("944", "94").replace("1234", "123").replace("911", "91");

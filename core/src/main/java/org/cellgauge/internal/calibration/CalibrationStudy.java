@@ -12,6 +12,7 @@ import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.geometry.BrownLens;
+import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Rotations;
 import org.cellgauge.vision.TargetObservation;
@@ -170,12 +171,14 @@ public final class CalibrationStudy {
                 continue;
             }
             for (int k = 0; k < unknowns; k++) {
-                double error = estimate.values[choice.parameter(k)] - truth[choice.parameter(k)];
+                int i = estimate.choice.lens().parameterNames()
+                        .indexOf(choice.lens().parameterNames().get(choice.parameter(k)));
+                double error = estimate.values[i] - truth[choice.parameter(k)];
                 errors[k] += error * error;
-                int u = estimate.choice.unknown(choice.parameter(k));
+                int u = estimate.choice.unknown(i);
                 variances[k] += u < 0 ? 0 : estimate.covariance[u * (estimate.size + 1)];
             }
-            double[] shifts = estimate.map.difference(estimate.values, truth);
+            double[] shifts = estimate.map.difference(estimate.values, truth(estimate.choice.lens()));
             for (int k = 0; k < 9; k++) {
                 int place = PLACE_ROWS[k / 3] * ProjectionMap.COLUMNS + PLACE_COLUMNS[k % 3];
                 placeErrors[k] += shifts[2 * place] * shifts[2 * place] + shifts[2 * place + 1] * shifts[2 * place + 1];
@@ -201,9 +204,32 @@ public final class CalibrationStudy {
                 (double) bent / simulations, failed);
     }
 
+    /** The true values as a lens has them whose names are among its own. */
+    private double[] truth(Lens lens) {
+        return lens.parameterNames().stream().mapToInt(camera.lens().parameterNames()::indexOf)
+                .mapToDouble(i -> i < 0 ? 0 : truth[i]).toArray();
+    }
+
     /** What one calibration says: values of the lens first, covariance of the unknowns of a choice first. */
-    private record Estimate(LensChoice choice, double[] values, double[] covariance, int size, ProjectionMap map,
-            double crossRatio, boolean bent) {
+    private static final class Estimate {
+        final LensChoice choice;
+        final double[] values;
+        final double[] covariance;
+        final int size;
+        final ProjectionMap map;
+        final double crossRatio;
+        final boolean bent;
+
+        Estimate(LensChoice choice, double[] values, double[] covariance, int size, ProjectionMap map,
+                double crossRatio, boolean bent) {
+            this.choice = choice;
+            this.values = values;
+            this.covariance = covariance;
+            this.size = size;
+            this.map = map;
+            this.crossRatio = crossRatio;
+            this.bent = bent;
+        }
     }
 
     /** The calibration of a scene's photos; null where they determine none. */
@@ -225,18 +251,24 @@ public final class CalibrationStudy {
     }
 
     private @Nullable Estimate chosen(List<TargetObservation> photos) {
-        CalibrationResult result;
         try {
-            result = new CameraCalibrator(points, photos, CalibrationOptions.USUAL).run();
+            return estimate(new CameraCalibrator(points, photos, CalibrationOptions.USUAL).run(), photos);
         } catch (InputRefusedException e) {
             return null;
         }
+    }
+
+    private static Estimate estimate(CalibrationResult result, List<TargetObservation> photos) {
+        PinholeCamera camera = result.camera();
         int n = result.parameters().size();
         double[] covariance = flat(result.covariance());
-        LensChoice of = LensChoice.ladder().stream().filter(c -> c.unknowns() == n).findFirst().orElseThrow();
+        LensChoice of = LensChoice.ladder().stream().filter(c -> c.unknowns() == n
+                && c.lens() == result.camera().lens()).findFirst().orElseThrow();
         double[] values = result.camera().intrinsics();
-        Coverage coverage = new Coverage(photos.stream().map(p -> new TargetPhoto(p, false)).toList(), camera.widthPx(), camera.heightPx());
-        return new Estimate(of, values, covariance, n, new ProjectionMap(of, values, camera.widthPx(), camera.heightPx(), coverage),
+        Coverage coverage = new Coverage(photos.stream().map(p -> new TargetPhoto(p, false)).toList(),
+                camera.widthPx(), camera.heightPx());
+        ProjectionMap map = new ProjectionMap(of, values, camera.widthPx(), camera.heightPx(), coverage);
+        return new Estimate(of, values, covariance, n, map,
                 result.figures().crossRatio(), result.warnings().stream().anyMatch(w -> w.kind()
                         == CalibrationWarning.BENT || w.kind() == CalibrationWarning.BENT_OTHERWISE));
     }
@@ -292,7 +324,8 @@ public final class CalibrationStudy {
         for (int i = 0; i < uv.length; i++) {
             uv[i] += noisePx * random.nextGaussian();
         }
-        return new TargetObservation(name, camera.widthPx(), camera.heightPx(), IntStream.range(0, points.count()).toArray(), uv);
+        return new TargetObservation(name, camera.widthPx(), camera.heightPx(),
+                IntStream.range(0, points.count()).toArray(), uv);
     }
 
     /** Images of all corners; false unless all are in the image. */
@@ -305,7 +338,8 @@ public final class CalibrationStudy {
             double z = scene.warpMm * (1 - across * across);
             if (!camera.lens().project(truth, r[0] * x + r[1] * y + r[2] * z + t[0],
                     r[3] * x + r[4] * y + r[5] * z + t[1], r[6] * x + r[7] * y + r[8] * z + t[2], uv, 2 * i)
-                    || uv[2 * i] < 0 || uv[2 * i] > camera.widthPx() || uv[2 * i + 1] < 0 || uv[2 * i + 1] > camera.heightPx()) {
+                    || uv[2 * i] < 0 || uv[2 * i] > camera.widthPx() || uv[2 * i + 1] < 0
+                    || uv[2 * i + 1] > camera.heightPx()) {
                 return false;
             }
         }

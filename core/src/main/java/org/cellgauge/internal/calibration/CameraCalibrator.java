@@ -115,7 +115,15 @@ public final class CameraCalibrator {
         if (points.isFlat() && options.aspect() == CalibrationOptions.Aspect.BY_PHOTOS && isTurned(fit)) {
             fit = fit.ofPhotos(choice, new BoardShape(points, warp, true), all(fit));
         }
-        fit = byHeldOut(fit);
+        CalibrationFit usual = fit;
+        fit = byHeldOut(usual, true);
+        if (fit.choice.lens() == RationalLens.MODEL && options.lens().equals(CalibrationOptions.AUTO)
+                && !isToldByHalves(fit)) {
+            // nothing could be held against it, however well it does
+            trials.clear();
+            ladder.clear();
+            fit = byHeldOut(usual, false);
+        }
         // what the adjustment itself takes, all of it once
         long start = System.nanoTime();
         fit = CalibrationFit.of(fit.choice, points, seen, fit.board.warp, fit.board.aspect);
@@ -168,8 +176,10 @@ public final class CameraCalibrator {
     /**
      * Chooses lens and warp by photos held out: every unknown more has to earn the logarithm of the number of errors
      * there (G. Schwarz, "Estimating the dimension of a model", 1978). What the options state is not chosen.
+     *
+     * @param withRational whether a quotient of polynomials is among the lenses
      */
-    private CalibrationFit byHeldOut(CalibrationFit usual) {
+    private CalibrationFit byHeldOut(CalibrationFit usual, boolean withRational) {
         if (seen.size() < FEWEST_FOR_HALVES) {
             return usual;
         }
@@ -183,7 +193,8 @@ public final class CameraCalibrator {
         double least = Double.POSITIVE_INFINITY;
         for (int b = 0; b < boards.size(); b++) {
             for (int l = 0; l < lenses.size(); l++) {
-                errors[b][l] = heldOut(usual, lenses.get(l), boards.get(b));
+                errors[b][l] = withRational || lenses.get(l).lens() != RationalLens.MODEL
+                        ? heldOut(usual, lenses.get(l), boards.get(b)) : Double.POSITIVE_INFINITY;
                 least = Math.min(least, errors[b][l]);
             }
         }
@@ -240,6 +251,12 @@ public final class CameraCalibrator {
             sum += part.covariance == null || hasPole(part) ? Double.POSITIVE_INFINITY : part.heldOut(others);
         }
         return Math.sqrt(sum / heldOutFreedom(fit));
+    }
+
+    /** Whether odd and even photos alone tell the lens, as {@link CrossValidation} needs them to. */
+    private boolean isToldByHalves(CalibrationFit fit) {
+        return IntStream.range(0, 2).mapToObj(parity -> fit.ofPhotos(fit.choice, fit.board, half(fit, parity)))
+                .noneMatch(part -> part.covariance == null || hasPole(part));
     }
 
     /** Whether a quotient of polynomials folds the image, as it readily does where few photos tell its coefficients. */

@@ -1,7 +1,6 @@
 package org.cellgauge.internal.plan;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.cellgauge.cell.Cell;
@@ -24,6 +23,8 @@ final class ReferencePlaces {
     /** Places along the length and the height of a wall. */
     private static final int ALONG_WALL = 12;
     private static final int UP_WALL = 4;
+    /** Rotations whose entries differ by less than this are one. */
+    private static final double FLAT = 1e-9;
     private static final double TILT_RAD = Math.toRadians(30);
     /** Paper reaches beyond the black square by this share of its size on every side. */
     private static final double PAPER = 0.2;
@@ -254,7 +255,7 @@ final class ReferencePlaces {
         List<RigidTransform> clear = new ArrayList<>();
         double[] plane = usual(layout.cell()).worldFromMarker().rotation();
         for (RigidTransform middle : worldFromMarkers) {
-            boolean all = Arrays.equals(plane, middle.rotation());
+            boolean all = isFlat(middle.rotation(), plane);
             for (int i = 0; i < 4 && all; i++) {
                 RigidTransform marker = middle.compose(onPlate(i, half));
                 double[] at = marker.translationMm();
@@ -266,6 +267,14 @@ final class ReferencePlaces {
             }
         }
         return clear;
+    }
+
+    private static boolean isFlat(double[] rotation, double[] plane) {
+        double apart = 0;
+        for (int i = 0; i < rotation.length; i++) {
+            apart = Math.max(apart, Math.abs(rotation[i] - plane[i]));
+        }
+        return apart < FLAT;
     }
 
     /** A corner of a plate in the frame of its middle. */

@@ -3,12 +3,15 @@ package org.cellgauge.internal.calibration;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.cellgauge.calibration.Calibration;
@@ -16,10 +19,16 @@ import org.cellgauge.calibration.CalibrationOptions;
 import org.cellgauge.calibration.CalibrationRefusal;
 import org.cellgauge.calibration.CalibrationResult;
 import org.cellgauge.calibration.CalibrationWarning;
+import org.cellgauge.cell.CameraCalibration;
+import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.MarkerFamily;
+import org.cellgauge.cell.Placement;
+import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.Lens;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RationalLens;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
@@ -87,6 +96,64 @@ class CameraCalibratorTest {
         assertTrue(warp.std() < 0.05, "std " + warp.std());
         CalibrationResult.Parameter focal = result.parameters().get(0);
         assertEquals(STUDY.truth()[0], focal.value(), 4 * focal.std());
+    }
+
+    /** Odd and even photos show the same board and err alike: they do not tell. */
+    @Test
+    void aBentBoardThatIsTakenForFlatIsTold() {
+        for (int s = 0; s < 2; s++) {
+            CalibrationResult bent = calibrate(STUDY.photos(CalibrationStudy.Scene.BENT, s));
+            assertTrue(warns(bent, CalibrationWarning.BENT), "bent, " + s);
+            assertFalse(warns(calibrate(STUDY.photos(CalibrationStudy.Scene.GOOD, s)), CalibrationWarning.BENT));
+            assertFalse(warns(calibrated(STUDY.points(), STUDY.photos(CalibrationStudy.Scene.BENT, s)),
+                    CalibrationWarning.BENT), "its warp is unknown, " + s);
+        }
+    }
+
+    /** Two lenses between which photos do not decide: the moments of both, about the values of the one. */
+    @Test
+    void whatAChoiceLeavesOpenIsInTheCovariance() {
+        List<LensChoice> ladder = LensChoice.ladder();
+        List<TargetObservation> photos = STUDY.photos(CalibrationStudy.Scene.GOOD, 0);
+        CalibrationFit lean = CalibrationFit.of(ladder.get(1), STUDY.points(), photos, 0, false);
+        CalibrationFit rich = lean.ofPhotos(ladder.get(2), lean.board, IntStream.range(0, photos.size()).boxed()
+                .toList());
+        // by the squared ratio of odd and even photos, the difference counts for a quarter
+        List<ModelAverage.Trial> trials = List.of(new ModelAverage.Trial(ladder.get(1), lean.board, 100),
+                new ModelAverage.Trial(ladder.get(2), lean.board, 100 + 8 * Math.log(3)));
+        ModelAverage average = new ModelAverage(lean, lean.covariance, trials, 2);
+        assertEquals(0.75, average.weight(ladder.get(1)), 1e-12);
+        assertEquals(8, average.choice.unknowns());
+        double shift = rich.values[0] - lean.values[0];
+        double fx = 0.75 * lean.covariance[0] + 0.25 * (rich.covariance[0] + shift * shift);
+        assertEquals(fx, average.covariance[0], 1e-6 * fx);
+        double p1 = 0.25 * (rich.covariance[6 * 9] + rich.values[8] * rich.values[8]);
+        assertEquals(p1, average.covariance[6 * 9], 1e-6 * p1);
+        assertEquals(0, average.weight(ladder.get(0)), 0, "was not tried");
+        LensChoice other = ladder.get(4);
+        assertNotEquals(lean.choice.lens(), other.lens());
+        assertEquals(1, new ModelAverage(lean, lean.covariance, List.of(trials.get(0),
+                new ModelAverage.Trial(other, lean.board, 90)), 1).weight(lean.choice), 0, "another model");
+        ModelAverage alone = new ModelAverage(lean, lean.covariance, List.of(), Double.NaN);
+        assertEquals(lean.covariance[7], alone.covariance[7], 0);
+    }
+
+    @Test
+    void aSimulatedCellGetsACameraThatIsFoundAndHowWell() {
+        PinholeCamera truth = PinholeCamera.ideal(1280, 720, 581, 581, 640, 360);
+        Cell cell = new Cell(truth, MarkerFamily.SQUARE_BINARY, List.of(new Reference(1, 47,
+                RigidTransform.ofEuler(0, 0, 0, 0, 0, 0), new Placement(1, 1, 1, 0.01))), List.of(),
+                OptionalDouble.of(0.1), OptionalDouble.empty());
+        Cell known = CalibrationStudy.calibrated(cell, 20, NOISE_PX, 7);
+        CameraCalibration calibration = known.calibration();
+        assertNotNull(calibration);
+        assertEquals(20, calibration.photos());
+        for (int k = 0; k < 4; k++) {
+            double error = known.camera().get(k) - truth.get(k);
+            assertTrue(error != 0);
+            assertEquals(0, error, 4 * calibration.std(k), calibration.parameters().get(k));
+            assertTrue(calibration.std(k) < 1, "20 photos tell it");
+        }
     }
 
     @Test
