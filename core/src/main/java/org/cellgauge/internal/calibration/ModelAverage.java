@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 import org.cellgauge.geometry.Lens;
 
 /**
- * What a choice among lenses and boards leaves open; immutable. A choice by the photos is no knowledge: another lens that
- * explains photos held out about as well puts the parameters elsewhere, and a covariance that is that of the chosen one
+ * What a choice among lenses and boards leaves open; immutable. A choice by the photos is no knowledge: another lens
+ * that explains photos held out about as well puts the parameters elsewhere, and a covariance that is that of the chosen one
  * alone is too small.
  *
  * <p>Every lens and board tried has a weight by the photos held out, {@code exp(-d / 2 c)}, d its squared errors there
@@ -16,8 +16,8 @@ import org.cellgauge.geometry.Lens;
  * ratio of odd to even photos where that is above 1 (K. P. Burnham and D. R. Anderson, "Model selection and multimodel
  * inference", 2nd ed. 2002, section 2.5). The covariance about the chosen parameters t is the second moment
  * {@code sum w (C + (t' - t) (t' - t)^T)} of all of them; what a leaner lens has not is zero in it. A
- * lens of more parameters than the chosen model has is weighed and not averaged: a camera file of that model has no place
- * for them.
+ * lens of more parameters than the chosen model has is weighed and not averaged: a camera file of that model has no
+ * place for them.
  */
 final class ModelAverage {
     /** Weight below which a lens changes no figure that is shown. */
