@@ -7,8 +7,8 @@ import org.cellgauge.geometry.Lens;
 
 /**
  * What a choice among lenses and boards leaves open; immutable. A choice by the photos is no knowledge: another lens
- * that explains photos held out about as well puts the parameters elsewhere, and a covariance that is that of the chosen one
- * alone is too small.
+ * that explains photos held out about as well puts the parameters elsewhere, and a covariance that is that of the
+ * chosen one alone is too small.
  *
  * <p>Every lens and board tried has a weight by the photos held out, {@code exp(-d / 2 c)}, d its squared errors there
  * in units of the least (pseudo-Bayesian averaging: S. Geisser and W. F. Eddy, "A predictive approach to model
