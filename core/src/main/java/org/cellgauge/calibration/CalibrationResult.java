@@ -92,8 +92,8 @@ public record CalibrationResult(PinholeCamera camera, String lens, List<Paramete
      * @param lens its name
      * @param unknowns how many parameters it has
      * @param heldOutRmsPx error of a coordinate in photos that its fit did not see, px; odd and even ones in turn
-     * @param weight its share in the covariance, by these errors; 0 where it was not to be chosen, or is of another model than
-     *     the one that was
+     * @param weight its share in the covariance, by these errors; 0 where it was not to be chosen, or is of another
+     *     model than the one that was
      */
     public record LensTrial(String lens, int unknowns, double heldOutRmsPx, double weight) {
     }

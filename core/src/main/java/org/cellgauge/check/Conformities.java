@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Counts the draws of an object that keep its tolerances. */
 final class Conformities {
+    private static final List<Of> ALONG = List.of(Of.X, Of.Y, Of.Z);
     private static final List<Axis> TURNS = List.of(Axis.WX, Axis.WY, Axis.WZ);
 
     private final List<Draws> chains;
@@ -94,7 +95,7 @@ final class Conformities {
                 double[][] along = series[i];
                 double mean = meanMm[i];
                 int axis = i;
-                found.add(least(shifts, shift -> of(axis == 0 ? Of.X : axis == 1 ? Of.Y : Of.Z, limit,
+                found.add(least(shifts, shift -> of(ALONG.get(axis), limit,
                         (c, d) -> Math.abs(along[c][d] - mean) + Math.abs(shift[axis]) <= limit)));
             }
         }

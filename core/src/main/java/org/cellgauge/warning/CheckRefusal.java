@@ -29,8 +29,8 @@ public enum CheckRefusal implements RefusalKind {
             + "longer one and a camera farther away look alike; state how well it is known, by a field of view of the "
             + "data sheet for instance, or raise a reference out of the plane of the others"),
     /** Nothing is known of the focal length beforehand, and the photo hardly tells it: its deviation, %. */
-    FLAT_FOCAL_OPEN("with nothing known of the focal length beforehand, this photo tells it to %s %% only, and there is "
-            + "no end to how long it may be; state how well it is known, by a field of view of the data sheet for "
+    FLAT_FOCAL_OPEN("with nothing known of the focal length beforehand, this photo tells it to %s %% only, and there "
+            + "is no end to how long it may be; state how well it is known, by a field of view of the data sheet for "
             + "instance, or raise references farther"),
     /** Tangential coefficients are to be estimated of a lens that has none: its model. */
     NO_TANGENTIAL_COEFFICIENTS("a lens of the model %s has no tangential coefficients: leave their prior deviation "

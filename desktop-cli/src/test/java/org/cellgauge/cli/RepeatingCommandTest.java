@@ -64,6 +64,13 @@ class RepeatingCommandTest {
                 return word;
             }
         }
+        if (setting == SettingTable.INITIAL_FOCAL_PX) {
+            return "600";
+        }
+        if (Set.of(SettingTable.FOCAL_PRIOR_SHARE, SettingTable.HIGHER_RADIAL_PRIOR_STD,
+                SettingTable.TANGENTIAL_PRIOR_STD).contains(setting)) {
+            return "0.01";
+        }
         return usual.isEmpty() ? "40" : new BigDecimal(usual).multiply(BigDecimal.valueOf(2)).toPlainString();
     }
 
@@ -103,7 +110,7 @@ class RepeatingCommandTest {
         // neither waits for the usual precision
         String few = setting == SettingTable.PRECISION ? " --max-iterations 300"
                 : setting == SettingTable.MAX_ITERATIONS ? " --precision 0.9" : ofLength ? "" : FEW;
-        String options = few + (before == USUAL ? "" : " --estimate focal") + " "
+        String options = few + (before == USUAL ? "" : " --estimate intrinsics") + " "
                 + SettingOptions.name(setting) + " " + other(setting);
         String found = check(options);
         JsonElement value = json(found).getAsJsonObject("settings").get(setting.key());
@@ -173,7 +180,7 @@ class RepeatingCommandTest {
         others.put(StudyTable.FULL_WELL_ELECTRONS, "10000");
         others.put(StudyTable.STATED_PIXEL_STD_PX, "auto");
         Set<Setting<?>> alone = Set.of(StudyTable.GRID, StudyTable.RANDOM_LAYOUTS, StudyTable.PIXEL_STD_PX,
-                StudyTable.OUTLIERS);
+                StudyTable.OUTLIERS, StudyTable.CALIBRATION_PHOTOS);
         Set<Setting<?>> tried = new HashSet<>(others.keySet());
         tried.addAll(alone);
         assertEquals(new HashSet<>(StudyTable.all()), tried, "a new setting is tried here, too");
@@ -181,6 +188,7 @@ class RepeatingCommandTest {
         toldAndReadBack(Map.of(StudyTable.PHOTOS, "true", StudyTable.GRID, "true"));
         toldAndReadBack(Map.of(StudyTable.RANDOM_LAYOUTS, "true", StudyTable.PIXEL_STD_PX, "0.2"));
         toldAndReadBack(Map.of(StudyTable.OUTLIERS, "0.05,20"));
+        toldAndReadBack(Map.of(StudyTable.CALIBRATION_PHOTOS, "20"));
     }
 
     private static void toldAndReadBack(Map<Setting<?>, String> texts) {

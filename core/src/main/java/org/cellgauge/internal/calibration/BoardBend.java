@@ -7,8 +7,9 @@ import org.cellgauge.internal.geometry.Cholesky;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether a board is bent in a way that a fit does not model; immutable. Odd and even photos show the same board and err
- * alike, so that they do not tell; what tells is that errors follow the bend from photo to photo as its view changes.
+ * Whether a board is bent in a way that a fit does not model; immutable. Odd and even photos show the same board and
+ * err alike, so that they do not tell; what tells is that errors follow the bend from photo to photo as its view
+ * changes.
  *
  * <p>The fit is made again with all coefficients of the warp unknown, and those it lacked are tested against zero
  * together (Wald's test: chi-square with as many degrees of freedom), their covariance widened by what odd and even

@@ -271,7 +271,7 @@ public final class IntrinsicsPrior {
      */
     public static IntrinsicsPrior focalAndAspect(PinholeCamera camera, double stdPx, double aspectStd) {
         if (Double.isInfinite(aspectStd)) {
-            throw new IllegalArgumentException("two focal lengths that know nothing of each other have no aspect ratio");
+            throw new IllegalArgumentException("two independent focal lengths have no aspect ratio");
         }
         double fx = camera.get(PinholeCamera.FX);
         double fy = camera.get(PinholeCamera.FY);
@@ -289,8 +289,8 @@ public final class IntrinsicsPrior {
      *
      * @param camera gives the means
      * @param indices indices of {@link PinholeCamera}; copied
-     * @param stds standard deviations in the units of the values, positive; +infinity of a focal length where nothing is
-     *     known of it; copied
+     * @param stds standard deviations in the units of the values, positive; +infinity of a focal length where nothing
+     *     is known of it; copied
      * @return the prior
      * @throws IllegalArgumentException if a deviation is not positive, or infinite and not a focal length's
      */

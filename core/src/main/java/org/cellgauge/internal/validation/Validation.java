@@ -36,9 +36,9 @@ import org.cellgauge.warning.Refusal;
  * longer exact: in a check the corners of objects say nothing of the intrinsics, while a full posterior would listen to
  * them.
  *
- * <p>Where the camera of every cell is calibrated anew, from simulated photos of a board, the true camera is that of the
- * cell file, and the check gets what the calibration found and leaves open. Its posterior then stands for a prior of the
- * intrinsics, so that ranks are right to first order only; coverage is what is counted.
+ * <p>Where the camera of every cell is calibrated anew, from simulated photos of a board, the true camera is that of
+ * the cell file, and the check gets what the calibration found and leaves open. Its posterior then stands for a prior
+ * of the intrinsics, so that ranks are right to first order only; coverage is what is counted.
  *
  * <p><b>Coverage is what a user gets.</b> It is counted for regions as the check states them, under its flat prior,
  * unweighted. Flat posteriors of a location cover exactly at every fixed truth; poses are close to locations where

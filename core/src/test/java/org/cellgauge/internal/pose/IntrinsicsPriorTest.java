@@ -213,7 +213,8 @@ class IntrinsicsPriorTest {
     }
 
     private static String names(IntrinsicsPrior prior, Cell cell) {
-        return IntStream.range(0, prior.count()).mapToObj(i -> cell.camera().lens().parameterNames().get(prior.index(i)))
+        List<String> names = cell.camera().lens().parameterNames();
+        return IntStream.range(0, prior.count()).mapToObj(i -> names.get(prior.index(i)))
                 .collect(Collectors.joining(" "));
     }
 
