@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * Whether grey values went through blocks of 8 x 8 pixels, as those of a JPEG file do (ITU-T T.81, A.3.3): where much
- * was rounded off, neighbours differ more across the border of two blocks than within one. The grid may start anywhere, as
- * it does in a cropped photo. Not thread-safe.
+ * was rounded off, neighbours differ more across the border of two blocks than within one. The grid may start
+ * anywhere, as it does in a cropped photo. Not thread-safe.
  *
  * <p>Differences of neighbours are gathered by where they lie in the grid, those of edges left out; the border stands
  * out if its mean is larger than that of all others by more than chance (Fan and de Queiroz, IEEE Trans. Image

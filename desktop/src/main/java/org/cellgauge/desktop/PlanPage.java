@@ -310,8 +310,8 @@ public final class PlanPage {
         double w = (double) WIDTH / MAP_COLUMNS;
         double h = WIDTH * (area.yHighMm() - area.yLowMm()) / (area.xHighMm() - area.xLowMm()) / MAP_ROWS;
         out.append("<h2>Deviation of object ").append(object.id()).append(" over the table, mm</h2>\n<p>Largest "
-                + "standard deviation along any axis, the object lying flat there, as it is; the worst pose of the camera "
-                + "counts. Empty where the camera does not see it. From (")
+                + "standard deviation along any axis, the object lying flat there, as it is; the worst pose of the "
+                + "camera counts. Empty where the camera does not see it. From (")
                 .append(String.format(Locale.ROOT, "%.0f, %.0f) to (%.0f, %.0f", area.xLowMm(), area.yLowMm(),
                         area.xHighMm(), area.yHighMm()))
                 .append(") mm.</p>\n<figure><svg class=\"plan\" role=\"img\" aria-label=\"deviations over the table\" "
