@@ -54,7 +54,7 @@ class ArchitectureTest {
 
     /** Mathematics alone: uses no other package, and is used only by these. */
     private static final List<String> STATISTICS = room("statistics");
-    private static final List<String> USERS_OF_STATISTICS = List.of("sampling", "estimate", "placement",
+    private static final List<String> USERS_OF_STATISTICS = List.of("plan", "sampling", "estimate", "placement",
             "chains", "check", "output", "survey", "validation", "overlay");
 
     private static final Pattern ROOM = Pattern.compile("^org\\.cellgauge\\.(?:internal\\.)?(\\w+)\\.");

@@ -1,6 +1,5 @@
 package org.cellgauge.output;
 
-import io.reactivex.rxjava3.core.Flowable;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -66,20 +65,9 @@ public final class AdviceView extends Value {
         }
         PlanOptions options = options(cell, settings, view.light());
         Forecast now = CellPlanner.forecast(layout, options);
-        return CellPlanner.advice(layout, options).map(proposal -> of(proposal, now, words)).toList().blockingGet();
-    }
-
-    /**
-     * The same as proposals with their layouts and forecasts, one after the other.
-     *
-     * @param cell of the result
-     * @param settings it was made with
-     * @param view what it says
-     * @return as {@link CellPlanner#advice}, empty where there is nothing to advise
-     */
-    public static Flowable<Proposal> stream(Cell cell, CheckSettings settings, ResultView view) {
-        Layout layout = missed(cell, settings, view);
-        return layout == null ? Flowable.empty() : CellPlanner.advice(layout, options(cell, settings, view.light()));
+        List<AdviceView> found = new ArrayList<>();
+        CellPlanner.advice(layout, options).forEach(proposal -> found.add(of(proposal, now, words)));
+        return found;
     }
 
     /** What stands where, if it misses its target and changes of it are what could help; else null. */

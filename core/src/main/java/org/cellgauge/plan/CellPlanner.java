@@ -1,6 +1,7 @@
 package org.cellgauge.plan;
 
-import io.reactivex.rxjava3.core.Flowable;
+import java.util.Collections;
+import java.util.List;
 import org.cellgauge.internal.plan.PlanSearch;
 
 /**
@@ -42,26 +43,16 @@ public final class CellPlanner {
      * The cheapest changes that meet a target which is missed, found within some milliseconds: fewer sizes, places and
      * combinations are tried than by {@link #plan}.
      *
-     * <dl>
-     * <dt><b>Backpressure:</b></dt>
-     * <dd>Honoured.</dd>
-     * <dt><b>Scheduler:</b></dt>
-     * <dd>Works on the thread that subscribes.</dd>
-     * <dt><b>Error handling:</b></dt>
-     * <dd>None but faults of the program.</dd>
-     * </dl>
-     *
      * @param layout the cell, the camera and the objects, at least one of them
      * @param options what to reckon with
      * @return at most three proposals, cheapest first; none where the target is met as it is, where there is none, and
      *     where nothing that was tried meets it
      * @throws IllegalArgumentException as {@link #plan}
      */
-    public static Flowable<Proposal> advice(Layout layout, PlanOptions options) {
+    public static List<Proposal> advice(Layout layout, PlanOptions options) {
         require(layout);
         return layout.cell().target().isAny()
-                ? Flowable.defer(() -> Flowable.fromIterable(new PlanSearch(layout, options).advice()))
-                : Flowable.empty();
+                ? new PlanSearch(layout, options).advice() : Collections.emptyList();
     }
 
     private static void require(Layout layout) {

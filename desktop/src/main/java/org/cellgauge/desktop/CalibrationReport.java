@@ -138,7 +138,8 @@ public final class CalibrationReport {
             return;
         }
         out.append("<h2>Lens models</h2>\n<p>Error in photos that the fit has not seen: a lean model always looks "
-                + "certain, and this tells whether it is right. The deviations allow for all of them by their weights.</p>\n"
+                + "certain, and this tells whether it is right. The deviations allow for all of them by their "
+                + "weights.</p>\n"
                 + "<table><tr class=\"head\"><th></th>"
                 + "<th>unknowns</th><th>held-out error, px</th><th>weight, %</th></tr>\n");
         result.ladder().forEach(t -> row(t.lens(), String.valueOf(t.unknowns()),
