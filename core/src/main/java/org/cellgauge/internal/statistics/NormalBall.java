@@ -12,10 +12,10 @@ import org.apache.commons.math3.special.Erf;
  */
 public final class NormalBall {
     /** Gauss and Legendre's nodes and weights on [0, 1], 12 of them, by symmetry about 0.5. */
-    private static final double[] NODES = {0.562616704255734458, 0.683915749499090094, 0.793658977143308724,
-        0.884951337097152333, 0.952058628185237433, 0.990780317123359628};
-    private static final double[] WEIGHTS = {0.124573522906701392, 0.116746268269177404, 0.101583713361532961,
-        0.0800391642716731131, 0.0534696629976592155, 0.0235876681932559135};
+    private static final double[] NODES = {0.5626167042557345, 0.6839157494990901, 0.7936589771433087,
+        0.8849513370971523, 0.9520586281852375, 0.9907803171233597};
+    private static final double[] WEIGHTS = {0.12457352290670139, 0.1167462682691774, 0.10158371336153296,
+        0.08003916427167311, 0.05346966299765921, 0.023587668193255914};
     private static final int AROUND = 24;
     private static final int HALVINGS = 50;
 
