@@ -397,7 +397,7 @@ public final class ResultView extends Value {
     /**
      * The same figures held against another target; nothing is sampled again.
      *
-     * @param target largest allowed standard deviation of any axis, mm, or empty for none
+     * @param other the other target
      * @return what a check with that target would have said of the same draws
      * @throws IllegalStateException if this is preliminary
      */
