@@ -28,8 +28,8 @@ public record CameraRange(double xMm, double yMm, double zMm, double turnDeg) {
     }
 
     /**
-     * Poses that stand for the range: the middle, the corners of the box of positions, the ends of each axis and of each
-     * turn.
+     * Poses that stand for the range: the middle, the corners of the box of positions, the ends of each axis and of
+     * each turn.
      *
      * @param worldFromCamera the middle
      * @return at least one, at most 21, the middle first

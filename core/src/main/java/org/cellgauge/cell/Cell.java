@@ -20,6 +20,7 @@ public final class Cell {
     private final @Nullable CameraCalibration calibration;
     private final PrintPrecision prints;
     private final Planning planning;
+    private final JointPlacement joint;
 
     /**
      * A cell whose markers are printed as usual.
@@ -54,12 +55,13 @@ public final class Cell {
     public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints) {
         this(camera, family, references, objects, pixelStdPx, Target.ofStdMm(targetStdMm), prints, null, null,
-                Planning.NONE);
+                Planning.NONE, JointPlacement.NONE);
     }
 
     private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, Target target, PrintPrecision prints,
-            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration, Planning planning) {
+            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration, Planning planning,
+            JointPlacement joint) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
@@ -79,6 +81,7 @@ public final class Cell {
         this.calibration = calibration;
         this.prints = prints;
         this.planning = planning;
+        this.joint = joint;
     }
 
     private static void addOnce(java.util.Set<Integer> ids, int id) {
@@ -95,7 +98,8 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withCamera(PinholeCamera other) {
-        return new Cell(other, family, references, objects, pixelStdPx, target, prints, toneCurve, null, planning);
+        return new Cell(other, family, references, objects, pixelStdPx, target, prints, toneCurve, null,
+                planning, joint);
     }
 
     /**
@@ -125,7 +129,8 @@ public final class Cell {
      * @throws IllegalArgumentException if there is none, or an id stands twice in the cell then
      */
     public Cell withReferences(List<Reference> others) {
-        return new Cell(camera, family, others, objects, pixelStdPx, target, prints, toneCurve, calibration, planning);
+        return new Cell(camera, family, others, objects, pixelStdPx, target, prints, toneCurve, calibration,
+                planning, joint);
     }
 
     /**
@@ -137,7 +142,7 @@ public final class Cell {
      */
     public Cell withObjects(List<ObjectMarker> others) {
         return new Cell(camera, family, references, others, pixelStdPx, target, prints, toneCurve, calibration,
-                planning);
+                planning, joint);
     }
 
     /**
@@ -159,7 +164,7 @@ public final class Cell {
      */
     public Cell withTarget(Target other) {
         return new Cell(camera, family, references, objects, pixelStdPx, other, prints, toneCurve, calibration,
-                planning);
+                planning, joint);
     }
 
     /**
@@ -170,7 +175,8 @@ public final class Cell {
      * @throws IllegalArgumentException if the deviation is not positive
      */
     public Cell withPixelStdPx(OptionalDouble px) {
-        return new Cell(camera, family, references, objects, px, target, prints, toneCurve, calibration, planning);
+        return new Cell(camera, family, references, objects, px, target, prints, toneCurve, calibration,
+                planning, joint);
     }
 
     /**
@@ -180,7 +186,8 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withToneCurve(@Nullable ToneCurve stated) {
-        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, stated, calibration, planning);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, stated, calibration,
+                planning, joint);
     }
 
     /**
@@ -194,7 +201,8 @@ public final class Cell {
         if (stated != null) {
             stated.indices(camera.lens());
         }
-        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, stated, planning);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, stated,
+                planning, joint);
     }
 
     /**
@@ -204,7 +212,8 @@ public final class Cell {
      * @return a new cell
      */
     public Cell withPlanning(Planning other) {
-        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration, other);
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration,
+                other, joint);
     }
 
     /**
@@ -214,6 +223,41 @@ public final class Cell {
      */
     public Planning planning() {
         return planning;
+    }
+
+    /**
+     * The same cell with another statement about what is known of references together.
+     *
+     * @param stated groups, measurements, an earlier survey
+     * @return a new cell
+     * @throws IllegalArgumentException if it names a reference that the cell has not, or one in two groups
+     */
+    public Cell withJointPlacement(JointPlacement stated) {
+        java.util.Set<Integer> ids = new java.util.HashSet<>();
+        references.forEach(r -> ids.add(r.id()));
+        java.util.Set<Integer> grouped = new java.util.HashSet<>();
+        stated.groups().forEach(group -> group.members().forEach(id -> {
+            requireReference(ids, id);
+            addOnce(grouped, id);
+        }));
+        stated.measurements().forEach(m -> m.members().forEach(id -> requireReference(ids, id)));
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration,
+                planning, stated);
+    }
+
+    private static void requireReference(java.util.Set<Integer> ids, int id) {
+        if (!ids.contains(id)) {
+            throw new IllegalArgumentException("marker " + id + " is no reference of the cell");
+        }
+    }
+
+    /**
+     * What is known of references together.
+     *
+     * @return groups, measurements, an earlier survey
+     */
+    public JointPlacement joint() {
+        return joint;
     }
 
     /**

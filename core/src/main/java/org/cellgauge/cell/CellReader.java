@@ -170,8 +170,10 @@ public final class CellReader {
 
     private Cell cell(YamlValue top, Function<YamlMapping, PinholeCamera> cameraOf) {
         YamlMapping file = cellFile(top);
-        file.refuseUnknown(Arrays.asList("cellgauge", "camera", "markers", "placement", "pixel_std_px",
-                CameraReader.TONE_CURVE, "references", "objects", "target", "plan"));
+        List<String> known = new ArrayList<>(Arrays.asList("cellgauge", "camera", "markers", "placement",
+                "pixel_std_px", CameraReader.TONE_CURVE, "references", "objects", "target", "plan"));
+        known.addAll(JointReader.KEYS);
+        file.refuseUnknown(known);
         PinholeCamera camera = cameraOf.apply(file);
         YamlMapping markers = file.required("markers", MARKERS_EXAMPLE).mapping(MARKERS_EXAMPLE, "family", "size_mm",
                 "size_std_mm", "flatness_mm", "print_gain_std_mm", "orientation");
@@ -197,7 +199,8 @@ public final class CellReader {
         Map<Integer, Requirement> ownTargets = new HashMap<>();
         List<ObjectMarker> objects = objects(file.optional("objects"), markers, family, lines, target, ownTargets);
         YamlValue toneCurve = file.optional(CameraReader.TONE_CURVE);
-        return new Cell(camera, family, references, objects, pixelStdPx, OptionalDouble.empty(), prints(markers))
+        return JointReader.with(file, new Cell(camera, family, references, objects, pixelStdPx,
+                OptionalDouble.empty(), prints(markers)))
                 .withTarget(new Target(target, ownTargets))
                 .withPlanning(planning(file.optional("plan"), objects))
                 .withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve))
@@ -312,7 +315,7 @@ public final class CellReader {
         return lengthMm;
     }
 
-    private static double[] point(YamlValue value) {
+    static double[] point(YamlValue value) {
         double[] point = value.numbers(3, POSITION);
         for (double v : point) {
             bounded(value, v, POSITION);
@@ -332,7 +335,7 @@ public final class CellReader {
         return placement;
     }
 
-    private static double[] placementStdMm(YamlValue value) {
+    static double[] placementStdMm(YamlValue value) {
         double[] std = value.numbers(3, CellPhrase.PLACEMENT_STDS);
         for (YamlValue item : value.items()) {
             double stdMm = bounded(item, item.positive(CellPhrase.PLACEMENT_STD), CellPhrase.PLACEMENT_STDS);
@@ -391,7 +394,7 @@ public final class CellReader {
         return references;
     }
 
-    private static double[] rotation(@Nullable YamlValue value) {
+    static double[] rotation(@Nullable YamlValue value) {
         if (value == null) {
             return new double[3];
         }
@@ -402,6 +405,14 @@ public final class CellReader {
             }
         }
         return rotation;
+    }
+
+    /** A placement that states both of its deviations. */
+    static Placement placementOf(YamlValue value) {
+        YamlMapping placement = placement(value);
+        double[] stdMm = placementStdMm(stated("std_mm", placement, placement));
+        return new Placement(stdMm[0], stdMm[1], stdMm[2],
+                Math.toRadians(placementStdDeg(stated("std_deg", placement, placement))));
     }
 
     private static Placement placement(YamlMapping file, YamlMapping entry, @Nullable YamlMapping general) {
@@ -598,6 +609,7 @@ public final class CellReader {
             int id = id(e.getKey(), e.getValue(), family, lines);
             double @Nullable [] grip = null;
             double size;
+            boolean moves = false;
             if (e.getValue().isEmpty()) {
                 // "5:" says the same as "5: {}"
                 if (generalSize == null) {
@@ -606,15 +618,20 @@ public final class CellReader {
                 }
                 size = size(generalSize);
             } else {
-                YamlMapping entry = e.getValue().mapping(CellPhrase.OBJECT, "grip_mm", "size_mm", "target");
+                YamlMapping entry = e.getValue().mapping(CellPhrase.OBJECT, "grip_mm", "size_mm", "target", "moves");
                 grip = entry.optional("grip_mm") == null ? null : point(entry.optional("grip_mm"));
                 size = size(entry, markers);
                 YamlValue own = entry.optional("target");
                 if (own != null) {
                     ownTargets.put(id, requirement(own, target));
                 }
+                YamlValue moving = entry.optional("moves");
+                moves = moving != null && moving.is("true");
+                if (moving != null && !moves && !moving.is("false")) {
+                    throw moving.refused(CellRefusal.NO_YES_OR_NO, "moves");
+                }
             }
-            objects.add(new ObjectMarker(id, size, grip));
+            objects.add(new ObjectMarker(id, size, grip, moves));
         }
         return objects;
     }

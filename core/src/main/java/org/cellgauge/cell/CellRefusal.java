@@ -109,6 +109,23 @@ public enum CellRefusal implements RefusalKind {
             + "one of the two"),
     /** Two references at one place: id and line of one, id of the other, distance, mm. */
     SAME_PLACE("references %s (line %s) and %s would lie on each other, %s mm apart; correct one of the two positions"),
+    /** A word that is neither true nor false: the key. */
+    NO_YES_OR_NO("%s is true or false; write one of the two"),
+    /** A list that is none. */
+    NO_LIST("a list stands here; write its entries in [ ] or below each other after \"- \""),
+    /** What is no reference: its id. */
+    NO_SUCH_REFERENCE("%s is no reference of this cell; name one of its references"),
+    /** A reference twice in one list: id. */
+    NAMED_TWICE("reference %s is named twice; delete one of the two"),
+    /** A reference on two plates: id, the other plate. */
+    IN_TWO_GROUPS("reference %s stands in group %s already; a reference is on one plate, so delete one of the two"),
+    /** Too few references: how many it takes. */
+    TOO_FEW_MEMBERS("needs at least %s references; name more, or delete it"),
+    /** A distance between more than two. */
+    TWO_ENDS("a distance is between two references; write one entry for each pair"),
+    /** No covariance of a survey: of how many references. */
+    NO_SURVEY("this is no joint covariance of %s references: it needs six rows and columns for each and must be "
+            + "symmetric and positive; survey the cell again"),
 
     // ---- camera files
 

@@ -7,10 +7,14 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.chains.RandomPaths;
+import org.cellgauge.internal.pose.CommonPlacement;
 import org.cellgauge.internal.pose.CornerErrors;
+import org.cellgauge.internal.pose.InitialPose;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.pose.NoiseBelief;
+import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
@@ -63,8 +67,12 @@ final class Observed {
      * @throws InputRefusedException if no reference is in the photo, or its light says nothing of where edges are
      */
     static Observed of(Cell stated, Detections detections, CheckSettings settings) {
+        boolean rigid = settings.model().likelihood() == LikelihoodModel.RIGID_MARKER;
+        CommonPlacement common = CommonPlacement.of(stated);
+        // a likelihood of corners without rigid placement knows nothing that references share
+        Cell own = rigid && common.isAny() ? stated.withReferences(common.references()) : stated;
         Cell cell = settings.model().targetStdMm().isPresent()
-                ? stated.withTarget(settings.model().targetStdMm()) : stated;
+                ? own.withTarget(settings.model().targetStdMm()) : own;
         if (detections.light() != null && detections.light().toneCurveOpen()) {
             throw new InputRefusedException(detections.imageName(), CheckRefusal.TONE_CURVE_OPEN);
         }
@@ -75,15 +83,22 @@ final class Observed {
         found.setAside().forEach((id, factor) ->
                 warnings.add(Warning.of(CheckWarning.MARKER_SET_ASIDE, id, Decimal.of(factor, factor < 10 ? 1 : 0))));
         double noiseLevel = found.added() == null ? 0 : found.squarenessBelief().ofMeanVariance();
-        boolean rigid = settings.model().likelihood() == LikelihoodModel.RIGID_MARKER;
         if (found.fromNothing() && !rigid) {
             warnings.add(noiseWarning(found.squarenessBelief()));
         }
         // the thesis' likelihood has no corner noise for shared errors to be a part of
         NoiseFit noiseFit = noiseFit(cell, found, settings);
         CornerErrors kept = found.withSetAside(noiseFit.inflationOfOutliers());
-        CornerErrors errors = kept.isPlain() || rigid ? kept : kept.fixedAt(noiseLevel);
+        CornerErrors errors = rigid ? withCommon(kept, common, cell)
+                : kept.isPlain() ? kept : kept.fixedAt(noiseLevel);
         return new Observed(cell, detections, settings, noiseFit, errors, noiseLevel, warnings);
+    }
+
+    /** The errors with those that references have in common, as a first estimate of the camera sees them. */
+    private static CornerErrors withCommon(CornerErrors errors, CommonPlacement common, Cell cell) {
+        RigidTransform first = common.isAny()
+                ? InitialPose.PNP.estimate(ReferenceView.of(cell.references(), errors), cell.camera()) : null;
+        return first == null ? errors : common.addedTo(errors, cell.camera(), first);
     }
 
     private static NoiseFit noiseFit(Cell cell, CornerErrors errors, CheckSettings settings) {

@@ -151,7 +151,7 @@ public final class Reason {
      *
      * @param objects the objects seen
      * @param missingObjects ids of objects that count as a failure because they are not seen; empty where none does
-     * @param target of the cell, or none
+     * @param target what is asked of the objects
      * @param misplacement what misplaced references add, or null
      * @param misfit what of the figures' foundations the photo contradicts, or null
      * @param undecidedMm Monte Carlo error because of which the target is neither met nor missed; empty where it is
@@ -414,8 +414,9 @@ public final class Reason {
     }
 
     private String besides() {
-        return tolerance() + (p.undecidedMm.isPresent() ? String.format(Locale.ROOT, " Undecided: the target lies within twice the "
-                + "Monte Carlo error of a deviation (%.3f mm), so that a longer run might say otherwise.",
+        return tolerance() + (p.undecidedMm.isPresent() ? String.format(Locale.ROOT,
+                " Undecided: the target lies within twice the Monte Carlo error of a deviation (%.3f mm), so that a "
+                        + "longer run might say otherwise.",
                 p.undecidedMm.getAsDouble()) : "") + (p.misfit == null ? "" : p.misfit.english())
                 + (p.misplacement == null ? "" : p.misplacement.english());
     }
@@ -430,8 +431,8 @@ public final class Reason {
         String where = c.of() == Conformity.Of.TURN ? "turned by at most " + plain(c.tolerance()) + " degrees"
                 : "within " + plain(c.tolerance()) + " mm " + (c.of() == Conformity.Of.DISTANCE ? "of where it is said "
                         + "to be" : "in " + c.of().key());
-        return String.format(Locale.ROOT, " Least sure tolerance: %s is %s with probability %.4f, asked for is %s, with "
-                + "a guard band of twice the Monte Carlo error (%.4f)%s.", what, where, c.probability(),
+        return String.format(Locale.ROOT, " Least sure tolerance: %s is %s with probability %.4f, asked for is %s, "
+                + "with a guard band of twice the Monte Carlo error (%.4f)%s.", what, where, c.probability(),
                 plain(c.asked()), c.mcse(), c.isDecided() ? "" : ", within which it is undecided");
     }
 

@@ -20,6 +20,8 @@ public final class VarianceSource {
     public static final VarianceSource EDGES = of(Kind.EDGES);
     /** Markers printed too large or too small. */
     public static final VarianceSource SIZE_OF_PRINTS = of(Kind.SIZE_OF_PRINTS);
+    /** Where references stand together: on one plate, or as a survey knows them. */
+    public static final VarianceSource COMMON_PLACEMENT = of(Kind.COMMON_PLACEMENT);
     /** The weak prior of the camera pose. */
     public static final VarianceSource POSE_PRIOR = of(Kind.POSE_PRIOR);
 
@@ -41,6 +43,8 @@ public final class VarianceSource {
         EDGES("edges of the photo", "where the edges of the photo lie"),
         /** Markers printed too large or too small. */
         SIZE_OF_PRINTS("size of prints", "the size of prints"),
+        /** Where references stand together. */
+        COMMON_PLACEMENT("common placement", "where the references stand together"),
         /** The weak prior of the camera pose. */
         POSE_PRIOR("pose prior", "the pose prior");
 

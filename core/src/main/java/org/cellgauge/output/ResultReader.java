@@ -300,7 +300,8 @@ public final class ResultReader {
         rows.add(row.pose(pose(object.at("pose"))).modes(modes(object)).budget(budget(object, "budget"))
                 .ellipse95Px(ellipse(object.find("ellipse95_px"))).verdict(verdict(object.find("position_verdict")))
                 .withinTarget(within == null ? null : Boolean.valueOf(within.bool()))
-                .laplace(comparison(laplace.at(key), "", 6)).conformities(conformity(object.find("position_conformity")))
+                .laplace(comparison(laplace.at(key), "", 6))
+                .conformities(conformity(object.find("position_conformity")))
                 .build());
         Node grip = object.find("grip");
         if (grip != null) {

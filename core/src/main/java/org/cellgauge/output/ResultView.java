@@ -397,7 +397,7 @@ public final class ResultView extends Value {
     /**
      * The same figures held against another target; nothing is sampled again.
      *
-     * @param other the other target
+     * @param other what is asked of the objects
      * @return what a check with that target would have said of the same draws
      * @throws IllegalStateException if this is preliminary
      */

@@ -38,8 +38,8 @@ public record Forecast(List<Row> rows, List<Integer> references, List<Integer> u
      *     is known, mm
      * @param turnStdDeg largest standard deviation of the object's turn about a world axis, degrees; NaN of a gripping
      *     point
-     * @param ratio how much it takes of what is asked of it: 1 where its target is just met; mm where there is no target
-     *     for any object, 0 where there is none for this one
+     * @param ratio how much it takes of what is asked of it: 1 where its target is just met; mm where there is no
+     *     target for any object, 0 where there is none for this one
      * @param ownRatio how much its own corners alone take
      * @param probability the least probability of keeping one of its tolerances; NaN where it has none
      * @param xyCorrelation correlation of its errors along x and y where it takes most of what is asked

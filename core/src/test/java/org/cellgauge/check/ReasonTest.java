@@ -13,6 +13,9 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.JointPlacement;
+import org.cellgauge.cell.Placement;
+import org.cellgauge.cell.PlacementGroup;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.VarianceSource;
@@ -177,7 +180,10 @@ class ReasonTest {
         Cell all = scene.cell();
         Cell cell = new Cell(all.camera(), all.family(), all.references(), all.objects(), all.pixelStdPx(),
                 all.targetStdMm(), new PrintPrecision(0.1, 0.1, 0.05))
-                .withCalibration(new CameraCalibration(List.of("cx", "cy"), new double[] {1, 0.2, 0.2, 1}, 20));
+                .withCalibration(new CameraCalibration(List.of("cx", "cy"), new double[] {1, 0.2, 0.2, 1}, 20))
+                .withJointPlacement(new JointPlacement(List.of(new PlacementGroup("plate",
+                        all.references().stream().map(r -> r.id()).toList(), new Placement(2, 2, 2, 0.01))),
+                        List.of(), null, null));
         Detections corners = scene.detections(0.3, RandomStreams.of(1), 5, 0.01);
         Detections photo = new Detections("scene", corners.widthPx(), corners.heightPx(), corners.markers(), List.of(),
                 new PhotoLight(ToneCurve.SRGB, true, 0.7, 1, 100, 0.1));

@@ -37,6 +37,22 @@ final class CheckOptions {
         }
     }
 
+    /** Adds to {@code survey} those that many photos know: of the lens, of chains, and the target. */
+    static final class OfSurvey implements IModelTransformer {
+        @Override
+        public CommandSpec transform(CommandSpec spec) {
+            List<OptionSpec> last = List.of(spec.findOption("--help"), spec.findOption("--version"));
+            last.forEach(spec::remove);
+            SettingOptions.add(spec, List.of(SettingTable.ESTIMATE, SettingTable.FOCAL_PRIOR_STD_PX,
+                    SettingTable.ASPECT_PRIOR_STD, SettingTable.PRINCIPAL_PRIOR_STD_PX, SettingTable.RADIAL_PRIOR_STD,
+                    SettingTable.CALIBRATION, SettingTable.CHAINS, SettingTable.ITERATIONS,
+                    SettingTable.MAX_ITERATIONS, SettingTable.SEED, SettingTable.TARGET_STD_MM,
+                    SettingTable.THREADS), OfCheck.USUAL);
+            last.forEach(spec::addOption);
+            return spec;
+        }
+    }
+
     /**
      * Adds those of {@link StudyTable} and these to {@code validate}: errors of its checks average out, and it judges
      * nothing by a target.
@@ -103,7 +119,8 @@ final class CheckOptions {
     }
 
     private CheckSettings.Builder start() {
-        String preset = command.getParseResult().matchedOptionValue(PRESET, (String) null);
+        String preset = command.getCommandSpec().findOption(PRESET) == null ? null
+                : command.getParseResult().matchedOptionValue(PRESET, (String) null);
         if (preset == null) {
             return usual.toBuilder();
         }

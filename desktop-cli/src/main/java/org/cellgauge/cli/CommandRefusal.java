@@ -11,6 +11,8 @@ enum CommandRefusal implements RefusalKind {
     NO_DISTANCE("no distance of the camera makes markers %s px wide; give another --marker-px or --camera-pose"),
     /** A camera file that cannot be written: what the system says. */
     CAMERA_NOT_WRITTEN("the camera file cannot be written (%s); name another with --out"),
+    /** A surveyed cell file that cannot be written: what the system says. */
+    SURVEY_NOT_WRITTEN("the surveyed cell file cannot be written (%s); name another with --out"),
     /** Standard output takes no more. */
     OUTPUT_LOST("not all of it could be written; the disk is full, or the program that reads it has ended");
 

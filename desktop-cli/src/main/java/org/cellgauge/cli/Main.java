@@ -33,8 +33,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /** Entry point of the command {@code cellgauge}. */
 @Command(name = "cellgauge", mixinStandardHelpOptions = true, versionProvider = Main.Version.class,
         description = "Honest uncertainties of camera and object poses in a robot cell.",
-        subcommands = {CheckCommand.class, PlanCommand.class, CalibrateCommand.class, SimulateCommand.class,
-            ValidateCommand.class, ReproduceCommand.class, CameraCommand.class, FamiliesCommand.class,
+        subcommands = {CheckCommand.class, PlanCommand.class, CalibrateCommand.class, SurveyCommand.class,
+            SimulateCommand.class, ValidateCommand.class, ReproduceCommand.class, CameraCommand.class, FamiliesCommand.class,
             CommandLine.HelpCommand.class},
         footer = {"", "A first call, from a clone:",
             "  cellgauge check --cell fixtures/lifted-4/cell.yaml \\",

@@ -82,12 +82,27 @@ final class RepeatingCommand {
      * @return one line for a POSIX shell in the folder that files are named from
      */
     static String calibrate(ParseResult parsed) {
-        List<String> words = new ArrayList<>(List.of("cellgauge", "calibrate"));
+        return asGiven("calibrate", parsed);
+    }
+
+    /**
+     * The command of a survey.
+     *
+     * @param parsed what the user gave
+     * @return one line for a POSIX shell in the folder that files are named from
+     */
+    static String survey(ParseResult parsed) {
+        return asGiven("survey", parsed);
+    }
+
+    private static String asGiven(String command, ParseResult parsed) {
+        List<String> words = new ArrayList<>(List.of("cellgauge", command));
+        // several files may follow --detections: photos stand before it
+        parsed.matchedPositionals().forEach(p -> words.addAll(p.originalStringValues()));
         for (OptionSpec option : new LinkedHashSet<>(parsed.matchedOptions())) {
             words.add(option.longestName());
             words.addAll(option.originalStringValues());
         }
-        parsed.matchedPositionals().forEach(p -> words.addAll(p.originalStringValues()));
         return line(words);
     }
 

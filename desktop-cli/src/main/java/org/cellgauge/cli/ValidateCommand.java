@@ -65,7 +65,7 @@ public final class ValidateCommand implements Callable<Integer> {
     /** Noise of corners where none is given: that of a sharp photo as cameras compress it, px. */
     /** Options besides settings on which figures depend. */
     private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only", "--cause", "--alone",
-            "--deviations");
+            "--deviations", "--photos-per-cell");
 
     @Spec
     private CommandSpec spec;
@@ -108,6 +108,12 @@ public final class ValidateCommand implements Callable<Integer> {
                     + "over the deviations stated of them, for good and poor photos and for a bent board.")
     private boolean calibration;
 
+    @Option(names = "--photos-per-cell", paramLabel = "K",
+            description = "Surveys each cell from K photos all around it in place of checking one: regions of objects, "
+                    + "gripping points, references, and objects of a later photo. By Laplace's approximation; by draws "
+                    + "where --iterations says how many.")
+    private Integer photosPerCell;
+
     @Option(names = "--json", description = "Prints all counts and ranks as JSON in place of the tables.")
     private boolean json;
 
@@ -144,6 +150,9 @@ public final class ValidateCommand implements Callable<Integer> {
                 return studyRun().randomLayouts(json, this::progress);
             }
             Cell cell = StandardInput.cell(cellFile);
+            if (photosPerCell != null) {
+                return surveys(cell);
+            }
             ObjectPoses.requireKnown(spec.commandLine(), cell, cellFile, given);
             Map<Integer, RigidTransform> poses = CellTruth.objectPoses(cell, given);
             RigidTransform camera = cameraPose != null ? cameraPose.pose() : CellSimulation.overview(cell, poses);
@@ -182,6 +191,14 @@ public final class ValidateCommand implements Callable<Integer> {
         return CalibrationStudyRun.run(spec.commandLine(),
                 study.get(StudyTable.PIXEL_STD_PX).orElse(Validation.CALIBRATION_STD_PX), study.simulations(),
                 check.sampling().seed(), json, done -> { });
+    }
+
+    private int surveys(Cell cell) {
+        if (photosPerCell < 1) {
+            throw new ParameterException(spec.commandLine(), "--photos-per-cell: must be at least 1");
+        }
+        Cell noisy = cell.withPixelStdPx(OptionalDouble.of(settings(cell).pixelStdPx()));
+        return SurveyStudyRun.run(spec.commandLine(), noisy, check, photosPerCell, study.simulations(), json);
     }
 
     private int causes(CellSource cells) {

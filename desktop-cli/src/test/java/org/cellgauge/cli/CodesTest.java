@@ -25,6 +25,8 @@ import org.cellgauge.desktop.FolderRefusal;
 import org.cellgauge.desktop.ImageRefusal;
 import org.cellgauge.desktop.MachineRefusal;
 import org.cellgauge.output.ResultRefusal;
+import org.cellgauge.survey.SurveyRefusal;
+import org.cellgauge.survey.SurveyWarning;
 import org.cellgauge.vision.DetectionWarning;
 import org.cellgauge.vision.DetectionsRefusal;
 import org.cellgauge.warning.CheckRefusal;
@@ -37,7 +39,8 @@ class CodesTest {
     private static final List<MessageKind[]> KINDS = List.of(CheckWarning.values(), DetectionWarning.values(),
             BatchWarning.values(), CheckRefusal.values(), CellRefusal.values(), DetectionsRefusal.values(),
             ImageRefusal.values(), FolderRefusal.values(), ResultRefusal.values(), BatchRefusal.values(),
-            MachineRefusal.values(), CalibrationWarning.values(), CalibrationRefusal.values(), TargetRefusal.values());
+            MachineRefusal.values(), CalibrationWarning.values(), CalibrationRefusal.values(), TargetRefusal.values(),
+            SurveyWarning.values(), SurveyRefusal.values());
 
     @Test
     void noTwoMessagesShareACode() {

@@ -237,7 +237,8 @@ public final class BatchCheck {
     /** What the work on each input of a run needs to know. */
     record Plan(CellFile cellFile, Cell cell, Target target, CheckSettings settings, ResultFolder folder,
             String version, String day, Function<? super Message, String> words, Function<CheckInput, String> command,
-            DrawFiles draws, boolean drawsUnwanted, boolean advice, boolean storedOnly, boolean anew, StopSignal stop, int count) {
+            DrawFiles draws, boolean drawsUnwanted, boolean advice, boolean storedOnly, boolean anew,
+            StopSignal stop, int count) {
         /** Reports of many photos must stay small enough to open. */
         int reportWidthPx() {
             return count <= FEW ? LARGE_PICTURE_PX : count <= MANY ? MEDIUM_PICTURE_PX : SMALL_PICTURE_PX;

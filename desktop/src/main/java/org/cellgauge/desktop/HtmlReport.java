@@ -153,7 +153,8 @@ final class HtmlReport {
         Map<String, String> values = new LinkedHashMap<>();
         PinholeCamera camera = cell.camera();
         values.put("target", target.oneStdMm().isPresent()
-                ? CheckText.plain(target.oneStdMm().getAsDouble()) + " mm" : target.isAny() ? target.toString() : "none");
+                ? CheckText.plain(target.oneStdMm().getAsDouble()) + " mm"
+                : target.isAny() ? target.toString() : "none");
         values.put("noise of corners", cell.pixelStdPx().isPresent()
                 ? CheckText.plain(cell.pixelStdPx().getAsDouble()) + " px" : "learned from each photo");
         values.put("markers", cell.family());

@@ -119,8 +119,8 @@ public final class PlanPage {
                 .append(plan.layout().cell().objects().size()).append(" objects</h1>\n<pre>").append(Html.escape(text))
                 .append("</pre>\n<p>Ellipses hold 95 % and are drawn ")
                 .append(String.format(Locale.ROOT, "%.0f", magnified))
-                .append(" times as large as they are: red as it is, green with the changes. Dashed: what the camera sees "
-                        + "of the plane of the references.</p>\n<h2>As it is</h2>\n");
+                .append(" times as large as they are: red as it is, green with the changes. Dashed: what the camera "
+                        + "sees of the plane of the references.</p>\n<h2>As it is</h2>\n");
         pictures(plan.layout(), plan.now(), null);
         int number = 1;
         for (Proposal proposal : plan.best()) {
@@ -194,8 +194,8 @@ public final class PlanPage {
         }
         polygon(style, points.toString());
         double[] at = pose.translationMm();
-        out.append("<text x=\"").append(px(x(at[0]) + scale * sizeMm / 2 + 3)).append("\" y=\"").append(px(y(at[1]) - 4))
-                .append("\">").append(name).append("</text>\n");
+        out.append("<text x=\"").append(px(x(at[0]) + scale * sizeMm / 2 + 3)).append("\" y=\"")
+                .append(px(y(at[1]) - 4)).append("\">").append(name).append("</text>\n");
     }
 
     private void polygon(String style, String points) {
@@ -309,9 +309,9 @@ public final class PlanPage {
         double most = Arrays.stream(worst).filter(Double::isFinite).max().orElse(1);
         double w = (double) WIDTH / MAP_COLUMNS;
         double h = WIDTH * (area.yHighMm() - area.yLowMm()) / (area.xHighMm() - area.xLowMm()) / MAP_ROWS;
-        out.append("<h2>Deviation of object ").append(object.id()).append(" over the table, mm</h2>\n<p>Largest standard "
-                + "deviation along any axis, the object lying flat there, as it is; the worst pose of the camera counts. "
-                + "Empty where the camera does not see it. From (")
+        out.append("<h2>Deviation of object ").append(object.id()).append(" over the table, mm</h2>\n<p>Largest "
+                + "standard deviation along any axis, the object lying flat there, as it is; the worst pose of the camera "
+                + "counts. Empty where the camera does not see it. From (")
                 .append(String.format(Locale.ROOT, "%.0f, %.0f) to (%.0f, %.0f", area.xLowMm(), area.yLowMm(),
                         area.xHighMm(), area.yHighMm()))
                 .append(") mm.</p>\n<figure><svg class=\"plan\" role=\"img\" aria-label=\"deviations over the table\" "

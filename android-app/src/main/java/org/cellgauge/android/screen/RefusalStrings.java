@@ -124,6 +124,22 @@ final class RefusalStrings {
                 return R.string.refusal_cell_marker_twice;
             case SAME_PLACE:
                 return R.string.refusal_cell_same_place;
+            case NO_YES_OR_NO:
+                return R.string.refusal_cell_no_yes_or_no;
+            case NO_LIST:
+                return R.string.refusal_cell_no_list;
+            case NO_SUCH_REFERENCE:
+                return R.string.refusal_cell_no_such_reference;
+            case NAMED_TWICE:
+                return R.string.refusal_cell_named_twice;
+            case IN_TWO_GROUPS:
+                return R.string.refusal_cell_in_two_groups;
+            case TOO_FEW_MEMBERS:
+                return R.string.refusal_cell_too_few_members;
+            case TWO_ENDS:
+                return R.string.refusal_cell_two_ends;
+            case NO_SURVEY:
+                return R.string.refusal_cell_no_survey;
             case IS_CELL_FILE:
                 return R.string.refusal_cell_is_cell_file;
             case CAMERA_MODEL:
@@ -274,6 +290,10 @@ final class RefusalStrings {
                 return R.string.refusal_part_or_delete;
             case OBJECT:
                 return R.string.refusal_part_object;
+            case REFERENCE_ID:
+                return R.string.refusal_part_reference_id;
+            case LENGTH:
+                return R.string.refusal_part_length;
             case CAMERA_POSE:
                 return R.string.refusal_part_camera_pose;
             case RANGE:

@@ -256,7 +256,8 @@ final class ScreenContent {
                         words.number(object.ellipse95Px().semiMinor(), 1));
                 text = text == null ? ellipse : text + "\n" + ellipse;
             }
-            text = text == null ? null : text + words.tolerance(object.reason(), "\n") + words.misfit(object.reason(), "\n")
+            text = text == null ? null : text + words.tolerance(object.reason(), "\n")
+                    + words.misfit(object.reason(), "\n")
                     + words.misplacement(object.reason(), "\n");
         } else if (object.mark() == ObjectRow.Mark.AMBIGUOUS) {
             text = object.reason() == null ? words.get(R.string.no_figure_two_poses) : words.reason(object.reason());

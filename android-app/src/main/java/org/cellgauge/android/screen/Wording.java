@@ -170,7 +170,8 @@ final class Wording {
                         percent(reason.share().getAsDouble()));
             case OBJECT_NOT_SEEN:
                 return plural(R.plurals.not_seen, reason.missingObjects().size(), ids(reason.missingObjects())) + " "
-                        + deviation(reason) + tolerance(reason, " ") + undecided(reason) + misfit(reason, " ") + misplacement(reason, " ");
+                        + deviation(reason) + tolerance(reason, " ") + undecided(reason) + misfit(reason, " ")
+                        + misplacement(reason, " ");
             default:
                 return (reason.hasTarget() ? "" : get(R.string.no_target) + " ") + deviation(reason)
                         + tolerance(reason, " ") + undecided(reason) + misfit(reason, " ") + misplacement(reason, " ");
@@ -302,6 +303,8 @@ final class Wording {
                 return get(R.string.source_edges);
             case SIZE_OF_PRINTS:
                 return get(R.string.source_sizes);
+            case COMMON_PLACEMENT:
+                return get(R.string.source_common_placement);
             default:
                 return get(R.string.source_pose_prior);
         }

@@ -241,7 +241,8 @@ public final class CheckSession {
      * @param stdMm largest allowed standard deviation of any axis, mm, positive
      */
     public void chooseTarget(double stdMm) {
-        change(s -> s.cell() == null ? s : judged(s.change().target(Target.ofStdMm(OptionalDouble.of(stdMm)), true).build()));
+        change(s -> s.cell() == null ? s : judged(s.change()
+                .target(Target.ofStdMm(OptionalDouble.of(stdMm)), true).build()));
     }
 
     /** Takes the cell file's target again. */

@@ -118,7 +118,7 @@ public final class CameraCalibrator {
         CalibrationFit usual = fit;
         fit = byHeldOut(usual, true);
         if (fit.choice.lens() == RationalLens.MODEL && options.lens().equals(CalibrationOptions.AUTO)
-                && !isToldByHalves(fit)) {
+                && Double.isNaN(cross(anew(fit)).ratio())) {
             // nothing could be held against it, however well it does
             trials.clear();
             ladder.clear();
@@ -126,7 +126,7 @@ public final class CameraCalibrator {
         }
         // what the adjustment itself takes, all of it once
         long start = System.nanoTime();
-        fit = CalibrationFit.of(fit.choice, points, seen, fit.board.warp, fit.board.aspect);
+        fit = anew(fit);
         return result(fit, (System.nanoTime() - start) * 1e-6);
     }
 
@@ -167,10 +167,7 @@ public final class CameraCalibrator {
     }
 
     private @Nullable Warning next(CalibrationFit fit) {
-        int width = seen.get(0).widthPx();
-        int height = seen.get(0).heightPx();
-        return NextPhoto.of(fit, new ProjectionMap(fit.choice, fit.values, width, height,
-                new Coverage(fit.photos, width, height)), fit.information, width, height);
+        return NextPhoto.of(fit, map(fit), fit.information, seen.get(0).widthPx(), seen.get(0).heightPx());
     }
 
     /**
@@ -253,10 +250,19 @@ public final class CameraCalibrator {
         return Math.sqrt(sum / heldOutFreedom(fit));
     }
 
-    /** Whether odd and even photos alone tell the lens, as {@link CrossValidation} needs them to. */
-    private boolean isToldByHalves(CalibrationFit fit) {
-        return IntStream.range(0, 2).mapToObj(parity -> fit.ofPhotos(fit.choice, fit.board, half(fit, parity)))
-                .noneMatch(part -> part.covariance == null || hasPole(part));
+    /** The same lens and board from nothing. */
+    private CalibrationFit anew(CalibrationFit fit) {
+        return CalibrationFit.of(fit.choice, points, seen, fit.board.warp, fit.board.aspect);
+    }
+
+    private CrossValidation cross(CalibrationFit fit) {
+        return CrossValidation.of(fit, map(fit), half(fit, 0), half(fit, 1));
+    }
+
+    private ProjectionMap map(CalibrationFit fit) {
+        int width = seen.get(0).widthPx();
+        int height = seen.get(0).heightPx();
+        return new ProjectionMap(fit.choice, fit.values, width, height, new Coverage(fit.photos, width, height));
     }
 
     /** Whether a quotient of polynomials folds the image, as it readily does where few photos tell its coefficients. */

@@ -100,6 +100,10 @@ public enum CellPhrase implements RefusalKind {
     FLATNESS_STD("the deviation of corners off their marker's plane in mm, such as 0.2"),
     /** A deviation of prints. */
     PRINT_GAIN_STD("the deviation of how far ink spreads in mm, such as 0.05"),
+    /** A reference that is named. */
+    REFERENCE_ID("the id of a reference of this cell"),
+    /** A length. */
+    LENGTH("a length in mm"),
     /** The size of a marker. */
     MARKER_SIZE("the outer edge of the black border in mm"),
     /** The key of the size of a marker. */

@@ -1,12 +1,14 @@
 package org.cellgauge.internal.cell;
 
 import java.math.BigDecimal;
+import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.TreeMap;
 import org.cellgauge.cell.Area;
+import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.CameraRange;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
@@ -16,6 +18,7 @@ import org.cellgauge.cell.Planning;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.SurveyedPlacement;
 import org.cellgauge.geometry.RigidTransform;
 
 /**
@@ -46,7 +49,7 @@ public final class CellWriter {
             out.append("# ").append(remark.replaceAll("[\\p{Cntrl}\u0085\u2028\u2029]", " ")).append('\n');
         }
         out.append("cellgauge: ").append(CellReader.VERSION).append('\n');
-        out.append("camera:\n").append(CameraWriter.text(cell.camera(), "  "));
+        out.append("camera:\n").append(camera(cell));
         // every marker states its own size and placement: what was common to them in the original is not known here
         out.append("markers: {family: ").append(cell.family().familyName());
         if (cell.family().isHalfTurned()) {
@@ -81,14 +84,40 @@ public final class CellWriter {
                     out.append(", grip_mm: ").append(numbers(grip));
                 }
                 Requirement own = cell.target().own().get(object.id());
-                out.append(own == null ? "" : ", target: " + requirement(own)).append("}\n");
+                out.append(own == null ? "" : ", target: " + requirement(own))
+                        .append(object.moves() ? ", moves: true}\n" : "}\n");
             }
+        }
+        SurveyedPlacement surveyed = cell.joint().surveyed();
+        if (surveyed != null) {
+            surveyed(surveyed, out);
         }
         if (cell.target().general().isAny()) {
             out.append("target: ").append(requirement(cell.target().general())).append('\n');
         }
         planning(cell.planning(), out);
         return out.toString();
+    }
+
+    private static String camera(Cell cell) {
+        CameraCalibration calibration = cell.calibration();
+        return CameraWriter.text(cell.camera(), "  ") + (calibration == null ? ""
+                : CameraExport.calibration(calibration).replaceAll("(?m)^(?=.)", "  "));
+    }
+
+    private static void surveyed(SurveyedPlacement surveyed, StringBuilder out) {
+        int n = SurveyedPlacement.ERRORS * surveyed.ids().size();
+        double[] covariance = surveyed.covariance();
+        out.append("surveyed:\n  references: ").append(surveyed.ids()).append("\n  covariance:\n");
+        for (int i = 0; i < n; i++) {
+            out.append("  - [");
+            for (int j = 0; j < n; j++) {
+                // nine digits keep a covariance of references that stand to each other better than in the world
+                out.append(j == 0 ? "" : ", ").append(CameraWriter.number(
+                        new BigDecimal(covariance[i * n + j]).round(new MathContext(9)).doubleValue()));
+            }
+            out.append("]\n");
+        }
     }
 
     private static void planning(Planning plan, StringBuilder out) {

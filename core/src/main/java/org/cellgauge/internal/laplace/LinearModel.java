@@ -41,7 +41,7 @@ public final class LinearModel {
     private static final List<VarianceSource> OF_INTRINSICS = List.of(VarianceSource.INTRINSICS,
             VarianceSource.CALIBRATION);
     private static final List<VarianceSource> SHARED_BY_MARKERS = Collections.unmodifiableList(
-            Arrays.asList(VarianceSource.EDGES, VarianceSource.SIZE_OF_PRINTS));
+            Arrays.asList(VarianceSource.EDGES, VarianceSource.SIZE_OF_PRINTS, VarianceSource.COMMON_PLACEMENT));
 
     private final CameraFit camera;
     private final PoseMode mode;
@@ -170,7 +170,8 @@ public final class LinearModel {
 
     /** What the budget calls one of the unknowns that markers of a photo share. */
     private static VarianceSource sourceOf(CornerErrors errors, int unknown) {
-        return errors.isSizeOfPrints(unknown) ? VarianceSource.SIZE_OF_PRINTS : VarianceSource.EDGES;
+        return errors.isPlacement(unknown) ? VarianceSource.COMMON_PLACEMENT
+                : errors.isSizeOfPrints(unknown) ? VarianceSource.SIZE_OF_PRINTS : VarianceSource.EDGES;
     }
 
     /** How one object answers to the camera's chart and to its own. */

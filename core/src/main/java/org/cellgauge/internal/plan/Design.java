@@ -7,8 +7,8 @@ import org.cellgauge.internal.geometry.Cholesky;
  * What a set of observations is to be good for, by Fisher information: the largest variance of some linear functions of
  * the unknowns, each in its own unit; with room for one evaluation, so not thread-safe.
  *
- * <p>{@code f(I) = max_a sum_r c_r^T I^-1 c_r + d_r}, over functions a of all views and the rows r of each, is convex in the information I and falls
- * with it: E- and G-optimal designs are of this kind (Pukelsheim, "Optimal Design of Experiments", 2006, chapter 6).
+ * <p>{@code f(I) = max_a sum_r c_r^T I^-1 c_r + d_r}, over functions a of all views and the rows r of each,
+ * is convex in the information I and falls with it: E- and G-optimal designs are of this kind (Pukelsheim, "Optimal Design of Experiments", 2006, chapter 6).
  */
 public final class Design {
     private final int n;

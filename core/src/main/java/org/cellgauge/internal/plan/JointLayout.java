@@ -40,8 +40,39 @@ final class JointLayout {
     private final Map<Integer, double[]> squares = new LinkedHashMap<>();
 
     /** What is known of a point and of its object's orientation: covariances in the world. */
-    record Known(double[] covarianceMm2, double[] ownMm2, double @Nullable [] turnRad2,
-            double @Nullable [] ownTurnRad2) {
+    static final class Known {
+        private final double[] covarianceMm2;
+        private final double[] ownMm2;
+        private final double @Nullable [] turnRad2;
+        private final double @Nullable [] ownTurnRad2;
+
+        Known(double[] covarianceMm2, double[] ownMm2, double @Nullable [] turnRad2,
+                double @Nullable [] ownTurnRad2) {
+            this.covarianceMm2 = covarianceMm2;
+            this.ownMm2 = ownMm2;
+            this.turnRad2 = turnRad2;
+            this.ownTurnRad2 = ownTurnRad2;
+        }
+
+        /** Of the point, 3 x 3. */
+        double[] covarianceMm2() {
+            return covarianceMm2;
+        }
+
+        /** What the object's own corners leave of it. */
+        double[] ownMm2() {
+            return ownMm2;
+        }
+
+        /** Of the turn about world axes; null of a gripping point. */
+        double @Nullable [] turnRad2() {
+            return turnRad2;
+        }
+
+        /** What the object's own corners leave of it. */
+        double @Nullable [] ownTurnRad2() {
+            return ownTurnRad2;
+        }
     }
 
     /**

@@ -313,9 +313,9 @@ public final class PlannedView {
         }
         double[] variances = {placement.stdMm(0), placement.stdMm(1), placement.stdMm(2), placement.stdRad(),
             placement.stdRad(), placement.stdRad()};
-        int m = seen.rows().count;
-        double[] covariance = seen.rows().covariance;
-        double[] byPlace = seen.byPlace();
+        int m = seen.rows.count;
+        double[] covariance = seen.rows.covariance;
+        double[] byPlace = seen.byPlace;
         for (int i = 0; i < 8; i++) {
             for (int j = 0; j < 8; j++) {
                 for (int p = 0; p < POSE; p++) {
@@ -324,7 +324,7 @@ public final class PlannedView {
                 }
             }
         }
-        return gram(covariance, m, seen.byUnknown(), unknowns);
+        return gram(covariance, m, seen.byUnknown, unknowns);
     }
 
     /**
@@ -341,17 +341,26 @@ public final class PlannedView {
             return null;
         }
         int n = unknowns;
-        int m = seen.rows().count;
+        int m = seen.rows.count;
         double[] both = new double[m * (n + POSE)];
         for (int row = 0; row < m; row++) {
-            System.arraycopy(seen.byUnknown(), row * n, both, row * (n + POSE), n);
-            System.arraycopy(seen.byPlace(), row * POSE, both, row * (n + POSE) + n, POSE);
+            System.arraycopy(seen.byUnknown, row * n, both, row * (n + POSE), n);
+            System.arraycopy(seen.byPlace, row * POSE, both, row * (n + POSE) + n, POSE);
         }
-        return gram(seen.rows().covariance, m, both, n + POSE);
+        return gram(seen.rows.covariance, m, both, n + POSE);
     }
 
     /** A marker's rows and their changes by the shared unknowns, and by its own place. */
-    private record Jacobians(Rows rows, double[] byUnknown, double[] byPlace) {
+    private static final class Jacobians {
+        final Rows rows;
+        final double[] byUnknown;
+        final double[] byPlace;
+
+        Jacobians(Rows rows, double[] byUnknown, double[] byPlace) {
+            this.rows = rows;
+            this.byUnknown = byUnknown;
+            this.byPlace = byPlace;
+        }
     }
 
     private @Nullable Jacobians jacobians(RigidTransform worldFromMarker, double sizeMm) {
@@ -602,8 +611,8 @@ public final class PlannedView {
     }
 
     /**
-     * A point in the world, or a turn about its axes, as far as it depends on what is shared: its error is {@code rows · (error of the unknowns)}
-     * plus an error of its own.
+     * A point in the world, or a turn about its axes, as far as it depends on what is shared: its error is
+     * {@code rows · (error of the unknowns)} plus an error of its own.
      */
     public static final class PointRows {
         private final double[] rows;

@@ -69,8 +69,9 @@ final class ReferencePlaces {
         for (int h = 0; h <= heights; h++) {
             double height = heights == 0 ? 0 : options.maxHeightMm() * h / heights;
             for (int i = 0; i < grid.rows() * grid.columns(); i++) {
-                double[] at = onPlane((i % grid.columns() + 0.5) / grid.columns(),
-                        (i / grid.columns() + 0.5) / grid.rows(), normal, level + height);
+                int row = i / grid.columns();
+                double[] at = onPlane((i % grid.columns() + 0.5) / grid.columns(), (row + 0.5) / grid.rows(), normal,
+                        level + height);
                 if (at == null || !options.isFree(at[0], at[1])) {
                     continue;
                 }

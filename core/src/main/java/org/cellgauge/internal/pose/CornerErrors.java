@@ -546,10 +546,46 @@ public final class CornerErrors {
      * What a shared unknown is about.
      *
      * @param j 0 to {@link #unknowns()} - 1
-     * @return true for the size of prints, false for where the edges of the photo lie
+     * @return true for the size of prints, false for where the edges of the photo lie or references stand together
      */
     public boolean isSizeOfPrints(int j) {
-        return j >= unknowns - sizesMm.size();
+        int first = edges == null ? 0 : edges.unknowns();
+        return j >= first && j < first + sizesMm.size();
+    }
+
+    /**
+     * Whether a shared unknown is about where references stand together.
+     *
+     * @param j 0 to {@link #unknowns()} - 1
+     * @return true for those that {@link CommonPlacement} added, which are the last
+     */
+    public boolean isPlacement(int j) {
+        return j >= (edges == null ? 0 : edges.unknowns()) + sizesMm.size();
+    }
+
+    /**
+     * These errors with more shared unknowns, the last then.
+     *
+     * @param more by id: changes of its corners by each, 8 x count, row by row, px; markers without stand where they do
+     * @param count how many
+     */
+    CornerErrors withCommonPlacement(Map<Integer, double[]> more, int count) {
+        Map<Integer, MarkerErrors> all = new LinkedHashMap<>();
+        int q = unknowns + count;
+        markers.forEach((id, m) -> {
+            double[] columns = new double[8 * q];
+            double[] byCommon = more.get(id);
+            for (int i = 0; i < 8; i++) {
+                System.arraycopy(m.columns, i * unknowns, columns, i * q, unknowns);
+                if (byCommon != null) {
+                    System.arraycopy(byCommon, i * count, columns, i * q + unknowns, count);
+                }
+            }
+            all.put(id, new MarkerErrors(m.cornersPx, m.covariancePx2, m.flatnessPx2, columns, m.squareness,
+                    m.setAside));
+        });
+        return new CornerErrors(Collections.unmodifiableMap(all), statedStdPx, added, edges, sizesMm, sizeStdMm, q,
+                inflations);
     }
 
     /**
@@ -564,7 +600,7 @@ public final class CornerErrors {
     /**
      * Sizes of markers that may be off.
      *
-     * @return unmodifiable, mm; their unknowns are the last
+     * @return unmodifiable, mm; their unknowns follow those of edges
      */
     public List<Double> sizesMm() {
         return sizesMm;

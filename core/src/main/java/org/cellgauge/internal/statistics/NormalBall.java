@@ -80,7 +80,7 @@ public final class NormalBall {
     public static double distance(double[] covariance, double probability) {
         double trace = covariance[0] + covariance[4] + covariance[8];
         double low = 0;
-        // no distribution of this trace has more outside than one along a line has (for probabilities as large as these)
+        // of one trace, none of these has more outside than one along a line, for probabilities that are large
         double high = 2 * deviations(Math.max(probability, 0.5)) * Math.sqrt(trace);
         for (int i = 0; i < HALVINGS && high > low * (1 + 1e-9); i++) {
             double middle = 0.5 * (low + high);

@@ -71,7 +71,7 @@ final class FurtherSection implements Section {
             }
         }
         page.table(List.of("references", "placed to", "position", "rotation about x, y, rad", "gripping point"), rows);
-        page.paragraph("`grip_mm` in the cell file, then `cellgauge check` or `cellgauge plan`.");
+        page.paragraph("`grip_mm` in the cell file, then `cellgauge check`.");
     }
 
     private void intrinsics(Page page, Figures figures) {
@@ -152,7 +152,7 @@ final class FurtherSection implements Section {
         }
         page.paragraph("Chains of the thesis with as many in the plane, 20 mm, do not mix any better: "
                 + String.join("; ", thesis) + ".");
-        page.paragraph("`cellgauge plan --cell CELL --estimate focal` forecasts the like for one's own cell.");
+        page.paragraph("`cellgauge check --cell CELL --estimate focal PHOTO`, with as many references as there are.");
     }
 
     private static void misplaced(Page page, Figures figures) {

@@ -1,0 +1,214 @@
+package org.cellgauge.internal.validation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.apache.commons.math3.random.RandomGenerator;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.check.CellCheck;
+import org.cellgauge.check.CellEstimate;
+import org.cellgauge.estimate.ObjectEstimate;
+import org.cellgauge.estimate.PointEstimate;
+import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.geometry.Rotations;
+import org.cellgauge.internal.sampling.OwnThreads;
+import org.cellgauge.internal.sampling.RandomStreams;
+import org.cellgauge.internal.statistics.CoverageRegion;
+import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.survey.Survey;
+import org.cellgauge.survey.SurveyResult;
+import org.cellgauge.survey.SurveyedObject;
+import org.cellgauge.survey.SurveyedReference;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Are stated regions of surveys right? Cells built anew, each surveyed from several photos: how often 95 % regions of
+ * objects, gripping points and references hold the truth, and those of objects in a later photo that is checked with
+ * the surveyed cell.
+ */
+public final class SurveyStudy {
+    private static final double PROBABILITY = 0.95;
+    private static final int POSE = 6;
+    private static final int POINT = 3;
+    private static final long STREAM_LATER = 22;
+
+    /** What regions are of. */
+    public enum Part {
+        /** Poses of objects. */
+        OBJECTS("objects", POSE),
+        /** Gripping points. */
+        GRIPS("gripping points", POINT),
+        /** Poses of references. */
+        REFERENCES("references", POSE),
+        /** Positions of objects in a later photo: one photo alone may leave an object two turns. */
+        LATER_OBJECTS("positions in a later photo", POINT);
+
+        private final String words;
+        private final int dimension;
+
+        Part(String words, int dimension) {
+            this.words = words;
+            this.dimension = dimension;
+        }
+
+        @Override
+        public String toString() {
+            return words;
+        }
+    }
+
+    /**
+     * Figures of one part.
+     *
+     * @param part what regions are of
+     * @param regions how many there are
+     * @param held how many hold the truth
+     * @param meanSquare mean of the squared error in units of what is stated (NEES), which should be {@code dimension}
+     * @param dimension 6 of poses, 3 of points
+     */
+    public record Figures(Part part, int regions, int held, double meanSquare, int dimension) {
+    }
+
+    /**
+     * Figures of a study.
+     *
+     * @param figures by part; parts without regions are left out
+     * @param cells cells surveyed
+     * @param refused surveys and later checks that gave no figures
+     * @param falseAlarms surveys in which a reference was called misplaced, or a photo called one that does not fit
+     */
+    public record Result(List<Figures> figures, int cells, int refused, int falseAlarms) {
+    }
+
+    private SurveyStudy() {
+    }
+
+    /**
+     * Runs a study.
+     *
+     * @param cell the cell, built anew each time as precisely as it says
+     * @param settings how it is surveyed
+     * @param photos number of photos of each cell
+     * @param cells number of cells
+     * @param seed seed of all that is drawn
+     * @param threads cells at once; figures do not depend on it
+     * @param sampled whether regions are of draws; else of Laplace's approximation
+     * @return the figures
+     */
+    public static Result of(Cell cell, CheckSettings settings, int photos, int cells, long seed, int threads,
+            boolean sampled) {
+        Tally[] tallies = new Tally[cells];
+        OwnThreads.forEach(cells, threads, c -> tallies[c] = one(cell, settings, photos, seed, c, sampled));
+        Tally sum = new Tally();
+        for (Tally t : tallies) {
+            sum.add(t);
+        }
+        return sum.result(cells);
+    }
+
+    private static Tally one(Cell cell, CheckSettings settings, int photos, long seed, int index, boolean sampled) {
+        Tally tally = new Tally();
+        SimulatedSurvey truth = SimulatedSurvey.of(cell, settings, photos, seed, index);
+        try {
+            Survey survey = Survey.of(cell, truth.photos(), settings);
+            SurveyResult result = sampled ? survey.sampled() : survey.estimate();
+            for (SurveyedObject o : result.objects()) {
+                RigidTransform pose = pose(truth.objects().get(o.marker().id()));
+                tally.pose(Part.OBJECTS, pose, o.pose());
+                tally.grip(pose, o.marker().gripMm(), o.grip());
+            }
+            for (SurveyedReference r : result.references()) {
+                tally.pose(Part.REFERENCES, pose(truth.references().get(r.stated().id())), r.pose());
+            }
+            tally.falseAlarms += result.references().stream().anyMatch(SurveyedReference::misplaced)
+                    || result.photos().stream().anyMatch(p -> p.chance() < 0.01 / photos) ? 1 : 0;
+            RandomGenerator random = RandomStreams.of(seed, STREAM_LATER, index);
+            CellEstimate later = CellCheck.quickLook(result.surveyedCell(), truth.later(random), settings, null)
+                    .update().estimate();
+            for (ObjectEstimate o : later.objects()) {
+                tally.position(pose(truth.objects().get(o.id())), o.pose());
+            }
+        } catch (InputRefusedException e) {
+            tally.refused++;
+        }
+        return tally;
+    }
+
+    private static RigidTransform pose(@Nullable RigidTransform pose) {
+        if (pose == null) {
+            throw new IllegalStateException("every marker has a true pose");
+        }
+        return pose;
+    }
+
+    /** Counts of regions. */
+    private static final class Tally {
+        private final int[] regions = new int[Part.values().length];
+        private final int[] held = new int[regions.length];
+        private final double[] squares = new double[regions.length];
+        private int refused;
+        private int falseAlarms;
+
+        void pose(Part part, RigidTransform truth, PoseEstimate stated) {
+            double[] error = new double[POSE];
+            double[] t = truth.translationMm();
+            double[] s = stated.meanTransform().translationMm();
+            double[] r = new double[9];
+            Rotations.multiplyTransposed(truth.rotation(), stated.meanTransform().rotation(), r);
+            Rotations.log(r, error, 3);
+            for (int i = 0; i < 3; i++) {
+                error[i] = t[i] - s[i];
+            }
+            add(part, error, stated.tangentCovariance());
+        }
+
+        void position(RigidTransform truth, PoseEstimate stated) {
+            double[] error = truth.translationMm();
+            for (int i = 0; i < POINT; i++) {
+                error[i] -= stated.meanTransform().translationMm()[i];
+            }
+            add(Part.LATER_OBJECTS, error, stated.positionCovarianceMm2());
+        }
+
+        void grip(RigidTransform truth, double @Nullable [] gripMm,
+                @Nullable PointEstimate stated) {
+            if (gripMm == null || stated == null) {
+                return;
+            }
+            double[] error = truth.apply(gripMm);
+            for (int i = 0; i < POINT; i++) {
+                error[i] -= stated.meanMm()[i];
+            }
+            add(Part.GRIPS, error, stated.covarianceMm2());
+        }
+
+        private void add(Part part, double[] error, double[][] covariance) {
+            CoverageRegion region = CoverageRegion.of(new double[error.length], covariance, PROBABILITY);
+            regions[part.ordinal()]++;
+            held[part.ordinal()] += region.contains(error) ? 1 : 0;
+            squares[part.ordinal()] += region.mahalanobisSquared(error);
+        }
+
+        void add(Tally other) {
+            for (int i = 0; i < regions.length; i++) {
+                regions[i] += other.regions[i];
+                held[i] += other.held[i];
+                squares[i] += other.squares[i];
+            }
+            refused += other.refused;
+            falseAlarms += other.falseAlarms;
+        }
+
+        Result result(int cells) {
+            List<Figures> out = new ArrayList<>();
+            for (Part part : Part.values()) {
+                int i = part.ordinal();
+                if (regions[i] > 0) {
+                    out.add(new Figures(part, regions[i], held[i], squares[i] / regions[i], part.dimension));
+                }
+            }
+            return new Result(List.copyOf(out), cells, refused, falseAlarms);
+        }
+    }
+}
