@@ -1,7 +1,9 @@
 package org.cellgauge.internal.validation;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
@@ -142,11 +144,16 @@ public final class SurveyStudy {
         return pose;
     }
 
+    /** Of regions of one kind: how many, how many hold the truth, and the squared distances of the truth. */
+    private static final class Count {
+        private int regions;
+        private int held;
+        private double squares;
+    }
+
     /** Counts of regions. */
     private static final class Tally {
-        private final int[] regions = new int[Part.values().length];
-        private final int[] held = new int[regions.length];
-        private final double[] squares = new double[regions.length];
+        private final Map<Part, Count> counts = new LinkedHashMap<>();
         private int refused;
         private int falseAlarms;
 
@@ -185,17 +192,19 @@ public final class SurveyStudy {
 
         private void add(Part part, double[] error, double[][] covariance) {
             CoverageRegion region = CoverageRegion.of(new double[error.length], covariance, PROBABILITY);
-            regions[part.ordinal()]++;
-            held[part.ordinal()] += region.contains(error) ? 1 : 0;
-            squares[part.ordinal()] += region.mahalanobisSquared(error);
+            Count count = counts.computeIfAbsent(part, p -> new Count());
+            count.regions++;
+            count.held += region.contains(error) ? 1 : 0;
+            count.squares += region.mahalanobisSquared(error);
         }
 
         void add(Tally other) {
-            for (int i = 0; i < regions.length; i++) {
-                regions[i] += other.regions[i];
-                held[i] += other.held[i];
-                squares[i] += other.squares[i];
-            }
+            other.counts.forEach((part, more) -> {
+                Count count = counts.computeIfAbsent(part, p -> new Count());
+                count.regions += more.regions;
+                count.held += more.held;
+                count.squares += more.squares;
+            });
             refused += other.refused;
             falseAlarms += other.falseAlarms;
         }
@@ -203,9 +212,10 @@ public final class SurveyStudy {
         Result result(int cells) {
             List<Figures> out = new ArrayList<>();
             for (Part part : Part.values()) {
-                int i = part.ordinal();
-                if (regions[i] > 0) {
-                    out.add(new Figures(part, regions[i], held[i], squares[i] / regions[i], part.dimension));
+                Count count = counts.get(part);
+                if (count != null) {
+                    out.add(new Figures(part, count.regions, count.held, count.squares / count.regions,
+                            part.dimension));
                 }
             }
             return new Result(List.copyOf(out), cells, refused, falseAlarms);
