@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.stream.Collectors;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.cell.CalibratedCameraText;
@@ -100,7 +101,7 @@ public final class CameraReader {
         CameraFormat format = CameraFormat.of(keys);
         if (format == null) {
             throw value.refused(CellRefusal.NO_CAMERA,
-                    Listing.or(Arrays.stream(CameraFormat.values()).map(CameraFormat::words).toList()));
+                    Listing.or(Arrays.stream(CameraFormat.values()).map(CameraFormat::words).collect(Collectors.toList())));
         }
         PinholeCamera camera = format == CameraFormat.BOOFCV ? BoofCamera.of(keys) : OtherCamera.of(keys, format);
         return new CameraFile(camera, format,

@@ -2,6 +2,7 @@ package org.cellgauge.cell;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
@@ -144,7 +145,7 @@ final class OpenCvXml {
 
     private static Node parts(List<Element> parts, Mark mark) {
         if (parts.stream().allMatch(e -> e.name.equals("_"))) {
-            return list(parts.stream().map(Element::node).toList(), mark);
+            return list(parts.stream().map(Element::node).collect(Collectors.toList()), mark);
         }
         List<NodeTuple> tuples = new ArrayList<>();
         for (Element part : parts) {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.KannalaBrandtLens;
 import org.cellgauge.geometry.Lens;
@@ -314,7 +315,7 @@ final class OtherCamera {
     /** OpenCV's coefficients up to the thin prism, those left out as 0. */
     private double[] openCvCoefficients() {
         if (!COUNTS.contains(coefficients.size())) {
-            throw lensPlace.refused(CellRefusal.COEFFICIENTS, Listing.or(COUNTS.stream().map(String::valueOf).toList()),
+            throw lensPlace.refused(CellRefusal.COEFFICIENTS, Listing.or(COUNTS.stream().map(String::valueOf).collect(Collectors.toList())),
                     coefficients.size());
         }
         double[] c = new double[UP_TO_PRISM];

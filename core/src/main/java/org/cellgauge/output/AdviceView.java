@@ -85,10 +85,10 @@ public final class AdviceView extends Value {
             if (pose == null) {
                 return null;
             }
-            places.put(row.id().getAsInt(), List.of(pose.transform()));
+            places.put(row.id().getAsInt(), List.of(pose.ofFigures()));
         }
         return places.isEmpty() ? null
-                : new Layout(cell.withTarget(view.target()), List.of(camera.transform()), places);
+                : new Layout(cell.withTarget(view.target()), List.of(camera.ofFigures()), places);
     }
 
     private static PlanOptions options(Cell cell, CheckSettings settings, @Nullable PhotoLight light) {

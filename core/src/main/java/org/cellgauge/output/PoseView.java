@@ -43,9 +43,17 @@ public final class PoseView extends Value {
     /** A pose read back. */
     static PoseView read(String frame, double[] mean, double[][] covariance, double[] tangentBaseRad,
             double[][] tangentCovariance) {
-        RigidTransform transform = RigidTransform.ofEuler(mean[0], mean[1], mean[2], tangentBaseRad[0],
-                tangentBaseRad[1], tangentBaseRad[2]);
-        return new PoseView(frame, mean, covariance, tangentBaseRad, tangentCovariance, transform);
+        return new PoseView(frame, mean, covariance, tangentBaseRad, tangentCovariance,
+                ofFigures(mean, tangentBaseRad));
+    }
+
+    /** The mean by the figures alone: to the last digit what a pose that is read back has. */
+    RigidTransform ofFigures() {
+        return ofFigures(mean, tangentBaseRad);
+    }
+
+    private static RigidTransform ofFigures(double[] mean, double[] baseRad) {
+        return RigidTransform.ofEuler(mean[0], mean[1], mean[2], baseRad[0], baseRad[1], baseRad[2]);
     }
 
     /**

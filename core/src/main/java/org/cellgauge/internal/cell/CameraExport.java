@@ -56,7 +56,7 @@ public final class CameraExport {
         int n = calibration.parameters().size();
         double[] covariance = calibration.covariance();
         List<List<Double>> rows = IntStream.range(0, n).mapToObj(i -> IntStream.range(0, n)
-                .mapToObj(j -> covariance[n * i + j]).toList()).toList();
+                .mapToObj(j -> covariance[n * i + j]).collect(Collectors.toList())).collect(Collectors.toList());
         return CalibratedCameraText.block(calibration.parameters(), rows, calibration.photos());
     }
 

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.cellgauge.cell.Area;
 import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.CameraRange;
@@ -139,9 +140,9 @@ public final class CellWriter {
         List<String> regions = new ArrayList<>();
         new TreeMap<>(plan.regions()).forEach((id, area) -> regions.add(id + ": " + area(area)));
         list(out, "regions_mm", '{', regions, '}');
-        list(out, "free_mm", '[', plan.free().stream().map(CellWriter::area).toList(), ']');
+        list(out, "free_mm", '[', plan.free().stream().map(CellWriter::area).collect(Collectors.toList()), ']');
         list(out, "walls_mm", '[', plan.walls().stream().map(w -> numbers(w.xFromMm(), w.yFromMm(), w.xToMm(),
-                w.yToMm(), w.heightMm())).toList(), ']');
+                w.yToMm(), w.heightMm())).collect(Collectors.toList()), ']');
         if (plan.maxHeightMm().isPresent()) {
             out.append("  max_height_mm: ").append(CameraWriter.number(plan.maxHeightMm().getAsDouble())).append('\n');
         }
