@@ -101,7 +101,8 @@ public final class CameraReader {
         CameraFormat format = CameraFormat.of(keys);
         if (format == null) {
             throw value.refused(CellRefusal.NO_CAMERA,
-                    Listing.or(Arrays.stream(CameraFormat.values()).map(CameraFormat::words).collect(Collectors.toList())));
+                    Listing.or(Arrays.stream(CameraFormat.values()).map(CameraFormat::words)
+                            .collect(Collectors.toList())));
         }
         PinholeCamera camera = format == CameraFormat.BOOFCV ? BoofCamera.of(keys) : OtherCamera.of(keys, format);
         return new CameraFile(camera, format,

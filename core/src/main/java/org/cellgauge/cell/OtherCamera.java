@@ -315,7 +315,8 @@ final class OtherCamera {
     /** OpenCV's coefficients up to the thin prism, those left out as 0. */
     private double[] openCvCoefficients() {
         if (!COUNTS.contains(coefficients.size())) {
-            throw lensPlace.refused(CellRefusal.COEFFICIENTS, Listing.or(COUNTS.stream().map(String::valueOf).collect(Collectors.toList())),
+            throw lensPlace.refused(CellRefusal.COEFFICIENTS,
+                    Listing.or(COUNTS.stream().map(String::valueOf).collect(Collectors.toList())),
                     coefficients.size());
         }
         double[] c = new double[UP_TO_PRISM];
