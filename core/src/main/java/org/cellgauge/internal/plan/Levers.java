@@ -72,6 +72,7 @@ final class Levers {
     /** Whether there is a target that is missed as it is. */
     private final boolean missed;
     private double @Nullable [] bounds;
+    private double @Nullable [] founds;
 
     /**
      * A change in one size.
@@ -249,6 +250,7 @@ final class Levers {
             }
         }
         bounds = new double[MOST_ADDED];
+        founds = new double[MOST_ADDED];
         for (int size = 1; size <= (quick ? 1 : MOST_ADDED); size++) {
             double[][] base = new double[model.views()][];
             for (int v = 0; v < base.length; v++) {
@@ -260,6 +262,7 @@ final class Levers {
                 return;
             }
             // with one, all were tried
+            founds[size - 1] = choice.worst();
             bounds[size - 1] = size == 1 ? choice.worst() : search.bound(size, BOUND_STEPS);
             List<Reference> more = new ArrayList<>();
             List<Change> changes = new ArrayList<>();
@@ -413,6 +416,17 @@ final class Levers {
         changes.forEach(change -> words.add(change.words()));
         return new Change(Warning.of(ChangeKind.ADD_REFERENCES, Listing.and(words)),
                 changes.stream().mapToDouble(Change::cost).sum());
+    }
+
+    /**
+     * What the search found for so many added references, by the same model as {@link #bound}: with more markers a
+     * forecast believes a little less in noise beside that of fits, which the search leaves as it is.
+     *
+     * @param size 1 to {@link #MOST_ADDED}
+     * @return what the best choice reaches, in units of the target's square; NaN where none fit
+     */
+    double found(int size) {
+        return founds == null ? Double.NaN : founds[size - 1];
     }
 
     /**

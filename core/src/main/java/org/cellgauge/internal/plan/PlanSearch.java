@@ -78,7 +78,7 @@ public final class PlanSearch {
             ChangeKind kind = single.steps().get(0).change().kind();
             if (kind == ChangeKind.ADD_REFERENCE || kind == ChangeKind.ADD_REFERENCES) {
                 int count = certificates.size() + 1;
-                certificates.add(new Plan.Certificate(count, Math.sqrt(single.worst()),
+                certificates.add(new Plan.Certificate(count, Math.sqrt(levers.found(count)),
                         Math.sqrt(levers.bound(count))));
             }
         }

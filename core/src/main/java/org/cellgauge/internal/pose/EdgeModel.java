@@ -15,12 +15,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * How far the edges of a photo's markers lie from where they are: a shift e of the photo, px into the dark, and ink
  * that has spread by g mm on the markers of one size, so that a marker's edges are off by {@code e - g s}, s being its
- * scale in px per mm. Gaussian, given what the inner edges of the markers tell; immutable.
+ * scale in px per mm on average, and less where the paper is seen aslant. Gaussian, given what the inner edges of the
+ * markers tell; immutable.
  *
  * <p>With a marker's measured shift {@code y = delta + e_y}, the corners' errors e_c having the covariance C, that of
  * e_y being v and q what they share, the corners are {@code seen = true + d delta + e_c}, d the derivative of corners
  * by a shift. So, given y and delta, {@code e_c} has the mean {@code q (y - delta) / v} and the covariance
  * {@code C - q q^T / v}: corrected by the means of delta, {@code (d - q / v)} times what is unknown of delta is left.
+ * Of ink, d delta is the derivative of corners by a square that is larger on the paper, times g.
  */
 public final class EdgeModel {
     /** What a measured shift may be off by beside its stated error: inner and outer edges are not quite alike, px. */
@@ -141,8 +143,9 @@ public final class EdgeModel {
     /** How the mean shift and mean ink move the corners of one marker, 8 values, px. */
     double[] meanOfCorners(MarkerErrors.Source m) {
         double[] out = new double[8];
+        double[][] rows = rowsOfCorners(m);
         for (int c = 0; c < 8; c++) {
-            double[] row = rowOfCorner(m, c);
+            double[] row = rows[c];
             for (int i = 0; i < row.length; i++) {
                 out[c] += row[i] * mean[i];
             }
@@ -154,8 +157,9 @@ public final class EdgeModel {
     double[] cornersByUnknown(MarkerErrors.Source m) {
         int n = mean.length;
         double[] out = new double[8 * n];
+        double[][] rows = rowsOfCorners(m);
         for (int c = 0; c < 8; c++) {
-            System.arraycopy(byUnknown(rowOfCorner(m, c)), 0, out, c * n, n);
+            System.arraycopy(byUnknown(rows[c]), 0, out, c * n, n);
         }
         return out;
     }
@@ -164,15 +168,19 @@ public final class EdgeModel {
      * Light moves all sides of a marker by the same in the image, ink by the same on the paper: less where that is seen
      * aslant.
      */
-    private double[] rowOfCorner(MarkerErrors.Source m, int coordinate) {
+    private double[][] rowsOfCorners(MarkerErrors.Source m) {
         double[] corners = m.observation.cornersPx();
-        double[] row = new double[mean.length];
-        row[0] = EdgeShift.ofCorners(corners)[coordinate];
+        double[] byShift = EdgeShift.ofCorners(corners);
+        double[] byInk = EdgeShift.byInk(corners, m.sizeMm);
         int size = sizesMm.indexOf(m.sizeMm);
-        if (size >= 0) {
-            row[1 + size] = EdgeShift.byInk(corners, m.sizeMm)[coordinate];
+        double[][] rows = new double[8][mean.length];
+        for (int c = 0; c < 8; c++) {
+            rows[c][0] = byShift[c];
+            if (size >= 0) {
+                rows[c][1 + size] = byInk[c];
+            }
         }
-        return row;
+        return rows;
     }
 
     private double[] byUnknown(double[] row) {
