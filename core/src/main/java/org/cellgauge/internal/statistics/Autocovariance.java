@@ -15,6 +15,9 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Autocovariance {
     private static final int DIRECT_LAGS = 96;
+    /** A series that is still so much like itself at this lag will not have forgotten itself at {@link #DIRECT_LAGS}. */
+    private static final int EARLY_LAG = 16;
+    private static final double SLOW = 0.6;
 
     private final double[] centred;
     private final int length;
@@ -23,6 +26,7 @@ public final class Autocovariance {
     /** Autocovariances at the lag asked for last, even, and at the one after it. */
     private final double[] pair = new double[2];
     private int pairAt = -1;
+    private double variance = Double.NaN;
     private double @Nullable [] transformed;
 
     /**
@@ -59,17 +63,30 @@ public final class Autocovariance {
      */
     public double at(int lag) {
         if (transformed == null && lag >= DIRECT_LAGS) {
-            transformed = transform();
+            transformed = transform(paddedSize(length + length / 2));
         }
         if (transformed != null) {
+            if (lag >= transformed.length) {
+                transformed = transform(paddedSize(2 * length - 1));
+            }
             return transformed[lag];
         }
         int even = lag & ~1;
         if (even != pairAt) {
             products(even);
             pairAt = even;
+            if (even == 0) {
+                variance = pair[0];
+            } else if (even == EARLY_LAG && pair[0] > SLOW * variance) {
+                transformed = transform(paddedSize(length + length / 2));
+            }
         }
         return pair[lag - even];
+    }
+
+    /** The power of two that holds so many points. */
+    private static int paddedSize(int points) {
+        return Integer.highestOneBit(points - 1) << 1;
     }
 
     /** Sums of products at a lag and the next: four sums each, so that no addition waits for the one before it. */
@@ -115,13 +132,13 @@ public final class Autocovariance {
     }
 
     /**
-     * All lags at once: the transform of the summed power spectra. Two series go through one transform, as real and
+     * Lags at once, as far as padding goes: a transform of {@code size} points is circular, and at lags above
+     * {@code size - length} the end of a series would meet its own beginning. Sums of autocorrelations seldom need more
+     * than half of all lags. The transform of the summed power spectra. Two series go through one transform, as real and
      * imaginary part; the power of both together is that of the complex series but for what is imaginary at the end.
      */
-    private double[] transform() {
+    private double[] transform(int size) {
         int n = length;
-        // Padding to twice the length keeps the circular correlation of the transform from wrapping around
-        int size = Integer.highestOneBit(2 * n - 1) << 1;
         double[][] data = new double[2][size];
         double[][] power = new double[2][size];
         for (int s = 0; s < count; s += 2) {
@@ -137,8 +154,8 @@ public final class Autocovariance {
             }
         }
         FastFourierTransformer.transformInPlace(power, DftNormalization.STANDARD, TransformType.INVERSE);
-        double[] out = new double[n];
-        for (int t = 0; t < n; t++) {
+        double[] out = new double[Math.min(n, size - n + 1)];
+        for (int t = 0; t < out.length; t++) {
             out[t] = power[0][t] / n / count;
         }
         return out;

@@ -57,6 +57,11 @@ final class Assumptions {
         return data.at("layouts").at("fine_pixel_std_px").number();
     }
 
+    /** Noise of corners as a clean rendering has them, px. */
+    double cleanPixelStdPx() {
+        return data.at("layouts").at("clean_pixel_std_px").number();
+    }
+
     /** Other assumptions, by what is changed. */
     Map<String, Assumptions> changes() {
         Map<String, Assumptions> changes = new LinkedHashMap<>();

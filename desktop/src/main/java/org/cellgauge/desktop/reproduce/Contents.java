@@ -14,7 +14,7 @@ final class Contents {
     Contents(Effort effort) {
         this.effort = effort;
         Assumptions usual = Assumptions.usual();
-        Assumptions assumptions = effort.isQuick() ? usual.withExactCorners(usual.finePixelStdPx()) : usual;
+        Assumptions assumptions = effort.isQuick() ? usual.withExactCorners(usual.cleanPixelStdPx()) : usual;
         Map<String, SetUp> setUps = SetUp.all();
         Map<String, PrintedTable> tables = PrintedTable.all();
         chapters.put("What came of it", List.of(
