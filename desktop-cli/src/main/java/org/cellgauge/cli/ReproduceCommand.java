@@ -47,8 +47,8 @@ public final class ReproduceCommand implements Callable<Integer> {
     private List<String> tables = new ArrayList<>();
 
     @Option(names = "--quick",
-            description = "Four chains in place of twenty, exact corners in place of rendered photos, and deviations to "
-                    + "20 %% in place of 2 %%: a look.")
+            description = "Four chains in place of twenty, exact corners in place of rendered photos, and deviations "
+                    + "to 20 %% in place of 2 %%: a look.")
     private boolean quick;
 
     @Option(names = "--out", paramLabel = "DIR",

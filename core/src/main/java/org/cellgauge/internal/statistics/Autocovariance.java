@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Autocovariance {
     private static final int DIRECT_LAGS = 96;
-    /** A series that is still so much like itself at this lag will not have forgotten itself at {@link #DIRECT_LAGS}. */
+    /** A series that is still so much like itself at this lag has not forgotten itself at {@link #DIRECT_LAGS}. */
     private static final int EARLY_LAG = 16;
     private static final double SLOW = 0.6;
 
@@ -134,8 +134,9 @@ public final class Autocovariance {
     /**
      * Lags at once, as far as padding goes: a transform of {@code size} points is circular, and at lags above
      * {@code size - length} the end of a series would meet its own beginning. Sums of autocorrelations seldom need more
-     * than half of all lags. The transform of the summed power spectra. Two series go through one transform, as real and
-     * imaginary part; the power of both together is that of the complex series but for what is imaginary at the end.
+     * than half of all lags.
+     *
+     * <p>The transform of the summed power spectra: two series go through one transform, as real and imaginary part; the power of both together is that of the complex series but for what is imaginary at the end.
      */
     private double[] transform(int size) {
         int n = length;

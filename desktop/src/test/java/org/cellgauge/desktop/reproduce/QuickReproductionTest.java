@@ -46,8 +46,8 @@ class QuickReproductionTest {
                 if (line.startsWith("#")) {
                     heading = line.replaceFirst("#+ ", "");
                 } else if (line.startsWith("| ") && !line.startsWith("| ---") && line.endsWith("|")) {
-                    lines.add(new Line(heading,
-                            Arrays.stream(line.substring(1, line.length() - 1).split(" \\| ")).map(String::strip).toList()));
+                    String[] cells = line.substring(1, line.length() - 1).split(" \\| ");
+                    lines.add(new Line(heading, Arrays.stream(cells).map(String::strip).toList()));
                 }
             }
             return lines;
@@ -133,7 +133,7 @@ class QuickReproductionTest {
         alike(ratios(pairs(line -> line.deviationsOf(true)), RIGHT), 0.05, 0.2, 0.4);
     }
 
-    /** The thesis' own posterior; with the focal length explored and few references its tails are too long for a look. */
+    /** The thesis' own posterior: with the focal length explored and few references it has tails too long for a look. */
     @Test
     void convergedDeviationsOfTheThesisPosteriorAreThoseOfThePage() {
         alike(ratios(pairs(line -> line.deviationsOf(false)), CONVERGED), 0.03, 0.15, 0.4);
