@@ -136,7 +136,8 @@ public final class Autocovariance {
      * {@code size - length} the end of a series would meet its own beginning. Sums of autocorrelations seldom need more
      * than half of all lags.
      *
-     * <p>The transform of the summed power spectra: two series go through one transform, as real and imaginary part; the power of both together is that of the complex series but for what is imaginary at the end.
+     * <p>The transform of the summed power spectra: two series go through one transform, as real and imaginary part;
+     * the power of both together is that of the complex series but for what is imaginary at the end.
      */
     private double[] transform(int size) {
         int n = length;
