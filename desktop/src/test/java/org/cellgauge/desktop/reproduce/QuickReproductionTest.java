@@ -133,7 +133,7 @@ class QuickReproductionTest {
         alike(ratios(pairs(line -> line.deviationsOf(true)), RIGHT), 0.05, 0.2, 0.4);
     }
 
-    /** The thesis' own posterior: with the focal length explored and few references it has tails too long for a look. */
+    /** The thesis' own posterior: with focal lengths explored and few references its tails are too long for a look. */
     @Test
     void convergedDeviationsOfTheThesisPosteriorAreThoseOfThePage() {
         alike(ratios(pairs(line -> line.deviationsOf(false)), CONVERGED), 0.03, 0.15, 0.4);
