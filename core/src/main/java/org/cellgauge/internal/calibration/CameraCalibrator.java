@@ -505,8 +505,10 @@ public final class CameraCalibrator {
     private void warnOfBend(CalibrationFit fit, double crossRatio) {
         BoardBend bend = points.isFlat() ? BoardBend.of(fit, crossRatio) : null;
         if (bend != null && bend.isThere()) {
+            // target files of others count in squares, of which a bend is a small part
+            int decimals = (int) Math.max(2, 1 - Math.floor(Math.log10(bend.stdMm())));
             warnings.add(Warning.of(fit.board.warp == 0 ? CalibrationWarning.BENT : CalibrationWarning.BENT_OTHERWISE,
-                    Decimal.of(bend.heightMm(), 2), Decimal.of(bend.stdMm(), 2)));
+                    Decimal.of(bend.heightMm(), decimals), Decimal.of(bend.stdMm(), decimals)));
         }
     }
 
