@@ -19,12 +19,13 @@ import org.jspecify.annotations.Nullable;
  * @param objects those that stand still and were seen, in the order of the cell
  * @param measurements all of the cell, in its order
  * @param placement joint covariance of all references about their poses here: shifts and turns in world axes
+ * @param epoch where everything is by Laplace's approximation, for later surveys to be held against
  * @param run how draws came about; null where figures are those of Laplace's approximation
  * @param warnings what users should know
  */
 public record SurveyResult(Cell cell, List<SurveyedPhoto> photos, List<SurveyedReference> references,
         List<SurveyedObject> objects, List<SurveyedMeasurement> measurements, SurveyedPlacement placement,
-        @Nullable SurveyRun run, List<Warning> warnings) {
+        Epoch epoch, @Nullable SurveyRun run, List<Warning> warnings) {
     private static final int ERRORS = SurveyedPlacement.ERRORS;
 
     /** Copies the lists. */

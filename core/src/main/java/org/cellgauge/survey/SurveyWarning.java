@@ -32,6 +32,11 @@ public enum SurveyWarning implements WarningKind {
     REFERENCES_NOT_SEEN("references %s are in no photo"),
     /** An object that has two poses still: its id. */
     AMBIGUOUS("object %s has two poses that explain all photos: take one from another side"),
+    /** Something that has moved between two surveys: what, by how many mm and degrees, chance in per cent. */
+    MOVED("%s has moved since the earlier survey by %s mm and %s degrees (chance %s %% if it had not): measure it again, "
+            + "or put it back"),
+    /** Something that one photo has elsewhere than the earlier survey: what, the photo, mm and degrees. */
+    MOVED_IN_PHOTO("%s stands elsewhere in %s: off by %s mm and %s degrees from the earlier survey"),
     /** Sampled and predicted deviations differ: by how many per cent at most. */
     FAR_FROM_GAUSSIAN("deviations of draws differ from those of the approximation by up to %s %%: figures are those of "
             + "the draws, those of the curve and the shares are rough");

@@ -17,6 +17,7 @@ import org.cellgauge.cell.Requirement;
 import org.cellgauge.desktop.CellFile;
 import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.desktop.CheckText;
+import org.cellgauge.desktop.EpochJson;
 import org.cellgauge.desktop.PhotoReading;
 import org.cellgauge.desktop.SurveyJson;
 import org.cellgauge.desktop.SurveyReport;
@@ -26,12 +27,16 @@ import org.cellgauge.internal.cell.CellWriter;
 import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.Convergence;
+import org.cellgauge.survey.Drift;
+import org.cellgauge.survey.Epoch;
 import org.cellgauge.survey.Survey;
 import org.cellgauge.survey.SurveyResult;
 import org.cellgauge.survey.SurveyedObject;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
+import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -49,14 +54,15 @@ import picocli.CommandLine.Spec;
             "  cellgauge survey --cell cell.yaml photos/",
             "  cellgauge survey --cell cell.yaml photos/ --out surveyed.cell.yaml",
             "  cellgauge survey --cell cell.yaml --json --detections corners/*.json",
+            "  cellgauge survey --cell cell.yaml --against surveyed.survey.json later/",
             ""},
         footer = {"",
-            "FILE is a cell file with references where they were found and their joint covariance; beside it a page of",
-            "the same name, ended by .html, has tables and curves. Tables go to standard output, messages to standard",
-            "error.",
+            "FILE is a cell file with references where they were found and their joint covariance; beside it, under the",
+            "same name, .html has tables and curves, and .survey.json all figures. Tables go to standard output,",
+            "messages to standard error.",
             "",
-            "Exit codes: 0 target met (or none set), 1 internal error, 2 usage, 3 input refused, 4 target missed, 5",
-            "not converged or pose ambiguous: no figure to trust."})
+            "Exit codes: 0 target met (or none set), 1 internal error, 2 usage, 3 input refused, 4 target missed or",
+            "something has moved, 5 not converged or pose ambiguous: no figure to trust."})
 public final class SurveyCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
@@ -85,6 +91,16 @@ public final class SurveyCommand implements Callable<Integer> {
             description = "Leaves out photos that do not fit the others, as where something was moved.")
     private boolean leaveOut;
 
+    @Option(names = "--against", paramLabel = "SURVEY",
+            description = "An earlier survey of the cell (NAME.survey.json, or its JSON): what has moved since, by all "
+                    + "photos together and by each of them.")
+    private Path against;
+
+    @Option(names = "--camera-stands",
+            description = "With --against: all photos, those of the earlier survey too, are of a camera that should not "
+                    + "have moved; tells whether it has.")
+    private boolean cameraStands;
+
     /**
      * Surveys.
      *
@@ -97,6 +113,10 @@ public final class SurveyCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(),
                     "nothing to survey; name photos, a folder of them, or --detections FILE");
         }
+        if (cameraStands && against == null) {
+            throw new ParameterException(spec.commandLine(),
+                    "--camera-stands: says something of --against only; name the earlier survey");
+        }
         try {
             return run(settings);
         } catch (InputRefusedException e) {
@@ -106,6 +126,7 @@ public final class SurveyCommand implements Callable<Integer> {
 
     private int run(CheckSettings settings) {
         PrintWriter err = spec.commandLine().getErr();
+        Epoch earlier = against == null ? null : EpochJson.read(against);
         Cell stated = CellFile.read(cellFile).cell();
         Cell cell = settings.model().targetStdMm().isPresent() ? stated.withTarget(settings.model().targetStdMm())
                 : stated;
@@ -122,13 +143,15 @@ public final class SurveyCommand implements Callable<Integer> {
                         spec.commandLine());
             }
         }
-        Survey survey = Survey.of(cell, seen, settings);
-        SurveyResult result = (leaveOut ? survey.withoutMisfits() : survey).sampled();
-        int judged = code(result);
+        Survey all = Survey.of(cell, seen, settings);
+        Survey survey = leaveOut ? all.withoutMisfits() : all;
+        SurveyResult result = survey.sampled();
+        Drift drift = earlier == null ? null : survey.against(earlier, cameraStands);
+        int judged = code(result, drift);
         String command = RepeatingCommand.survey(spec.commandLine().getParseResult());
-        print(result, judged, command);
+        print(result, drift, judged, command);
         if (out != null) {
-            write(result, command);
+            write(result, drift, judged, command);
         }
         err.flush();
         return ExitCodes.moreSerious(code, judged);
@@ -141,12 +164,12 @@ public final class SurveyCommand implements Callable<Integer> {
         err.flush();
     }
 
-    private static int code(SurveyResult result) {
+    private static int code(SurveyResult result, @Nullable Drift drift) {
         if (result.run() == null || result.run().convergence() != Convergence.CONVERGED
                 || result.objects().stream().anyMatch(SurveyedObject::ambiguous)) {
             return ExitCodes.NO_FIGURE;
         }
-        return result.objects().stream().allMatch(o -> meets(o, result.cell().target().of(o.marker().id()).stdMm()))
+        return (drift == null || !drift.any()) && result.objects().stream().allMatch(o -> meets(o, result.cell().target().of(o.marker().id()).stdMm()))
                 ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
     }
 
@@ -163,33 +186,40 @@ public final class SurveyCommand implements Callable<Integer> {
         return result.objects().stream().anyMatch(o -> result.cell().target().of(o.marker().id()).stdMm().isAny());
     }
 
-    private static String verdict(SurveyResult result, int code) {
+    private static String verdict(SurveyResult result, @Nullable Drift drift, int code) {
         if (code == ExitCodes.NO_FIGURE) {
             return result.objects().stream().anyMatch(SurveyedObject::ambiguous) ? "ambiguous" : "not-converged";
         }
-        return code == ExitCodes.TARGET_MISSED ? "fail" : hasTarget(result) ? "pass" : "no-target";
+        return drift != null && drift.any() ? "moved" : code == ExitCodes.TARGET_MISSED ? "fail" : hasTarget(result) ? "pass" : "no-target";
     }
 
-    private void print(SurveyResult result, int judged, String command) {
+    private void print(SurveyResult result, @Nullable Drift drift, int judged, String command) {
         PrintWriter stdout = spec.commandLine().getOut();
-        String verdict = verdict(result, judged);
+        String verdict = verdict(result, drift, judged);
         if (json) {
-            stdout.print(SurveyJson.line(result, verdict, Main.version(), command));
+            stdout.print(SurveyJson.line(result, drift, verdict, Main.version(), command));
         } else {
             stdout.println(Main.coloured(verdict.toUpperCase(Locale.ROOT), judged));
             stdout.print(SurveyText.of(result));
+            stdout.print(drift == null ? "" : SurveyText.of(drift));
         }
         stdout.flush();
         PrintWriter err = spec.commandLine().getErr();
-        result.warnings().forEach(w -> err.print(CheckText.wrap("Warning: " + CommandWords.of(w), "  ")));
+        List<Warning> said = new ArrayList<>(result.warnings());
+        said.addAll(drift == null ? List.of() : drift.warnings());
+        said.forEach(w -> err.print(CheckText.wrap("Warning: " + CommandWords.of(w), "  ")));
     }
 
-    private void write(SurveyResult result, String command) {
-        Path page = out.resolveSibling(CheckInput.baseName(out) + ".html");
+    private void write(SurveyResult result, @Nullable Drift drift, int judged, String command) {
+        String name = CheckInput.baseName(out);
+        Path page = out.resolveSibling(name + ".html");
+        Path figures = out.resolveSibling(name + ".survey.json");
         Map<Path, WholeFiles.Content> contents = new LinkedHashMap<>();
         contents.put(out, text(CellWriter.text(result.surveyedCell(), List.of(
                 "references where " + result.used() + " photos found them, with their joint covariance"))));
-        contents.put(page, text(SurveyReport.of(result, Main.version(), command)));
+        contents.put(page, text(SurveyReport.of(result, drift, Main.version(), command)));
+        contents.put(figures, text(SurveyJson.line(result, drift, verdict(result, drift, judged), Main.version(),
+                command)));
         try {
             Files.createDirectories(out.toAbsolutePath().getParent());
             WholeFiles.writeContents(contents);
@@ -197,7 +227,8 @@ public final class SurveyCommand implements Callable<Integer> {
             throw new InputRefusedException(Refusal.at(Place.of(out.toString()), CommandRefusal.SURVEY_NOT_WRITTEN,
                     String.valueOf(e.getMessage())), e);
         }
-        spec.commandLine().getErr().println("Surveyed cell file " + out + ", curves in " + page);
+        spec.commandLine().getErr().println("Surveyed cell file " + out + ", curves in " + page + ", figures for "
+                + "a later --against in " + figures);
     }
 
     private static WholeFiles.Content text(String text) {

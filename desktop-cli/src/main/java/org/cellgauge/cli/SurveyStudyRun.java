@@ -6,8 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.desktop.CheckText;
 import org.cellgauge.desktop.TextTable;
 import org.cellgauge.internal.statistics.BinomialBand;
+import org.cellgauge.internal.validation.DriftStudy;
 import org.cellgauge.internal.validation.SurveyStudy;
 import org.cellgauge.settings.CheckSettings;
 import picocli.CommandLine;
@@ -16,6 +18,7 @@ import picocli.CommandLine;
 final class SurveyStudyRun {
     private static final double PROBABILITY = 0.95;
     private static final double CONFIDENCE = 0.99;
+    private static final double MOST_FALSE_ALARMS = 0.01;
 
     private SurveyStudyRun() {
     }
@@ -41,6 +44,42 @@ final class SurveyStudyRun {
         boolean covers = result.figures().stream().allMatch(f ->
                 f.held() >= BinomialBand.of(f.regions(), PROBABILITY, CONFIDENCE).lower());
         return 2 * result.refused() > cells ? ExitCodes.NO_FIGURE : covers ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
+    }
+
+    /**
+     * Surveys each cell twice and prints what was called moved.
+     *
+     * @param command where it was asked for
+     * @param cell the cell
+     * @param check how it is surveyed
+     * @param photos number of photos of each survey
+     * @param pairs number of cells
+     * @param movedMm how far a reference is moved; 0 for none
+     * @param json whether counts are printed as JSON
+     * @return the exit code
+     */
+    static int drift(CommandLine command, Cell cell, CheckSettings check, int photos, int pairs, double movedMm,
+            boolean json) {
+        DriftStudy.Result result = DriftStudy.of(cell, check, photos, pairs, movedMm, check.sampling().seed(),
+                check.sampling().threads());
+        PrintWriter out = command.getOut();
+        if (json) {
+            out.println(new GsonBuilder().setPrettyPrinting().create().toJson(result));
+        } else {
+            out.printf(Locale.ROOT, "%d pairs of surveys of %d photos, %d without a figure%n", result.pairs(), photos,
+                    result.refused());
+            out.printf(Locale.ROOT, "something was called moved that was not: in %d%n", result.falseAlarms());
+            if (movedMm > 0) {
+                out.printf(Locale.ROOT, "the reference that was moved by %s mm was named: in %d%n",
+                        CheckText.plain(movedMm), result.named());
+            }
+            out.printf(Locale.ROOT, "chi-square of what stood: %.2f by all photos, %.2f by single ones (%d is right)%n",
+                    result.meanChiSquare(), result.meanPhotoChiSquare(), DriftStudy.freedom());
+        }
+        out.flush();
+        return 2 * result.refused() > pairs ? ExitCodes.NO_FIGURE
+                : result.falseAlarms() <= BinomialBand.of(pairs, MOST_FALSE_ALARMS, CONFIDENCE).upper() ? ExitCodes.OK
+                        : ExitCodes.TARGET_MISSED;
     }
 
     private static String text(SurveyStudy.Result result) {

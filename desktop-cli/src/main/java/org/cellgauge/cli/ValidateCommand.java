@@ -65,7 +65,8 @@ public final class ValidateCommand implements Callable<Integer> {
     /** Noise of corners where none is given: that of a sharp photo as cameras compress it, px. */
     /** Options besides settings on which figures depend. */
     private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only", "--cause", "--alone",
-            "--deviations", "--photos-per-cell");
+            "--deviations", "--photos-per-cell", "--drift");
+    private static final double MOST_DRIFT_MM = 1000;
 
     @Spec
     private CommandSpec spec;
@@ -113,6 +114,11 @@ public final class ValidateCommand implements Callable<Integer> {
                     + "gripping points, references, and objects of a later photo. By Laplace's approximation; by draws "
                     + "where --iterations says how many.")
     private Integer photosPerCell;
+
+    @Option(names = "--drift", paramLabel = "MM",
+            description = "With --photos-per-cell: surveys each cell twice, a reference moved by MM in between (0: nothing "
+                    + "moved), and counts what is called moved.")
+    private Double drift;
 
     @Option(names = "--json", description = "Prints all counts and ranks as JSON in place of the tables.")
     private boolean json;
@@ -198,6 +204,13 @@ public final class ValidateCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--photos-per-cell: must be at least 1");
         }
         Cell noisy = cell.withPixelStdPx(OptionalDouble.of(settings(cell).pixelStdPx()));
+        if (drift != null) {
+            if (!(drift >= 0 && drift <= MOST_DRIFT_MM)) {
+                throw new ParameterException(spec.commandLine(), "--drift: must be from 0 to 1000 mm");
+            }
+            return SurveyStudyRun.drift(spec.commandLine(), noisy, check, photosPerCell, study.simulations(), drift,
+                    json);
+        }
         return SurveyStudyRun.run(spec.commandLine(), noisy, check, photosPerCell, study.simulations(), json);
     }
 

@@ -4,9 +4,12 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
+import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.statistics.Convergence;
+import org.cellgauge.survey.Drift;
+import org.cellgauge.survey.Epoch;
 import org.cellgauge.survey.SurveyResult;
 import org.cellgauge.survey.SurveyRun;
 import org.cellgauge.survey.SurveyedDistance;
@@ -15,6 +18,7 @@ import org.cellgauge.survey.SurveyedObject;
 import org.cellgauge.survey.SurveyedPhoto;
 import org.cellgauge.survey.SurveyedReference;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /** A survey for programs. */
 public final class SurveyJson {
@@ -29,12 +33,13 @@ public final class SurveyJson {
      * All figures in one line of JSON.
      *
      * @param result a survey
+     * @param drift what has moved since an earlier one; null where it is held against none
      * @param verdict its key
      * @param version of this program
      * @param command that makes it again
      * @return JSON, ended by a line feed
      */
-    public static String line(SurveyResult result, String verdict, String version, String command) {
+    public static String line(SurveyResult result, @Nullable Drift drift, String verdict, String version, String command) {
         JsonObject out = new JsonObject();
         out.addProperty("schema", 1);
         out.addProperty("verdict", verdict);
@@ -86,8 +91,14 @@ public final class SurveyJson {
             one.addProperty("acceptance", run.acceptance());
             out.add("diagnostics", one);
         }
+        out.add(EpochJson.KEY, EpochJson.of(result.epoch()));
+        List<Warning> said = new ArrayList<>(result.warnings());
+        if (drift != null) {
+            out.add("drift", drift(drift));
+            said.addAll(drift.warnings());
+        }
         JsonArray warnings = new JsonArray();
-        for (Warning w : result.warnings()) {
+        for (Warning w : said) {
             JsonObject one = new JsonObject();
             one.addProperty("code", w.kind().code());
             one.addProperty("text", w.toString());
@@ -97,6 +108,41 @@ public final class SurveyJson {
         out.addProperty("command", command);
         out.addProperty("version", version);
         return GSON.toJson(out) + "\n";
+    }
+
+    private static JsonObject drift(Drift drift) {
+        JsonObject out = new JsonObject();
+        out.addProperty("moved", drift.any());
+        out.add("bodies", displacements(drift.bodies()));
+        JsonArray photos = new JsonArray();
+        for (Drift.OfPhoto p : drift.photos()) {
+            JsonObject one = new JsonObject();
+            one.addProperty("name", p.photo());
+            one.add("bodies", displacements(p.bodies()));
+            photos.add(one);
+        }
+        out.add("photos", photos);
+        out.addProperty("limit", drift.limit());
+        return out;
+    }
+
+    private static JsonArray displacements(List<Drift.Displacement> bodies) {
+        JsonArray out = new JsonArray();
+        for (Drift.Displacement d : bodies) {
+            JsonObject one = new JsonObject();
+            one.addProperty("kind", d.body().kind().word());
+            if (d.body().kind() != Epoch.Kind.CAMERA) {
+                one.addProperty("id", d.body().id());
+            }
+            one.addProperty("moved", d.moved());
+            one.addProperty("chance", finite(d.chance()));
+            one.addProperty("chi_square", d.chiSquare());
+            one.add("shift_mm", GSON.toJsonTree(d.shiftMm()));
+            one.add("std_mm", GSON.toJsonTree(d.stdMm()));
+            one.addProperty("turn_deg", d.turnDeg());
+            out.add(one);
+        }
+        return out;
     }
 
     private static JsonObject objects(SurveyResult result) {

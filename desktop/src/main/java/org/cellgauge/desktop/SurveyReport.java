@@ -1,9 +1,12 @@
 package org.cellgauge.desktop;
 
+import java.util.ArrayList;
 import java.util.List;
+import org.cellgauge.survey.Drift;
 import org.cellgauge.survey.SurveyResult;
 import org.cellgauge.survey.SurveyedObject;
 import org.cellgauge.warning.Warning;
+import org.jspecify.annotations.Nullable;
 
 /** The page of a survey: its tables, and how deviations fell with the number of photos. */
 public final class SurveyReport {
@@ -19,11 +22,12 @@ public final class SurveyReport {
      * The page.
      *
      * @param result a survey
+     * @param drift what has moved since an earlier one; null where it is held against none
      * @param version of this program
      * @param command that makes it again
      * @return HTML that holds all it shows
      */
-    public static String of(SurveyResult result, String version, String command) {
+    public static String of(SurveyResult result, @Nullable Drift drift, String version, String command) {
         StringBuilder out = new StringBuilder();
         out.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                 + "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
@@ -31,10 +35,16 @@ public final class SurveyReport {
                 + "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
                 + "<title>Survey of a cell</title>\n<style>").append(HtmlReport.STYLE)
                 .append("</style>\n</head>\n<body>\n<h1>Survey of a cell</h1>\n");
-        for (Warning w : result.warnings()) {
+        List<Warning> said = new ArrayList<>(result.warnings());
+        said.addAll(drift == null ? List.of() : drift.warnings());
+        for (Warning w : said) {
             out.append("<p class=\"caution\">").append(Html.escape(w.toString())).append("</p>\n");
         }
         out.append("<pre>").append(Html.escape(SurveyText.of(result))).append("</pre>\n");
+        if (drift != null) {
+            out.append("<pre>").append(Html.escape(SurveyText.of(drift))).append("</pre>\n");
+            DriftChart.add(drift, out);
+        }
         out.append("<h2>What more photos bring</h2>\n<p>Largest deviation of an object's position along an axis after "
                 + "the first photos, in the order of the photos, and last with one more that tells as much as those "
                 + "there are. Where it is level, more photos do not help: place references more precisely, or measure "

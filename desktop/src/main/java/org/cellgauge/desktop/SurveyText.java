@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.cellgauge.statistics.Convergence;
+import org.cellgauge.survey.Drift;
 import org.cellgauge.survey.SurveyResult;
 import org.cellgauge.survey.SurveyRun;
 import org.cellgauge.survey.SurveyedDistance;
@@ -46,6 +47,24 @@ public final class SurveyText {
         }
         out.append("\nPhotos: where cameras stood, mm\n").append(photos(result).text("  "));
         return out.toString();
+    }
+
+    /**
+     * What has moved.
+     *
+     * @param drift since an earlier survey
+     * @return a table, its lines ended by line feeds
+     */
+    public static String of(Drift drift) {
+        TextTable table = new TextTable(1).row("since then", "x", "y", "z", "std x", "std y", "std z", "turn deg",
+                "chance %");
+        for (Drift.Displacement d : drift.bodies()) {
+            table.row(d.body().words() + (d.moved() ? " !" : ""), CheckText.fixed(d.shiftMm().get(0), 2),
+                    CheckText.fixed(d.shiftMm().get(1), 2), CheckText.fixed(d.shiftMm().get(2), 2),
+                    CheckText.fixed(d.stdMm().get(0), 2), CheckText.fixed(d.stdMm().get(1), 2),
+                    CheckText.fixed(d.stdMm().get(2), 2), CheckText.fixed(d.turnDeg(), 2), percent(d.chance()));
+        }
+        return "\nWhat has moved since the earlier survey, mm\n" + table.text("  ");
     }
 
     /**

@@ -22,6 +22,8 @@ import org.cellgauge.internal.statistics.ChiSquare;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.settings.SamplingSettings;
+import org.cellgauge.survey.Drift;
+import org.cellgauge.survey.Epoch;
 import org.cellgauge.survey.SurveyResult;
 import org.cellgauge.survey.SurveyRun;
 import org.cellgauge.survey.SurveyWarning;
@@ -35,8 +37,8 @@ import org.jspecify.annotations.Nullable;
 /** What the mode of a survey says: what does not fit, where variance comes from, what more photos would bring. */
 final class SurveyAnalysis {
     private static final int POSE = SurveyLayout.POSE;
-    /** Chance that anything of one kind is named although nothing is wrong. */
-    private static final double LEVEL = 0.01;
+    /** Chance that anything of one kind (references, photos, measurements) is named although nothing is wrong. */
+    private static final double LEVEL = 0.0025;
     /** Factor of the deviations of a reference that does not stand as stated. */
     private static final double UNTRUSTED = 100;
     /** A deviation from which on nothing tells of an object, mm. */
@@ -54,6 +56,8 @@ final class SurveyAnalysis {
     private final boolean[] misplaced;
     private final double[] referenceChance;
     private final double[] photoChance;
+    /** Factor of chi-square by which corners are noisier than stated; 1 where somebody states their noise. */
+    private double noise = 1;
 
     private SurveyAnalysis(SurveyProgress progress, SurveyFit fit, boolean[] misplaced, double[] referenceChance) {
         this.progress = progress;
@@ -186,7 +190,6 @@ final class SurveyAnalysis {
             ratios[v] = degrees[v] > 0 ? chiSquare[v] / degrees[v] : 1;
         }
         // where nobody states the corners' noise, all photos may be somewhat noisier than squareness tells
-        double noise = 1;
         if (layout.cell.pixelStdPx().isEmpty()) {
             double[] sorted = ratios.clone();
             Arrays.sort(sorted);
@@ -458,8 +461,13 @@ final class SurveyAnalysis {
         List<SurveyedReference> references = references(at, covariance);
         List<SurveyedObject> objects = objects(at, covariance);
         List<SurveyedMeasurement> measurements = measurements();
-        return new SurveyResult(progress.cell, photos(), references, objects, measurements, placement(covariance), run,
-                warnings(references, objects, measurements, farthest));
+        return new SurveyResult(progress.cell, photos(), references, objects, measurements, placement(covariance),
+                DriftTest.epoch(fit), run, warnings(references, objects, measurements, farthest));
+    }
+
+    /** What has moved since an earlier survey. */
+    Drift against(Epoch earlier, boolean cameraStands) {
+        return DriftTest.of(fit, earlier, noise, cameraStands);
     }
 
     private SurveyDraws draws() {

@@ -12,6 +12,8 @@ import org.cellgauge.internal.geometry.Rotations;
  * the number of unknowns as it does for random walks, nor does the difference add up to nothing accepted as it does
  * where every unknown is drawn anew.
  *
+ * <p>Steps lead along rigid motions of the whole cell ({@link CommonMotion}).
+ *
  * <p>Every tenth proposal steps farther or less far than the others, so that a chain in the posterior's tails, which
  * the approximation has lighter than it should, does not stay there. Not thread-safe.
  */
@@ -22,6 +24,7 @@ final class SurveyChain {
 
     private final SurveyFit fit;
     private final SurveyModel model;
+    private final CommonMotion common;
     private final RandomGenerator random;
     private final SurveyState state;
     private final double[] step;
@@ -30,6 +33,8 @@ final class SurveyChain {
     private final double[] work;
     private final double[] proposedWhite;
     private final double[] whiteNow;
+    /** Where everything is off the mode, positions after the bend. */
+    private final double[] shown;
     private double logRatio;
     private double rho = PERSISTENCES[0];
     private long evaluations;
@@ -40,6 +45,7 @@ final class SurveyChain {
         this.fit = fit;
         this.model = ownModel;
         this.random = random;
+        common = new CommonMotion(fit, ownModel);
         state = new SurveyState(model.layout, model.views);
         int n = fit.unknowns();
         step = new double[n];
@@ -47,12 +53,30 @@ final class SurveyChain {
         white = new double[n];
         proposedWhite = new double[n];
         whiteNow = new double[n];
+        shown = new double[n];
         work = new double[Math.max(1, fit.mostLocals())];
         do {
             SurveyFit.normal(random, whiteNow);
             fit.colour(whiteNow, step, work);
             logRatio = logRatio(step, whiteNow);
         } while (logRatio == Double.NEGATIVE_INFINITY);
+        show();
+    }
+
+    /** Takes over where the state just looked at is. */
+    private void show() {
+        System.arraycopy(step, 0, shown, 0, step.length);
+        for (int r = 0; r < model.layout.references.size(); r++) {
+            for (int i = SurveyLayout.POSE * r; i < SurveyLayout.POSE * r + 3; i++) {
+                shown[i] = state.values[i] - fit.mode.values[i];
+            }
+        }
+        for (int o = 0; o < model.layout.objects.size(); o++) {
+            for (int i = 0; i < 3; i++) {
+                int at = SurveyState.TRANSFORM * o + 9 + i;
+                shown[model.layout.firstObject + SurveyLayout.POSE * o + i] = state.objects[at] - fit.mode.objects[at];
+            }
+        }
     }
 
     /** Logarithm of posterior over approximation, up to a constant, at a step off the mode. */
@@ -73,6 +97,7 @@ final class SurveyChain {
                 haar += haar(at, moving);
             }
         }
+        common.bend(at, state);
         if (!(state.lens[PinholeCamera.FX] > 0 && state.lens[PinholeCamera.FY] > 0)) {
             return Double.NEGATIVE_INFINITY;
         }
@@ -101,6 +126,7 @@ final class SurveyChain {
             System.arraycopy(proposed, 0, step, 0, step.length);
             System.arraycopy(proposedWhite, 0, whiteNow, 0, whiteNow.length);
             logRatio = ratio;
+            show();
             return true;
         }
         return false;
@@ -152,9 +178,9 @@ final class SurveyChain {
         return accepted;
     }
 
-    /** The step off the mode where the chain is; shared, not to be changed. */
-    double[] step() {
-        return step;
+    /** How far everything that photos share is off the mode where the chain is; shared, not to be changed. */
+    double[] offMode() {
+        return shown;
     }
 
     /** The state where the chain is, in a work space of its own. */
@@ -165,6 +191,7 @@ final class SurveyChain {
             into.moveOwn(fit.mode, v, step, first);
             first += model.views.get(v).locals();
         }
+        common.bend(step, into);
         return into;
     }
 }

@@ -80,7 +80,7 @@ final class SurveyDraws {
             for (int i = from; i < target; i++) {
                 running[c].advance();
                 for (int q = 0; q < quantities.length; q++) {
-                    values[c][q][i] = running[c].step()[quantities[q]];
+                    values[c][q][i] = running[c].offMode()[quantities[q]];
                 }
             }
         });

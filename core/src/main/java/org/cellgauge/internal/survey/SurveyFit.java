@@ -105,18 +105,40 @@ final class SurveyFit {
 
     /** Pose of a camera. */
     RigidTransform worldFromCamera(int view) {
-        RigidTransform cameraFromCentre = SurveyState.get(mode.cameras[view], 0);
+        return worldFromCamera(mode, view);
+    }
+
+    /** Pose of a camera at another state. */
+    RigidTransform worldFromCamera(SurveyState at, int view) {
+        RigidTransform cameraFromCentre = SurveyState.get(at.cameras[view], 0);
         return RigidTransform.of(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, model.centreMm)
                 .compose(cameraFromCentre.inverse());
     }
 
     /** Tangent covariance of a camera's pose: position and rotation vector in the world. */
     double[][] cameraCovariance(int view) {
+        double[] rows = new double[POSE * model.shared()];
+        double[] own = new double[POSE * POSE];
+        cameraRows(view, rows, own);
+        double[] pose = sandwich(rows, POSE);
+        for (int i = 0; i < pose.length; i++) {
+            pose[i] += own[i];
+        }
+        return square(pose, POSE);
+    }
+
+    /**
+     * A camera's pose in the world, position and rotation vector, by what all photos share.
+     *
+     * @param rows receives its derivatives, 6 x {@link SurveyModel#shared()}
+     * @param ofItself receives the covariance that it has were all of that known, 6 x 6
+     */
+    void cameraRows(int view, double[] rows, double[] ofItself) {
         ViewEquations equations = own[view];
         int n = model.shared();
         int locals = equations.locals;
         // x = L^-T (noise - Y g): its first six are the pose in the camera frame
-        double[] rows = new double[POSE * n];
+        double[] local = new double[POSE * n];
         double[] back = new double[POSE * locals];
         double[] unit = new double[locals];
         for (int i = 0; i < POSE; i++) {
@@ -126,25 +148,36 @@ final class SurveyFit {
             System.arraycopy(unit, 0, back, i * locals, locals);
             for (int k = 0; k < locals; k++) {
                 for (int a = 0; a < n; a++) {
-                    rows[i * n + a] -= unit[k] * equations.cross[k * n + a];
-                }
-            }
-        }
-        double[] pose = sandwich(rows, POSE);
-        for (int i = 0; i < POSE; i++) {
-            for (int j = 0; j < POSE; j++) {
-                for (int k = 0; k < locals; k++) {
-                    pose[i * POSE + j] += back[i * locals + k] * back[j * locals + k];
+                    local[i * n + a] -= unit[k] * equations.cross[k * n + a];
                 }
             }
         }
         double[] jacobian = cameraJacobian(mode.cameras[view]);
-        double[] out = sandwich(jacobian, POSE, pose, POSE);
-        return square(out, POSE);
+        double[] noise = new double[POSE * locals];
+        for (int i = 0; i < POSE; i++) {
+            for (int k = 0; k < POSE; k++) {
+                double j = jacobian[i * POSE + k];
+                for (int a = 0; a < n; a++) {
+                    rows[i * n + a] += j * local[k * n + a];
+                }
+                for (int a = 0; a < locals; a++) {
+                    noise[i * locals + a] += j * back[k * locals + a];
+                }
+            }
+        }
+        for (int i = 0; i < POSE; i++) {
+            for (int j = 0; j < POSE; j++) {
+                double sum = 0;
+                for (int k = 0; k < locals; k++) {
+                    sum += noise[i * locals + k] * noise[j * locals + k];
+                }
+                ofItself[i * POSE + j] = sum;
+            }
+        }
     }
 
     /** World pose by the pose in the camera frame: {@code c = g - R^T p}, {@code R_wc = R^T}. */
-    private static double[] cameraJacobian(double[] camera) {
+    static double[] cameraJacobian(double[] camera) {
         double[] j = new double[POSE * POSE];
         double[] p = {camera[9], camera[10], camera[11]};
         for (int i = 0; i < 3; i++) {

@@ -11,6 +11,8 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.survey.Drift;
+import org.cellgauge.survey.Epoch;
 import org.cellgauge.survey.SurveyRefusal;
 import org.cellgauge.survey.SurveyResult;
 import org.cellgauge.survey.SurveyWarning;
@@ -298,6 +300,28 @@ public final class SurveyProgress {
      * @throws InputRefusedException if no photo can be used
      */
     public SurveyResult result(boolean sampled) {
+        requirePhoto();
+        return SurveyAnalysis.of(this).result(sampled);
+    }
+
+    /**
+     * What has moved since an earlier survey.
+     *
+     * @param earlier what that found
+     * @param cameraStands whether the camera of all photos should not have moved
+     * @return everything that both know
+     * @throws InputRefusedException if no photo can be used, or the two have nothing in common
+     */
+    public Drift against(Epoch earlier, boolean cameraStands) {
+        requirePhoto();
+        Drift drift = SurveyAnalysis.of(this).against(earlier, cameraStands);
+        if (drift.bodies().isEmpty()) {
+            throw new InputRefusedException("survey", SurveyRefusal.NOTHING_IN_COMMON);
+        }
+        return drift;
+    }
+
+    private void requirePhoto() {
         if (fit == null) {
             List<Warning> reasons = new ArrayList<>();
             entries.forEach(e -> {
@@ -308,6 +332,5 @@ public final class SurveyProgress {
             throw new InputRefusedException("survey", SurveyRefusal.NO_PHOTO, entries.size(),
                     Listing.semicolon(reasons));
         }
-        return SurveyAnalysis.of(this).result(sampled);
     }
 }

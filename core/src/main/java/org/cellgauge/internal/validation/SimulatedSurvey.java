@@ -31,6 +31,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class SimulatedSurvey {
     private static final long STREAM = 21;
+    private static final long STREAM_AGAIN = 23;
     private static final double GOLDEN_RAD = Math.PI * (3 - Math.sqrt(5));
     private static final double LEAST_TILT_RAD = Math.toRadians(10);
     private static final double TILT_RANGE_RAD = Math.toRadians(35);
@@ -253,6 +254,46 @@ public final class SimulatedSurvey {
             }
         }
         throw new IllegalStateException("no camera sees the cell");
+    }
+
+    /**
+     * More photos of the same cell at another time.
+     *
+     * @param count number of photos, at least 1
+     * @param seed seed of cameras and noise
+     * @param cameraStands whether the camera is where it took the last photo; else it goes round again
+     * @param shiftsMm by how much markers have moved since, along world axes, by id; those that are missing stand
+     * @param cameraShiftMm by how much a camera that stands has moved
+     * @return the cell and these photos
+     */
+    public SimulatedSurvey again(int count, long seed, boolean cameraStands, Map<Integer, double[]> shiftsMm,
+            double[] cameraShiftMm) {
+        RandomGenerator random = RandomStreams.of(seed, STREAM_AGAIN);
+        Map<Integer, RigidTransform> nowReferences = moved(references, shiftsMm);
+        Map<Integer, RigidTransform> nowObjects = moved(objects, shiftsMm);
+        List<RigidTransform> nowCameras = new ArrayList<>();
+        List<Detections> nowPhotos = new ArrayList<>();
+        for (int k = 0; k < count; k++) {
+            for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+                RigidTransform pose = cameraStands
+                        ? cameras.get(cameras.size() - 1).displaced(cameraShiftMm, new double[3])
+                        : pose(cell, k, count, random);
+                Detections seen = photo(cell, "later-" + (k + 1), nowReferences, nowObjects, camera, pose, random);
+                if (seen != null) {
+                    nowCameras.add(pose);
+                    nowPhotos.add(seen);
+                    break;
+                }
+            }
+        }
+        return new SimulatedSurvey(cell, nowReferences, nowObjects, camera, nowCameras, nowPhotos);
+    }
+
+    private static Map<Integer, RigidTransform> moved(Map<Integer, RigidTransform> poses,
+            Map<Integer, double[]> shiftsMm) {
+        Map<Integer, RigidTransform> out = new LinkedHashMap<>(poses);
+        shiftsMm.forEach((id, shift) -> out.computeIfPresent(id, (i, pose) -> pose.displaced(shift, new double[3])));
+        return Collections.unmodifiableMap(out);
     }
 
     /**

@@ -20,6 +20,7 @@ import org.cellgauge.internal.statistics.CoverageRegion;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.survey.Survey;
 import org.cellgauge.survey.SurveyResult;
+import org.cellgauge.survey.SurveyWarning;
 import org.cellgauge.survey.SurveyedObject;
 import org.cellgauge.survey.SurveyedReference;
 import org.jspecify.annotations.Nullable;
@@ -124,7 +125,7 @@ public final class SurveyStudy {
                 tally.pose(Part.REFERENCES, pose(truth.references().get(r.stated().id())), r.pose());
             }
             tally.falseAlarms += result.references().stream().anyMatch(SurveyedReference::misplaced)
-                    || result.photos().stream().anyMatch(p -> p.chance() < 0.01 / photos) ? 1 : 0;
+                    || result.warnings().stream().anyMatch(w -> w.kind() == SurveyWarning.PHOTO_DOES_NOT_FIT) ? 1 : 0;
             RandomGenerator random = RandomStreams.of(seed, STREAM_LATER, index);
             CellEstimate later = CellCheck.quickLook(result.surveyedCell(), truth.later(random), settings, null)
                     .update().estimate();
