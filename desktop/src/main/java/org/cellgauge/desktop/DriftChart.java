@@ -18,6 +18,8 @@ final class DriftChart {
     private static final int BOTTOM = 30;
     private static final double RADIUS = 3;
     private static final int MOST_LABELS = 12;
+    /** Points beyond so many times the limit stand at the top, with their figure. */
+    private static final double FARTHEST = 3;
 
     private DriftChart() {
     }
@@ -48,7 +50,7 @@ final class DriftChart {
                     .mapToDouble(d -> Math.sqrt(d.chiSquare())).findFirst().orElse(Double.NaN);
             most = Double.isNaN(distance[k]) ? most : Math.max(most, distance[k]);
         }
-        most *= 1.1;
+        most = Math.min(1.1 * most, FARTHEST * limit);
         String name = Html.escape(body.words());
         out.append("<h3>").append(name).append("</h3>\n<svg class=\"plot\" viewBox=\"0 0 ").append(WIDTH).append(' ')
                 .append(HEIGHT).append("\" role=\"img\" aria-label=\"").append(name).append(" by photo\">\n");
@@ -58,8 +60,15 @@ final class DriftChart {
             double x = LEFT + (WIDTH - LEFT - RIGHT) * (k + 0.5) / count;
             if (!Double.isNaN(distance[k])) {
                 boolean above = distance[k] > limit;
+                double shown = Math.min(distance[k], most);
+                if (distance[k] > most) {
+                    out.append("<text x=\"").append(CheckText.fixed(x + 3 * RADIUS, 1)).append("\" y=\"")
+                            .append(CheckText.fixed(y(shown, most) + 4, 1))
+                            .append("\" fill=\"currentColor\" font-size=\"11\">")
+                            .append(CheckText.fixed(distance[k], 0)).append("</text>\n");
+                }
                 out.append("<circle cx=\"").append(CheckText.fixed(x, 1)).append("\" cy=\"")
-                        .append(CheckText.fixed(y(distance[k], most), 1)).append("\" r=\"")
+                        .append(CheckText.fixed(y(shown, most), 1)).append("\" r=\"")
                         .append(CheckText.plain(above ? 2 * RADIUS : RADIUS)).append("\" fill=\"")
                         .append(above ? "none" : "currentColor").append("\" stroke=\"currentColor\" stroke-width=\"2\">"
                                 + "<title>")

@@ -21,6 +21,8 @@ final class ViewEquations {
     private final boolean[] seen;
     private final int[] active;
     private int activeCount;
+    private final double[] dense;
+    private final double[] row;
 
     ViewEquations(int locals, int shared) {
         this.locals = locals;
@@ -30,6 +32,8 @@ final class ViewEquations {
         cross = new double[locals * shared];
         seen = new boolean[shared];
         active = new int[shared];
+        dense = new double[locals * shared];
+        row = new double[shared];
     }
 
     void clear() {
@@ -101,15 +105,25 @@ final class ViewEquations {
                 gradient[a] -= cross[i * n + a] * ownGradient[i];
             }
         }
+        // gathered, so that the innermost loop runs over neighbours: most of a survey's time is spent here
+        Arrays.sort(active, 0, activeCount);
         for (int i = 0; i < locals; i++) {
             for (int s = 0; s < activeCount; s++) {
-                int a = active[s];
-                double y = cross[i * n + a];
-                for (int t = 0; t < activeCount; t++) {
-                    if (active[t] <= a) {
-                        information[a * n + active[t]] -= y * cross[i * n + active[t]];
-                    }
+                dense[i * shared + s] = cross[i * n + active[s]];
+            }
+        }
+        for (int s = 0; s < activeCount; s++) {
+            Arrays.fill(row, 0, s + 1, 0);
+            for (int i = 0; i < locals; i++) {
+                double y = dense[i * shared + s];
+                int from = i * shared;
+                for (int t = 0; t <= s; t++) {
+                    row[t] += y * dense[from + t];
                 }
+            }
+            int to = active[s] * n;
+            for (int t = 0; t <= s; t++) {
+                information[to + active[t]] -= row[t];
             }
         }
         return true;

@@ -90,9 +90,9 @@ class CommonMotionTest {
                     .compose(SurveyState.get(fit.mode.objects, 0));
             RigidTransform after = fit.worldFromCamera(state, v).inverse().compose(SurveyState.get(state.objects, 0));
             for (int i = 0; i < 3; i++) {
-                assertEquals(before.translationMm()[i], after.translationMm()[i], 1e-6, "view " + v);
+                assertEquals(before.translationMm()[i], after.translationMm()[i], 1e-4, "view " + v);
             }
-            assertEquals(0, before.angleRadTo(after), 1e-8);
+            assertEquals(0, before.angleRadTo(after), 1e-6);
         }
     }
 }
