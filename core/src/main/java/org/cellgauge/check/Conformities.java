@@ -14,7 +14,7 @@ import org.cellgauge.statistics.ChainDiagnostics;
 import org.jspecify.annotations.Nullable;
 
 /** Counts the draws of an object that keep its tolerances. */
-final class Conformities {
+public final class Conformities {
     private static final List<Of> ALONG = List.of(Of.X, Of.Y, Of.Z);
     private static final List<Axis> TURNS = List.of(Axis.WX, Axis.WY, Axis.WZ);
 
@@ -29,7 +29,7 @@ final class Conformities {
      * @param layout of their quantities
      * @param asked what is tolerated
      */
-    Conformities(List<Draws> chains, QuantityLayout layout, Requirement asked) {
+    public Conformities(List<Draws> chains, QuantityLayout layout, Requirement asked) {
         this.chains = chains;
         this.layout = layout;
         this.asked = asked;
@@ -45,8 +45,9 @@ final class Conformities {
      *
      * @param id marker id
      * @param errorMm by how much it is off if references are misplaced, or null
+     * @return one for each tolerance; empty where none is asked for
      */
-    List<Conformity> ofPosition(int id, double @Nullable [] errorMm) {
+    public List<Conformity> ofPosition(int id, double @Nullable [] errorMm) {
         if (!asked.asksForProbability()) {
             return List.of();
         }
@@ -66,8 +67,9 @@ final class Conformities {
      *
      * @param id marker id
      * @param errorMm by how much it is off if references are misplaced, or null
+     * @return one for each tolerance; empty where none is asked for
      */
-    List<Conformity> ofGrip(int id, double @Nullable [] errorMm) {
+    public List<Conformity> ofGrip(int id, double @Nullable [] errorMm) {
         return asked.asksForProbability()
                 ? ofPoint(series(JudgedObject.AXES, axis -> Quantity.grip(id, axis)), errorMm) : List.of();
     }

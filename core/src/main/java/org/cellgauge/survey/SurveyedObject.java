@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.jspecify.annotations.Nullable;
@@ -20,14 +21,18 @@ import org.jspecify.annotations.Nullable;
  * @param worstStdMmByPhotos largest deviation of its position along an axis after the first photo, the first two and so
  *     on, mm; NaN while nothing tells of it
  * @param nextWorstStdMm the same if one more photo told as much as those there are tell on average, mm
+ * @param conformities how probable it is that position, orientation and gripping point lie within what its target
+ *     tolerates; empty where no probability is asked for, and without draws
  * @param ambiguous whether two poses explain all photos
  */
 public record SurveyedObject(ObjectMarker marker, PoseEstimate pose, @Nullable PointEstimate grip, int photos,
-        Map<String, Double> shares, List<Double> worstStdMmByPhotos, double nextWorstStdMm, boolean ambiguous) {
+        Map<String, Double> shares, List<Double> worstStdMmByPhotos, double nextWorstStdMm,
+        List<Conformity> conformities, boolean ambiguous) {
     /** Copies map and list. */
     public SurveyedObject {
         shares = Collections.unmodifiableMap(new LinkedHashMap<>(shares));
         worstStdMmByPhotos = List.copyOf(worstStdMmByPhotos);
+        conformities = List.copyOf(conformities);
     }
 
     /**

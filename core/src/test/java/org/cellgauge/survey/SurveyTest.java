@@ -9,7 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import io.reactivex.rxjava3.core.Flowable;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
+import org.apache.commons.math3.distribution.NormalDistribution;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.JointPlacement;
@@ -20,8 +22,12 @@ import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.PlacementGroup;
 import org.cellgauge.cell.PrintPrecision;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.cell.Requirement;
 import org.cellgauge.cell.SurveyedPlacement;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.CellCheck;
+import org.cellgauge.check.Conformity;
+import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
@@ -100,6 +106,37 @@ class SurveyTest {
         assertTrue(run.essPerThousand() >= 30, "effective draws " + run.essPerThousand());
         assertTrue(run.draws() <= 2000, "draws " + run.draws());
         assertEquals(1, run.worstRatio(), 0.12, "deviations of draws over those of the approximation");
+    }
+
+    /** By the normal distribution, of the deviation that is stated. */
+    @Test
+    void tolerancesAreCountedInTheDraws() {
+        Cell cell = cell(4, 1, 2).withTarget(new Target(new Requirement(Requirement.Axes.NONE, Requirement.Axes.all(2),
+                Double.POSITIVE_INFINITY, 0.8, 0.9), Map.of()));
+        Survey survey = Survey.of(cell, simulated(cell, 4).photos(), SETTINGS);
+        assertEquals(List.of(), survey.estimate().objects().get(0).conformities());
+        SurveyedObject found = survey.sampled().objects().get(0);
+        PointEstimate grip = found.grip();
+        assertNotNull(grip);
+        assertEquals(7, found.conformities().size(), "x, y, z, turn, and the gripping point's");
+        NormalDistribution normal = new NormalDistribution(null, 0, 1);
+        for (int i = 0; i < 7; i++) {
+            if (i == 3) {
+                continue;
+            }
+            Conformity c = found.conformities().get(i);
+            double std = i < 3 ? found.pose().std()[i] : grip.stdMm()[i - 4];
+            assertEquals(0.9, c.asked());
+            assertEquals(2 * normal.cumulativeProbability(2 / std) - 1, c.probability(), 4 * c.mcse() + 0.005,
+                    c.of() + " of " + std);
+        }
+        Conformity turn = found.conformities().get(3);
+        assertEquals(Conformity.Of.TURN, turn.of());
+        // a turn is within the limit if it is about every axis: at most as often as about the worst one
+        double worst = Math.toDegrees(Math.sqrt(Math.max(found.pose().tangentCovariance()[3][3],
+                Math.max(found.pose().tangentCovariance()[4][4], found.pose().tangentCovariance()[5][5]))));
+        assertTrue(turn.probability() < 2 * normal.cumulativeProbability(0.8 / worst) - 1 + 4 * turn.mcse());
+        assertTrue(turn.probability() > 0.1);
     }
 
     /** Draws and Laplace's approximation are two ways to one posterior. */

@@ -14,6 +14,7 @@ import java.util.concurrent.Callable;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Requirement;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.desktop.CellFile;
 import org.cellgauge.desktop.CheckInput;
 import org.cellgauge.desktop.CheckText;
@@ -166,15 +167,22 @@ public final class SurveyCommand implements Callable<Integer> {
 
     private static int code(SurveyResult result, @Nullable Drift drift) {
         if (result.run() == null || result.run().convergence() != Convergence.CONVERGED
-                || result.objects().stream().anyMatch(SurveyedObject::ambiguous)) {
+                || result.objects().stream().anyMatch(SurveyedObject::ambiguous) || isUndecided(result)) {
             return ExitCodes.NO_FIGURE;
         }
         return (drift == null || !drift.any()) && result.objects().stream().allMatch(o -> meets(o, result.cell().target().of(o.marker().id()).stdMm()))
                 ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
     }
 
+    /** Whether more draws could turn a verdict that nothing else decides. */
+    private static boolean isUndecided(SurveyResult result) {
+        return result.objects().stream().flatMap(o -> o.conformities().stream()).anyMatch(c -> !c.isDecided())
+                && result.objects().stream().flatMap(o -> o.conformities().stream())
+                        .noneMatch(c -> c.isDecided() && !c.isKept());
+    }
+
     private static boolean meets(SurveyedObject o, Requirement.Axes limits) {
-        boolean meets = true;
+        boolean meets = o.conformities().stream().allMatch(Conformity::isKept);
         for (int axis = 0; axis < 3; axis++) {
             meets &= o.pose().std()[axis] <= limits.of(axis);
             meets &= o.grip() == null || o.grip().stdMm()[axis] <= limits.of(axis);
@@ -183,12 +191,14 @@ public final class SurveyCommand implements Callable<Integer> {
     }
 
     private static boolean hasTarget(SurveyResult result) {
-        return result.objects().stream().anyMatch(o -> result.cell().target().of(o.marker().id()).stdMm().isAny());
+        return result.objects().stream().anyMatch(o -> result.cell().target().of(o.marker().id()).isAny());
     }
 
     private static String verdict(SurveyResult result, @Nullable Drift drift, int code) {
         if (code == ExitCodes.NO_FIGURE) {
-            return result.objects().stream().anyMatch(SurveyedObject::ambiguous) ? "ambiguous" : "not-converged";
+            return result.objects().stream().anyMatch(SurveyedObject::ambiguous) ? "ambiguous"
+                    : result.run() != null && result.run().convergence() == Convergence.CONVERGED ? "undecided"
+                            : "not-converged";
         }
         return drift != null && drift.any() ? "moved" : code == ExitCodes.TARGET_MISSED ? "fail" : hasTarget(result) ? "pass" : "no-target";
     }

@@ -6,6 +6,7 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.ArrayList;
 import java.util.List;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.statistics.Convergence;
 import org.cellgauge.survey.Drift;
@@ -153,6 +154,19 @@ public final class SurveyJson {
             one.addProperty("photos", o.photos());
             one.add("budget", GSON.toJsonTree(o.shares()));
             one.addProperty("ambiguous", o.ambiguous());
+            JsonArray conformities = new JsonArray();
+            for (Conformity c : o.conformities()) {
+                JsonObject kept = new JsonObject();
+                kept.addProperty("of", c.of().key());
+                kept.addProperty("tolerance_" + c.of().unit(), c.tolerance());
+                kept.addProperty("probability", c.probability());
+                kept.addProperty("mcse", c.mcse());
+                kept.addProperty("asked", c.asked());
+                conformities.add(kept);
+            }
+            if (conformities.size() > 0) {
+                one.add("conformity", conformities);
+            }
             JsonArray curve = new JsonArray();
             o.worstStdMmByPhotos().forEach(std -> curve.add(finite(std)));
             one.add("worst_std_mm_by_photos", curve);

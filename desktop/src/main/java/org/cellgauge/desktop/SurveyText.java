@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.statistics.Convergence;
 import org.cellgauge.survey.Drift;
 import org.cellgauge.survey.SurveyResult;
@@ -37,6 +38,13 @@ public final class SurveyText {
         out.append("\nObjects, in the world, mm and degrees\n").append(objects(result).text("  "));
         for (SurveyedObject o : result.objects()) {
             out.append("  ").append(o.marker().id()).append(": ").append(limits(o)).append('\n');
+            for (Conformity c : o.conformities()) {
+                out.append("  ").append(o.marker().id()).append(": ").append(c.of().key()).append(" within ")
+                        .append(CheckText.plain(c.tolerance())).append(' ').append(c.of().unit())
+                        .append(" with probability ").append(CheckText.fixed(c.probability(), 3)).append(" +- ")
+                        .append(CheckText.fixed(c.mcse(), 3)).append(", ").append(CheckText.plain(c.asked()))
+                        .append(" is asked for\n");
+            }
         }
         out.append("\nReferences: where they stand\n").append(references(result).text("  "));
         if (result.references().size() > 1) {

@@ -11,7 +11,10 @@ import org.cellgauge.cell.Measurement;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Placement;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.cell.Requirement;
 import org.cellgauge.cell.SurveyedPlacement;
+import org.cellgauge.check.Conformities;
+import org.cellgauge.check.Conformity;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.estimate.VarianceSource;
@@ -21,6 +24,9 @@ import org.cellgauge.internal.laplace.LinearModel;
 import org.cellgauge.internal.statistics.ChiSquare;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.sampling.Draws;
+import org.cellgauge.sampling.Quantity;
+import org.cellgauge.sampling.QuantityLayout;
 import org.cellgauge.settings.SamplingSettings;
 import org.cellgauge.survey.Drift;
 import org.cellgauge.survey.Epoch;
@@ -49,6 +55,8 @@ final class SurveyAnalysis {
     private static final double AMBIGUOUS = 7;
     private static final double NOTEWORTHY = 0.1;
     private static final int FIRST_DRAWS = 1000;
+    private static final List<Quantity.Axis> AXES = List.of(Quantity.Axis.X, Quantity.Axis.Y, Quantity.Axis.Z,
+            Quantity.Axis.WX, Quantity.Axis.WY, Quantity.Axis.WZ);
 
     final SurveyProgress progress;
     final SurveyFit fit;
@@ -435,15 +443,17 @@ final class SurveyAnalysis {
         double[] covariance = fit.covariance;
         double[] mean = new double[n];
         SurveyRun run = null;
+        SurveyDraws drawn = null;
         double farthest = 0;
         if (sampled) {
             SurveyDraws draws = draws();
+            drawn = draws;
             int known = layout.firstPlane;
             covariance = fit.covariance.clone();
-            double[] drawn = draws.covariance();
+            double[] ofDraws = draws.covariance();
             System.arraycopy(draws.mean(), 0, mean, 0, known);
             for (int i = 0; i < known; i++) {
-                System.arraycopy(drawn, i * known, covariance, i * n, known);
+                System.arraycopy(ofDraws, i * known, covariance, i * n, known);
             }
             double ratio = 1;
             for (int i = 0; i < layout.firstIntrinsic; i++) {
@@ -459,7 +469,7 @@ final class SurveyAnalysis {
         at.copyFrom(fit.mode);
         at.moveShared(fit.mode, mean);
         List<SurveyedReference> references = references(at, covariance);
-        List<SurveyedObject> objects = objects(at, covariance);
+        List<SurveyedObject> objects = objects(at, covariance, drawn);
         List<SurveyedMeasurement> measurements = measurements();
         return new SurveyResult(progress.cell, photos(), references, objects, measurements, placement(covariance),
                 DriftTest.epoch(fit), run, warnings(references, objects, measurements, farthest));
@@ -529,7 +539,7 @@ final class SurveyAnalysis {
         return count;
     }
 
-    private List<SurveyedObject> objects(SurveyState at, double[] covariance) {
+    private List<SurveyedObject> objects(SurveyState at, double[] covariance, @Nullable SurveyDraws drawn) {
         int n = layout.size;
         double[][] curve = curve();
         List<SurveyedObject> out = new ArrayList<>();
@@ -547,7 +557,52 @@ final class SurveyAnalysis {
             }
             out.add(new SurveyedObject(marker, LinearModel.pose("object in world", pose, tangent),
                     grip(marker, pose, tangent), seen(marker.id()), shares(o), byPhotos,
-                    curve[o][curve[o].length - 1], ambiguous(o)));
+                    curve[o][curve[o].length - 1],
+                    drawn == null ? List.of() : conformities(o, drawn), ambiguous(o)));
+        }
+        return out;
+    }
+
+    /** How many draws keep what is tolerated of an object. */
+    private List<Conformity> conformities(int object, SurveyDraws drawn) {
+        ObjectMarker marker = layout.objects.get(object);
+        Requirement asked = progress.cell.target().of(marker.id());
+        if (!asked.asksForProbability()) {
+            return List.of();
+        }
+        QuantityLayout.Builder quantities = new QuantityLayout.Builder();
+        for (Quantity.Axis axis : AXES) {
+            quantities.add(Quantity.object(marker.id(), axis));
+        }
+        double[] grip = marker.gripMm();
+        for (int i = 0; i < 3 && grip != null; i++) {
+            quantities.add(Quantity.grip(marker.id(), AXES.get(i)));
+        }
+        QuantityLayout of = quantities.build();
+        RigidTransform mode = SurveyState.get(fit.mode.objects, SurveyState.TRANSFORM * object);
+        double[] place = mode.translationMm();
+        List<Draws> chains = new ArrayList<>();
+        for (int c = 0; c < drawn.chains(); c++) {
+            Draws chain = new Draws(of);
+            double[] values = new double[of.size()];
+            for (int d = 0; d < drawn.draws(); d++) {
+                for (int i = 0; i < POSE; i++) {
+                    double step = drawn.value(c, layout.firstObject + POSE * object + i, d);
+                    values[i] = i < 3 ? place[i] + step : step;
+                }
+                if (grip != null) {
+                    double[] at = mode.displaced(new double[] {values[0] - place[0], values[1] - place[1],
+                        values[2] - place[2]}, new double[] {values[3], values[4], values[5]}).apply(grip);
+                    System.arraycopy(at, 0, values, POSE, 3);
+                }
+                chain.add(values);
+            }
+            chains.add(chain);
+        }
+        Conformities count = new Conformities(chains, of, asked);
+        List<Conformity> out = new ArrayList<>(count.ofPosition(marker.id(), null));
+        if (grip != null) {
+            out.addAll(count.ofGrip(marker.id(), null));
         }
         return out;
     }

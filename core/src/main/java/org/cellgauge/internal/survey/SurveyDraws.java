@@ -154,6 +154,15 @@ final class SurveyDraws {
         return leastTail;
     }
 
+    int chains() {
+        return chains;
+    }
+
+    /** One draw of one of the first shared unknowns, off the mode. */
+    double value(int chain, int quantity, int draw) {
+        return values[chain][quantity][draw];
+    }
+
     Convergence convergence() {
         return convergence;
     }
