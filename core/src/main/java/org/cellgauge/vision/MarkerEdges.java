@@ -5,6 +5,7 @@ import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.TangentPlane;
+import org.cellgauge.internal.vision.SideBand;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,16 +29,6 @@ final class MarkerEdges {
     /** The same while the tone curve is not known yet. */
     private static final double FIRST_BAND_STILL_GOOD_PX = 0.3;
     private static final double FIRST_BLUR_PX = 0.6;
-    /** Half width of the band about a side, px and deviations of the blur. */
-    private static final double BAND_PX = 3;
-    private static final double BAND_BLURS = 2.6;
-    /**
-     * What is left out at the ends of a side, px, deviations of the blur and at most a share of its length: there the
-     * next side's light must be known before it is measured, and under a wrong tone curve that would pull at the curve.
-     */
-    private static final double CORNER_MARGIN_PX = 1.5;
-    private static final double CORNER_MARGIN_BLURS = 3.2;
-    private static final double CORNER_MARGIN_SHARE = 0.28;
     private static final double FURTHEST_MOVE_PX = 3;
     private static final int SHORTEST_SIDE_PX = 8;
     private static final double LARGEST_SHIFT_PX = 1;
@@ -54,7 +45,7 @@ final class MarkerEdges {
     /** A pixel that sees less of the dark has no use for where that lies. */
     private static final double LEAST_SEEN = 1e-5;
     /** Variance that a pixel's own square adds to the blur. */
-    static final double PIXEL_VARIANCE = 1.0 / 12;
+    static final double PIXEL_VARIANCE = SideBand.PIXEL_VARIANCE;
     /** How far outwards the edge of the paper is looked for. */
     private static final int PAPER_STEPS = 24;
     private static final int PAPER_LINES = 3;
@@ -577,9 +568,7 @@ final class MarkerEdges {
         side.middleY = y0 + side.tangentY * length / 2;
         side.lengthPx = length;
         double blur = side.started() ? side.unknowns[SideFit.BLUR] : FIRST_BLUR_PX;
-        double margin = Math.min(CORNER_MARGIN_SHARE * length,
-                Math.max(CORNER_MARGIN_PX, CORNER_MARGIN_BLURS * Math.sqrt(blur * blur + PIXEL_VARIANCE)));
-        side.halfLengthPx = length / 2 - margin;
+        side.halfLengthPx = length / 2 - SideBand.cornerMarginPx(length, blur);
         return true;
     }
 
@@ -732,7 +721,7 @@ final class MarkerEdges {
         profile.turn(side.normalX, side.normalY);
         setPattern(i);
         findPaper(image, scale, side, std);
-        double band = Math.max(BAND_PX, BAND_BLURS * std);
+        double band = SideBand.halfWidthPx(blur);
         double inner = Math.min(band, depth[0] - 0.5);
         double outer = Math.min(band, Math.max(1, paperPx - 0.3));
         side.clear(blur);
@@ -794,7 +783,7 @@ final class MarkerEdges {
         }
         paperPx = edge;
         paperShare = Math.min(1.2, (most - least) / (most - dark));
-        if (edge < FAR_BLURS * std + BAND_PX) {
+        if (edge < FAR_BLURS * std + SideBand.HALF_WIDTH_PX) {
             fitPaper(dark, most, least, edge, leastAt, Math.sqrt(std * std + INTERPOLATION_VARIANCE));
         }
     }

@@ -59,6 +59,10 @@ final class StudyText {
                 figures.falseAlarms(), figures.noiseMisfits(), figures.referenceMisfits(),
                 100.0 * figures.alarmed() / figures.simulations(), figures.markers(), figures.markersFound(),
                 figures.photosWithMarkersMissing()), ""));
+        if (figures.count(Verdict.PASS) + figures.count(Verdict.FAIL) > 0) {
+            text.append("  target met by ").append(figures.count(Verdict.PASS)).append(", missed by ")
+                    .append(figures.count(Verdict.FAIL)).append('\n');
+        }
         figures.refusals().forEach((reason, count) -> text.append("  refused ").append(count).append(": ")
                 .append(reason).append('\n'));
         figures.warnings().forEach((kind, count) -> text.append("  warned ").append(count).append(": ").append(kind)

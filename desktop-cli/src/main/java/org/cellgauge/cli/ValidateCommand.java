@@ -85,8 +85,8 @@ public final class ValidateCommand implements Callable<Integer> {
 
     @Option(names = "--camera-pose", paramLabel = "X,Y,Z,PSI,THETA,PHI", converter = PoseArgument.Converter.class,
             preprocessor = PoseArgument.MayBeNegative.class,
-            description = "Nominal pose of the camera in the world, mm and degrees. Without it the camera looks "
-                    + "straight at the plane z = 0, from where all markers fit.")
+            description = "Nominal pose of the camera in the world, mm and degrees. Without it the camera is where "
+                    + "the cell file plans it, or looks straight at the plane z = 0, from where all markers fit.")
     private PoseArgument cameraPose;
 
     @Option(names = "--cause", paramLabel = "NAME|none|all",

@@ -14,7 +14,8 @@ import org.cellgauge.vision.MarkerObservation;
  * <p>Along a side the same blurred step is seen over and over, so its position and slope have the Fisher information of
  * one profile per px of length (Cramér, "Mathematical Methods of Statistics", 1946, section 32.3): grey is the tone
  * curve of a step of light blurred by optics and pixel, observed under white noise within the band that the fit looks
- * at, with blur and both levels unknown. Four lines then make four corners, by where they meet. Light that other edges
+ * at, with blur and both levels unknown. Four lines then make four corners, by where they meet; the ends of a
+ * side, which the fit leaves out ({@link SideBand}), have to be reached from the rest of it. Light that other edges
  * bring into the band is left out.
  */
 public final class CornerForecast {
@@ -26,9 +27,6 @@ public final class CornerForecast {
     /** Light that paper and ink of a usual print throw back at the usual exposure, as a share of full scale. */
     private static final double PAPER = 0.85;
     private static final double INK = 0.05;
-    /** Half width of the band, px and deviations of the blur: that of the detector. */
-    private static final double BAND_PX = 3;
-    private static final double BAND_BLURS = 2.6;
     private static final double STEP_PX = 0.02;
     private static final double DIFFERENCE = 1e-4;
     private static final int UNKNOWNS = 4;
@@ -77,7 +75,7 @@ public final class CornerForecast {
 
     /** Fisher information of offset, blur, dark and bright level in one profile across an edge, per px of length. */
     private double[] information() {
-        double half = Math.max(BAND_PX, BAND_BLURS * blurPx);
+        double half = SideBand.halfWidthPx(blurPx);
         double[] at = {0, blurPx, INK, PAPER};
         double[] row = new double[UNKNOWNS];
         double[] sum = new double[UNKNOWNS * UNKNOWNS];
@@ -102,7 +100,7 @@ public final class CornerForecast {
     }
 
     private double grey(double x, double[] p) {
-        double std = Math.sqrt(p[1] * p[1] + 1.0 / 12);
+        double std = Math.sqrt(p[1] * p[1] + SideBand.PIXEL_VARIANCE);
         return 255 * toneCurve.grey(p[2] + (p[3] - p[2]) * 0.5 * Erf.erfc((p[0] - x) / (std * Math.sqrt(2))));
     }
 
@@ -113,7 +111,7 @@ public final class CornerForecast {
      * @return across it, px
      */
     public double edgeStdPx(double lengthPx) {
-        return Math.sqrt(offsetVariancePx3 / lengthPx);
+        return Math.sqrt(offsetVariancePx3 / (lengthPx - 2 * SideBand.cornerMarginPx(lengthPx, blurPx)));
     }
 
     /**
@@ -128,6 +126,7 @@ public final class CornerForecast {
         double[] nx = new double[4];
         double[] ny = new double[4];
         double[] length = new double[4];
+        double[] fitted = new double[4];
         double meanOffsetVariance = 0;
         for (int i = 0; i < 4; i++) {
             int j = (i + 1) % 4;
@@ -136,7 +135,8 @@ public final class CornerForecast {
             length[i] = Math.hypot(dx, dy);
             nx[i] = -dy / length[i];
             ny[i] = dx / length[i];
-            meanOffsetVariance += offsetVariancePx3 / length[i] / 16;
+            fitted[i] = length[i] - 2 * SideBand.cornerMarginPx(length[i], blurPx);
+            meanOffsetVariance += offsetVariancePx3 / fitted[i] / 16;
         }
         double[] bySide = new double[8 * 4];
         double[] bySlope = new double[8 * 4];
@@ -154,8 +154,8 @@ public final class CornerForecast {
         }
         double[] covariance = new double[64];
         for (int s = 0; s < 4; s++) {
-            double offset = offsetVariancePx3 / length[s];
-            double slope = 12 * knownOffsetVariancePx3 / (length[s] * length[s] * length[s]);
+            double offset = offsetVariancePx3 / fitted[s];
+            double slope = 12 * knownOffsetVariancePx3 / (fitted[s] * fitted[s] * fitted[s]);
             for (int r = 0; r < 8; r++) {
                 for (int c = 0; c < 8; c++) {
                     covariance[8 * r + c] += bySide[4 * r + s] * bySide[4 * c + s] * offset
