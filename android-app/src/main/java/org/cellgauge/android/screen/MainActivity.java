@@ -76,6 +76,7 @@ public final class MainActivity extends Activity {
 
     private ImageView bannerMark;
     private TextView headline;
+    private TextView next;
     private View banner;
     private TextView reason;
     private TextView caption;
@@ -118,7 +119,7 @@ public final class MainActivity extends Activity {
             }
         });
         if (saved != null && saved.containsKey(TARGET_TEXT)) {
-            targetDialog = new TargetDialog(this, session, saved.getString(TARGET_TEXT));
+            targetDialog = new TargetDialog(this, session, saved.getStringArray(TARGET_TEXT));
         }
         if (saved != null && saved.containsKey(LICENCES_TOP)) {
             licencesDialog = new LicencesDialog(this, mainThread, saved.getInt(LICENCES_TOP));
@@ -129,6 +130,7 @@ public final class MainActivity extends Activity {
         banner = findViewById(R.id.banner);
         bannerMark = findViewById(R.id.banner_mark);
         headline = findViewById(R.id.banner_headline);
+        next = findViewById(R.id.banner_next);
         reason = findViewById(R.id.reason);
         caption = findViewById(R.id.caption);
         rows = findViewById(R.id.rows);
@@ -240,7 +242,7 @@ public final class MainActivity extends Activity {
         super.onSaveInstanceState(out);
         session.memory().write(out);
         if (targetDialog != null && targetDialog.isShowing()) {
-            out.putString(TARGET_TEXT, targetDialog.text());
+            out.putStringArray(TARGET_TEXT, targetDialog.texts());
         }
         if (licencesDialog != null && licencesDialog.isShowing()) {
             out.putInt(LICENCES_TOP, licencesDialog.top());
@@ -484,6 +486,7 @@ public final class MainActivity extends Activity {
         text(headline, content.headline(s));
         bannerMark.setImageResource(now.mark());
         banner.setBackgroundColor(getColor(now.colour()));
+        optional(next, content.next(s));
         optional(reason, content.reason(s));
         rows.show(content.rows(s));
         showMessage(s);
@@ -559,9 +562,7 @@ public final class MainActivity extends Activity {
         enable(R.id.refocus, s.setup() != null && liveShown && openFor != null);
         enable(R.id.photo, s.cell() != null);
         View target = findViewById(R.id.target);
-        target.setContentDescription(words.get(R.string.target_spoken, s.targetStdMm().isPresent()
-                ? words.get(R.string.target_mm, words.plain(s.targetStdMm().getAsDouble()))
-                : words.get(s.target().isAny() ? R.string.target_stated : R.string.target_not_set)));
+        target.setContentDescription(words.get(R.string.target_spoken, content.targetSpoken(s)));
     }
 
     private void enable(int id, boolean enabled) {

@@ -8,6 +8,7 @@ import android.view.View;
 import android.widget.Button;
 import android.widget.ImageView;
 import android.widget.LinearLayout;
+import android.widget.ProgressBar;
 import android.widget.TextView;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +17,9 @@ import org.cellgauge.android.R;
 
 /** Rows below each other. A row that has not changed is left alone, so that a screen reader stays where it is. */
 public final class RowList extends LinearLayout {
+    /** A bar is full where all that is asked is taken. */
+    private static final int BAR_FULL = 1000;
+
     private final List<Row> shown = new ArrayList<>();
     private Consumer<Action> actions = action -> { };
 
@@ -59,6 +63,11 @@ public final class RowList extends LinearLayout {
         mark.setImageTintList(ColorStateList.valueOf(getContext().getColor(row.colour())));
         text(view.findViewById(R.id.row_title), row.title());
         text(view.findViewById(R.id.row_figures), row.figures());
+        text(view.findViewById(R.id.row_bar_text), row.barText());
+        ProgressBar bar = view.findViewById(R.id.row_bar);
+        bar.setVisibility(row.barText() == null ? GONE : VISIBLE);
+        bar.setProgress((int) Math.min(BAR_FULL, Math.round(BAR_FULL * row.bar())));
+        bar.setProgressTintList(ColorStateList.valueOf(getContext().getColor(row.colour())));
         text(view.findViewById(R.id.row_text), row.text());
         Button button = view.findViewById(R.id.row_action);
         button.setVisibility(row.action() == null ? GONE : VISIBLE);

@@ -11,6 +11,8 @@ import org.cellgauge.android.state.CheckScreenState;
 import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.ObjectRow;
 import org.cellgauge.android.state.Problem;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.internal.overlay.EllipseShape;
 import org.cellgauge.internal.overlay.Overlay;
@@ -21,6 +23,8 @@ import org.cellgauge.warning.Warning;
 /** What a state says, in the user's language: pure text, so that the activity only has to put it in its places. */
 final class ScreenContent {
     private static final String BULLET = "\u2022 ";
+    /** Deviations on either side of the mean that hold 95 % of a normal distribution. */
+    private static final double DEVIATIONS_95 = 1.96;
 
     private final Wording words;
     private final String version;
@@ -64,15 +68,21 @@ final class ScreenContent {
             case INTERNAL:
                 return words.get(R.string.reason_internal, words.problem(s.checkProblem()));
             case PASS:
+            case PASS_UNMEASURED:
             case FAIL:
             case NOT_CONVERGED:
             case AMBIGUOUS:
             case CONTRADICTED:
             case NO_TARGET:
-                return words.reason(s.reason());
+                return (s.lensMeasured() ? "" : words.get(R.string.lens_unmeasured) + " ") + words.reason(s.reason());
             default:
                 return "";
         }
+    }
+
+    /** The one thing to do next; null where there is none. */
+    String next(CheckScreenState s) {
+        return new NextStep(words).of(s);
     }
 
     // ---- below the picture
@@ -243,47 +253,54 @@ final class ScreenContent {
         String figures = null;
         String text = null;
         if (object.stdMm() != null) {
-            figures = deviations(R.string.figures, object.stdMm());
+            figures = deviations(R.string.figures, object.stdMm()) + "\n" + coverage(object.stdMm());
             if (object.gripStdMm() != null) {
                 figures += "\n" + deviations(R.string.figures_grip, object.gripStdMm());
             }
             if (object.mark() == ObjectRow.Mark.PRELIMINARY) {
                 figures += "\n" + words.get(R.string.figures_preliminary);
             }
+            // what is said of all objects alike stands in the reason, once
             text = words.cause(object.reason());
-            if (object.ellipse95Px() != null) {
-                String ellipse = words.get(R.string.ellipse, words.number(object.ellipse95Px().semiMajor(), 1),
-                        words.number(object.ellipse95Px().semiMinor(), 1));
-                text = text == null ? ellipse : text + "\n" + ellipse;
-            }
-            text = text == null ? null : text + words.tolerance(object.reason(), "\n")
-                    + words.misfit(object.reason(), "\n")
-                    + words.misplacement(object.reason(), "\n");
         } else if (object.mark() == ObjectRow.Mark.AMBIGUOUS) {
             text = object.reason() == null ? words.get(R.string.no_figure_two_poses) : words.reason(object.reason());
+            if (object.poseShares().size() == 2) {
+                text += "\n" + words.get(R.string.pose_shares, words.percent(object.poseShares().get(0)),
+                        words.percent(object.poseShares().get(1)));
+            }
         } else if (object.mark() == ObjectRow.Mark.NOT_CONVERGED) {
             text = words.get(R.string.no_figure_not_converged);
         }
         if (s.verdict() == Verdict.CONTRADICTED && object.mark() == ObjectRow.Mark.NO_FIGURE) {
             text = words.get(R.string.no_figure_not_converged);
         }
-        return new Row(drawable(object.mark()), colour(object.mark()),
-                words.get(R.string.object_title, object.id(), mark(object, s)), figures, text, null);
+        return new Row(drawable(object.mark()), !s.lensMeasured() && object.mark() == ObjectRow.Mark.OK
+                ? R.color.mark_neutral : colour(object.mark()),
+                words.get(R.string.object_title, object.id(), mark(object, s)), figures, text, null)
+                .withBar(object.use() == null ? Double.NaN : object.use().share(), words.use(object.use()));
     }
 
     private String deviations(int id, double[] stdMm) {
         return words.get(id, words.mm(stdMm[0]), words.mm(stdMm[1]), words.mm(stdMm[2]));
     }
 
+    /** The same along every axis within 95 %: what the picture's ellipses hold. Draws are nearly normal where shown. */
+    private String coverage(double[] stdMm) {
+        double[] within = new double[stdMm.length];
+        for (int i = 0; i < within.length; i++) {
+            within[i] = DEVIATIONS_95 * stdMm[i];
+        }
+        return words.get(R.string.figures_95, words.mm(within[0]), words.mm(within[1]), words.mm(within[2]));
+    }
+
     private String mark(ObjectRow object, CheckScreenState s) {
+        Requirement asked = s.target().of(object.id());
         switch (object.mark()) {
             case OK:
-                return s.targetStdMm().isPresent()
-                        ? words.get(R.string.mark_ok, words.plain(s.targetStdMm().getAsDouble()))
+                return asked.isOneStd() ? words.get(R.string.mark_ok, words.plain(asked.stdMm().x()))
                         : words.get(R.string.mark_target_met);
             case NOT_OK:
-                return s.targetStdMm().isPresent()
-                        ? words.get(R.string.mark_not_ok, words.plain(s.targetStdMm().getAsDouble()))
+                return asked.isOneStd() ? words.get(R.string.mark_not_ok, words.plain(asked.stdMm().x()))
                         : words.get(R.string.mark_target_missed);
             case PRELIMINARY:
                 return words.get(R.string.mark_preliminary);
@@ -404,12 +421,34 @@ final class ScreenContent {
         return s.cell().uri() == null ? words.get(R.string.cell_example) : s.cell().name();
     }
 
+    /** The target in a few words. */
+    String targetSpoken(CheckScreenState s) {
+        if (s.targetStdMm().isPresent()) {
+            return words.get(R.string.target_mm, words.plain(s.targetStdMm().getAsDouble()));
+        }
+        Requirement asked = s.target().general();
+        if (isTolerance(s.target())) {
+            return words.get(R.string.target_tolerance_mm, words.plain(asked.toleranceMm().x()),
+                    words.tenthOfPercent(asked.probability()));
+        }
+        return words.get(s.target().isAny() ? R.string.target_stated : R.string.target_not_set);
+    }
+
+    /** Whether one tolerance along every axis is asked for, and nothing else. */
+    private static boolean isTolerance(Target target) {
+        Requirement asked = target.general();
+        return target.own().isEmpty() && asked.toleranceMm().isUniform() && !asked.stdMm().isAny()
+                && asked.distanceMm() == Double.POSITIVE_INFINITY && asked.toleranceDeg() == Double.POSITIVE_INFINITY;
+    }
+
     private String target(CheckScreenState s) {
         if (!s.target().isAny()) {
             return words.get(R.string.target_none);
         }
         if (!s.targetStdMm().isPresent()) {
-            return words.get(R.string.target_of_cell);
+            Requirement asked = s.target().general();
+            return isTolerance(s.target()) ? words.get(R.string.target_tolerance_all, words.plain(asked.toleranceMm().x()),
+                    words.tenthOfPercent(asked.probability())) : words.get(R.string.target_of_cell);
         }
         boolean chosen = !s.target().equals(s.cell().cell().target());
         return words.get(chosen ? R.string.target_in_use_chosen : R.string.target_in_use,

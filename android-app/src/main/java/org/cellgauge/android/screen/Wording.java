@@ -10,6 +10,7 @@ import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.android.state.Problem;
+import org.cellgauge.android.state.TargetUse;
 import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Reason;
 import org.cellgauge.internal.overlay.LabelWords;
@@ -33,6 +34,11 @@ final class Wording {
     Wording(Resources resources) {
         this.resources = resources;
         this.locale = resources.getConfiguration().getLocales().get(0);
+    }
+
+    /** The language, with its country. */
+    Locale locale() {
+        return locale;
     }
 
     String get(int id, Object... arguments) {
@@ -68,6 +74,7 @@ final class Wording {
         return format.format(value);
     }
 
+    /** A share of one to the percent, as in the picture's labels. */
     String percent(double share) {
         return NumberFormat.getPercentInstance(locale).format(share);
     }
@@ -114,6 +121,7 @@ final class Wording {
     String message(Message message) {
         int warning = WarningStrings.of(message.kind());
         int id = warning == WarningStrings.NONE ? RefusalStrings.of(message.kind()) : warning;
+        id = id == WarningStrings.NONE ? ChangeStrings.of(message.kind()) : id;
         if (id == WarningStrings.NONE) {
             return message.toString();
         }
@@ -202,6 +210,25 @@ final class Wording {
                 reason.conformityObjectId());
         return before + get(c.isDecided() ? R.string.tolerance : R.string.tolerance_undecided, tolerance(c), of,
                 number(c.probability(), 4), plain(c.asked()), number(c.mcse(), 4));
+    }
+
+    /** How much of what is asked an object takes, as its bar shows it; null where nothing is asked. */
+    String use(TargetUse use) {
+        if (use == null) {
+            return null;
+        }
+        Conformity c = use.conformity();
+        if (c == null) {
+            return get(use.grip() ? R.string.use_std_grip : R.string.use_std, number(use.stdMm(), 1),
+                    plain(use.limitMm()), axis(use.axis()));
+        }
+        return get(use.grip() ? R.string.use_tolerance_grip : R.string.use_tolerance, tenthOfPercent(c.probability()),
+                tolerance(c), tenthOfPercent(c.asked()));
+    }
+
+    /** Not rounded up to a certainty that is not there. */
+    String tenthOfPercent(double share) {
+        return plain(Math.floor(share * 1000 + 1e-9) / 10) + "\u00A0%";
     }
 
     private String tolerance(Conformity c) {

@@ -19,6 +19,7 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.overlay.ImageOrientation;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.live.LiveState;
+import org.cellgauge.output.ResultView;
 
 /** All that the screen shows; immutable. The screen knows nothing else, and changes nothing but through a session. */
 public final class CheckScreenState {
@@ -135,6 +136,17 @@ public final class CheckScreenState {
     }
 
     /**
+     * Whether the lens of what is shown was calibrated.
+     *
+     * @return false where it is estimated along, from what is known of devices' lenses beforehand; true as well where
+     *     no camera is known yet
+     */
+    public boolean lensMeasured() {
+        return v.source == ImageSource.LIVE ? v.setup == null || LensKnowledge.isMeasured(v.setup.source())
+                : !v.lensEstimated;
+    }
+
+    /**
      * Why the camera does not deliver.
      *
      * @return null while it does, or is being opened
@@ -223,6 +235,24 @@ public final class CheckScreenState {
      */
     public CheckResult result() {
         return v.result;
+    }
+
+    /**
+     * All that the result says.
+     *
+     * @return null before the chains have ended
+     */
+    public ResultView view() {
+        return v.view;
+    }
+
+    /**
+     * What would meet a target that the result misses.
+     *
+     * @return the cheapest that is known, or null
+     */
+    public Advice advice() {
+        return v.advice;
     }
 
     /**
@@ -389,8 +419,8 @@ public final class CheckScreenState {
         if (v.cell == null) {
             return SessionMemory.nothing(seed);
         }
-        return new SessionMemory(seed, v.cell.uri(), v.calibrationUri, v.targetChosen, v.target.oneStdMm(), v.source,
-                v.photoUri, v.photoCamera, v.focalEstimated);
+        return new SessionMemory(seed, v.cell.uri(), v.calibrationUri, v.targetChosen, v.target, v.source,
+                v.photoUri, v.photoCamera, v.lensEstimated);
     }
 
     /** The camera of the photo or frozen frame. */
@@ -398,9 +428,9 @@ public final class CheckScreenState {
         return v.photoCamera;
     }
 
-    /** Whether the focal length of that camera is estimated along. */
-    boolean focalEstimated() {
-        return v.focalEstimated;
+    /** Whether the lens of that camera is estimated along. */
+    boolean lensEstimated() {
+        return v.lensEstimated;
     }
 
     /** Whether the target is the user's and not the cell file's. */
@@ -457,6 +487,8 @@ public final class CheckScreenState {
         private OptionalInt run = OptionalInt.empty();
         private LiveState live;
         private CheckResult result;
+        private ResultView view;
+        private Advice advice;
         private List<ObjectRow> objects = Collections.emptyList();
         private Overlay overlay;
         private Photo checked;
@@ -469,7 +501,7 @@ public final class CheckScreenState {
         private boolean targetChosen;
         private String photoUri;
         private PinholeCamera photoCamera;
-        private boolean focalEstimated;
+        private boolean lensEstimated;
 
         private Builder() {
         }
@@ -493,6 +525,8 @@ public final class CheckScreenState {
             run = o.run;
             live = o.live;
             result = o.result;
+            view = o.view;
+            advice = o.advice;
             objects = o.objects;
             overlay = o.overlay;
             checked = o.checked;
@@ -505,7 +539,7 @@ public final class CheckScreenState {
             targetChosen = o.targetChosen;
             photoUri = o.photoUri;
             photoCamera = o.photoCamera;
-            focalEstimated = o.focalEstimated;
+            lensEstimated = o.lensEstimated;
         }
 
         Builder cell(CellDocument value) {
@@ -534,10 +568,10 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder photo(String uri, PinholeCamera camera, boolean focal) {
+        Builder photo(String uri, PinholeCamera camera, boolean estimated) {
             photoUri = uri;
             photoCamera = camera;
-            focalEstimated = focal;
+            lensEstimated = estimated;
             return this;
         }
 
@@ -593,6 +627,8 @@ public final class CheckScreenState {
             live = null;
             awaitedFrame = Math.min(awaitedFrame, 1);
             result = null;
+            view = null;
+            advice = null;
             objects = Collections.emptyList();
             overlay = null;
             checked = null;
@@ -612,8 +648,15 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder result(CheckResult value) {
+        Builder result(CheckResult value, ResultView ofValue) {
+            advice = value == result ? advice : null;
             result = value;
+            view = ofValue;
+            return this;
+        }
+
+        Builder advice(Advice value) {
+            advice = value;
             return this;
         }
 
