@@ -94,6 +94,9 @@ enum Banner {
     }
 
     private static Banner of(CheckScreenState s, LiveState.Phase phase) {
+        if (s.held() != null) {
+            return of(s.held().result().verdict(), s);
+        }
         switch (phase) {
             case SEARCHING:
                 return SEARCHING;
@@ -106,7 +109,11 @@ enum Banner {
             default:
                 break;
         }
-        Banner judged = of(s.verdict());
+        return of(s.verdict(), s);
+    }
+
+    private static Banner of(Verdict verdict, CheckScreenState s) {
+        Banner judged = of(verdict);
         return judged == PASS && !s.lensMeasured() ? PASS_UNMEASURED : judged;
     }
 

@@ -1,6 +1,7 @@
 package org.cellgauge.android.screen;
 
 import java.util.Objects;
+import java.util.OptionalInt;
 
 /** One row of the list, ready to be shown; immutable. Parts that are null take no room. */
 final class Row {
@@ -11,6 +12,7 @@ final class Row {
     private final String text;
     private final Action action;
     private double bar = Double.NaN;
+    private OptionalInt objectId = OptionalInt.empty();
     private String barText;
 
     /**
@@ -64,6 +66,17 @@ final class Row {
         return row;
     }
 
+    /** The same row, which leads to all that is known of an object. */
+    Row ofObject(int id) {
+        Row row = withBar(bar, barText);
+        row.objectId = OptionalInt.of(id);
+        return row;
+    }
+
+    OptionalInt objectId() {
+        return objectId;
+    }
+
     double bar() {
         return bar;
     }
@@ -80,11 +93,12 @@ final class Row {
         Row o = (Row) other;
         return mark == o.mark && colour == o.colour && title.equals(o.title) && Objects.equals(figures, o.figures)
                 && Objects.equals(text, o.text) && action == o.action
-                && Double.compare(bar, o.bar) == 0 && Objects.equals(barText, o.barText);
+                && Double.compare(bar, o.bar) == 0 && Objects.equals(barText, o.barText)
+                && objectId.equals(o.objectId);
     }
 
     @Override
     public int hashCode() {
-        return Objects.hash(mark, colour, title, figures, text, action, bar, barText);
+        return Objects.hash(mark, colour, title, figures, text, action, bar, barText, objectId);
     }
 }

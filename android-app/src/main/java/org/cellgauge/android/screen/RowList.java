@@ -13,6 +13,7 @@ import android.widget.TextView;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import org.cellgauge.android.R;
 
 /** Rows below each other. A row that has not changed is left alone, so that a screen reader stays where it is. */
@@ -22,6 +23,7 @@ public final class RowList extends LinearLayout {
 
     private final List<Row> shown = new ArrayList<>();
     private Consumer<Action> actions = action -> { };
+    private IntConsumer objects = id -> { };
 
     /**
      * For the layout's file.
@@ -36,6 +38,11 @@ public final class RowList extends LinearLayout {
     /** Who is told of a button that was pressed. */
     void onAction(Consumer<Action> listener) {
         actions = listener;
+    }
+
+    /** Who is told of an object whose row was tapped. */
+    void onObject(IntConsumer listener) {
+        objects = listener;
     }
 
     /** Shows rows in place of those before. */
@@ -69,6 +76,16 @@ public final class RowList extends LinearLayout {
         bar.setProgress((int) Math.min(BAR_FULL, Math.round(BAR_FULL * row.bar())));
         bar.setProgressTintList(ColorStateList.valueOf(getContext().getColor(row.colour())));
         text(view.findViewById(R.id.row_text), row.text());
+        if (row.objectId().isPresent()) {
+            int id = row.objectId().getAsInt();
+            view.setOnClickListener(v -> objects.accept(id));
+            view.setContentDescription(getContext().getString(R.string.object_row_spoken, row.title(),
+                    row.figures() == null ? "" : row.figures()));
+        } else {
+            view.setOnClickListener(null);
+            view.setContentDescription(null);
+        }
+        view.setClickable(row.objectId().isPresent());
         Button button = view.findViewById(R.id.row_action);
         button.setVisibility(row.action() == null ? GONE : VISIBLE);
         if (row.action() != null) {

@@ -18,6 +18,7 @@ import org.cellgauge.internal.overlay.EllipseShape;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.internal.overlay.Role;
 import org.cellgauge.internal.overlay.Shape;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.warning.Warning;
 
 /** What a state says, in the user's language: pure text, so that the activity only has to put it in its places. */
@@ -25,6 +26,7 @@ final class ScreenContent {
     private static final String BULLET = "\u2022 ";
     /** Deviations on either side of the mean that hold 95 % of a normal distribution. */
     private static final double DEVIATIONS_95 = 1.96;
+    private static final double MS_PER_S = 1000;
 
     private final Wording words;
     private final String version;
@@ -43,7 +45,9 @@ final class ScreenContent {
     // ---- banner
 
     String headline(CheckScreenState s) {
-        return words.get(Banner.of(s).headline());
+        String verdict = words.get(Banner.of(s).headline());
+        return s.held() == null ? verdict
+                : words.get(R.string.head_held, verdict, words.number(Math.ceil(s.held().ageMs() / MS_PER_S), 0));
     }
 
     /** Why the banner says what it says; empty where the headline or the message over the picture says all. */
@@ -74,7 +78,8 @@ final class ScreenContent {
             case AMBIGUOUS:
             case CONTRADICTED:
             case NO_TARGET:
-                return (s.lensMeasured() ? "" : words.get(R.string.lens_unmeasured) + " ") + words.reason(s.reason());
+                return (s.lensMeasured() ? "" : words.get(R.string.lens_unmeasured) + " ")
+                        + words.reason(s.shownResult().finding());
             default:
                 return "";
         }
@@ -82,7 +87,7 @@ final class ScreenContent {
 
     /** The one thing to do next; null where there is none. */
     String next(CheckScreenState s) {
-        return new NextStep(words).of(s);
+        return s.held() == null ? new NextStep(words).of(s) : words.get(R.string.next_held);
     }
 
     // ---- below the picture
@@ -262,6 +267,10 @@ final class ScreenContent {
             }
             // what is said of all objects alike stands in the reason, once
             text = words.cause(object.reason());
+            if (object.mark() == ObjectRow.Mark.NOT_OK && !isBeyond(object)) {
+                text = (text == null ? "" : text) + words.misfit(object.reason(), "\n")
+                        + words.misplacement(object.reason(), "\n");
+            }
         } else if (object.mark() == ObjectRow.Mark.AMBIGUOUS) {
             text = object.reason() == null ? words.get(R.string.no_figure_two_poses) : words.reason(object.reason());
             if (object.poseShares().size() == 2) {
@@ -271,13 +280,58 @@ final class ScreenContent {
         } else if (object.mark() == ObjectRow.Mark.NOT_CONVERGED) {
             text = words.get(R.string.no_figure_not_converged);
         }
-        if (s.verdict() == Verdict.CONTRADICTED && object.mark() == ObjectRow.Mark.NO_FIGURE) {
+        if (s.shownResult() != null && s.shownResult().verdict() == Verdict.CONTRADICTED && object.mark() == ObjectRow.Mark.NO_FIGURE) {
             text = words.get(R.string.no_figure_not_converged);
         }
         return new Row(drawable(object.mark()), !s.lensMeasured() && object.mark() == ObjectRow.Mark.OK
                 ? R.color.mark_neutral : colour(object.mark()),
                 words.get(R.string.object_title, object.id(), mark(object, s)), figures, text, null)
-                .withBar(object.use() == null ? Double.NaN : object.use().share(), words.use(object.use()));
+                .withBar(object.use() == null ? Double.NaN : object.use().share(), words.use(object.use())).ofObject(object.id());
+    }
+
+    /** The heading of what is said of one object. */
+    String objectTitle(CheckScreenState s, int objectId) {
+        for (ObjectRow object : s.objects()) {
+            if (object.id() == objectId) {
+                return words.get(R.string.object_title, objectId, mark(object, s));
+            }
+        }
+        return words.get(R.string.object_title, objectId, words.get(R.string.mark_not_seen));
+    }
+
+    /** All that is known of one object: its row, its ellipse, and what causes how much of its variance. */
+    String objectDetails(CheckScreenState s, int objectId) {
+        StringBuilder text = new StringBuilder();
+        for (ObjectRow object : s.objects()) {
+            if (object.id() != objectId) {
+                continue;
+            }
+            Row row = object(object, s);
+            line(text, row.figures());
+            line(text, row.barText());
+            if (object.ellipse95Px() != null) {
+                line(text, words.get(R.string.ellipse, words.number(object.ellipse95Px().semiMajor(), 1),
+                        words.number(object.ellipse95Px().semiMinor(), 1)));
+            }
+            ResultView view = s.shownView();
+            if (object.stdMm() == null || view == null) {
+                line(text, row.text());
+                continue;
+            }
+            line(text, words.budget(R.string.budget, view.object(objectId)));
+            if (view.grip(objectId) != null) {
+                line(text, words.budget(R.string.budget_grip, view.grip(objectId)));
+            }
+            line(text, (words.tolerance(object.reason(), "\n") + words.misfit(object.reason(), "\n")
+                    + words.misplacement(object.reason(), "\n")).trim());
+        }
+        return text.toString();
+    }
+
+    private static void line(StringBuilder text, String more) {
+        if (more != null && !more.isEmpty()) {
+            text.append(text.length() == 0 ? "" : "\n").append(more);
+        }
     }
 
     private String deviations(int id, double[] stdMm) {
@@ -293,6 +347,11 @@ final class ScreenContent {
         return words.get(R.string.figures_95, words.mm(within[0]), words.mm(within[1]), words.mm(within[2]));
     }
 
+    /** Whether its own figures are beyond what is asked, and not what else does not fit. */
+    private static boolean isBeyond(ObjectRow object) {
+        return object.use() != null && object.use().share() > 1;
+    }
+
     private String mark(ObjectRow object, CheckScreenState s) {
         Requirement asked = s.target().of(object.id());
         switch (object.mark()) {
@@ -300,7 +359,7 @@ final class ScreenContent {
                 return asked.isOneStd() ? words.get(R.string.mark_ok, words.plain(asked.stdMm().x()))
                         : words.get(R.string.mark_target_met);
             case NOT_OK:
-                return asked.isOneStd() ? words.get(R.string.mark_not_ok, words.plain(asked.stdMm().x()))
+                return asked.isOneStd() && isBeyond(object) ? words.get(R.string.mark_not_ok, words.plain(asked.stdMm().x()))
                         : words.get(R.string.mark_target_missed);
             case PRELIMINARY:
                 return words.get(R.string.mark_preliminary);
@@ -309,7 +368,8 @@ final class ScreenContent {
             case AMBIGUOUS:
                 return words.get(R.string.mark_ambiguous);
             case NOT_JUDGED:
-                return words.get(R.string.mark_not_judged);
+                return words.get(s.target().isAny() && !asked.isAny() ? R.string.mark_not_counted
+                        : R.string.mark_not_judged);
             case NO_FIGURE:
                 return words.get(R.string.mark_no_figure);
             default:
@@ -456,7 +516,7 @@ final class ScreenContent {
     }
 
     private void warnings(CheckScreenState s, List<Row> rows) {
-        List<Warning> warnings = s.result() != null ? s.result().warnings()
+        List<Warning> warnings = s.shownResult() != null ? s.shownResult().warnings()
                 : s.live() != null ? s.live().detections().warnings() : new ArrayList<>();
         if (!warnings.isEmpty()) {
             List<String> sentences = new ArrayList<>();

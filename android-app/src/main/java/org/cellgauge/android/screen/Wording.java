@@ -2,6 +2,7 @@ package org.cellgauge.android.screen;
 
 import android.content.res.Resources;
 import java.text.NumberFormat;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -13,10 +14,13 @@ import org.cellgauge.android.state.Problem;
 import org.cellgauge.android.state.TargetUse;
 import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Reason;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.internal.overlay.LabelWords;
 import org.cellgauge.internal.overlay.LegendWords;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.output.BudgetShare;
+import org.cellgauge.output.ResultRow;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.Misplacement;
 import org.cellgauge.statistics.ChainDiagnostics;
@@ -28,6 +32,9 @@ import org.cellgauge.warning.Warning;
 
 /** Sentences in the user's language, with numbers as written there, from what core and camera say in parts. */
 final class Wording {
+    /** What causes less of a variance is not worth a line. */
+    private static final double LEAST_SHARE = 0.005;
+
     private final Resources resources;
     private final Locale locale;
 
@@ -256,6 +263,19 @@ final class Wording {
                 axis(reason), source(reason));
     }
 
+    /** What causes how much of the variance of a point, the largest first; empty where that is not known. */
+    String budget(int heading, ResultRow row) {
+        List<BudgetShare> shares = new ArrayList<>(row.budget());
+        shares.sort((a, b) -> Double.compare(b.share(), a.share()));
+        StringBuilder text = new StringBuilder();
+        for (BudgetShare share : shares) {
+            if (share.share() >= LEAST_SHARE) {
+                text.append('\n').append(get(R.string.budget_line, percent(share.share()), source(share.source())));
+            }
+        }
+        return text.length() == 0 ? "" : get(heading) + text;
+    }
+
     /** What the photo contradicts, after what stands before it; empty where it contradicts nothing. */
     String misfit(Reason reason, String before) {
         Misfit m = reason == null ? null : reason.misfit();
@@ -313,9 +333,13 @@ final class Wording {
     }
 
     private String source(Reason reason) {
-        switch (reason.source().kind()) {
+        return source(reason.source());
+    }
+
+    private String source(VarianceSource source) {
+        switch (source.kind()) {
             case PLACEMENT_OF_REFERENCE:
-                return get(R.string.source_placement, reason.source().referenceId().getAsInt());
+                return get(R.string.source_placement, source.referenceId().getAsInt());
             case CORNER_NOISE_OF_REFERENCES:
                 return get(R.string.source_reference_corners);
             case CORNER_NOISE_OF_OBJECT:

@@ -229,6 +229,38 @@ public final class CheckScreenState {
     }
 
     /**
+     * The last verdict, while the camera's view has left it and there is no newer one.
+     *
+     * @return null where there is none, or the one in force is shown
+     */
+    public HeldVerdict held() {
+        return v.source == ImageSource.LIVE && v.result == null && !awaitsFrame() ? v.held : null;
+    }
+
+    /**
+     * The result that the screen shows: of the view, or the last one.
+     *
+     * @return null where there is none
+     */
+    public CheckResult shownResult() {
+        return v.result != null ? v.result : held() == null ? null : held().result();
+    }
+
+    /**
+     * All that {@link #shownResult()} says.
+     *
+     * @return null where there is none
+     */
+    public ResultView shownView() {
+        return v.result != null ? v.view : held() == null ? null : held().view();
+    }
+
+    /** The frame or photo that the result on the screen belongs to. */
+    Photo shownPhoto() {
+        return v.result != null ? v.checked : held() == null ? null : held().photo();
+    }
+
+    /**
      * The result, judged by the target in force.
      *
      * @return null before the chains have ended
@@ -279,7 +311,7 @@ public final class CheckScreenState {
      * @return in the order of the cell; empty where there is no check; unmodifiable
      */
     public List<ObjectRow> objects() {
-        return awaitsFrame() ? Collections.emptyList() : v.objects;
+        return awaitsFrame() ? Collections.emptyList() : held() == null ? v.objects : held().objects();
     }
 
     /**
@@ -298,6 +330,22 @@ public final class CheckScreenState {
      */
     public Overlay overlay() {
         return awaitsFrame() ? null : v.overlay;
+    }
+
+    /**
+     * By how much the camera's picture has moved as a whole since the frame that the overlay belongs to.
+     *
+     * @return to the right and downwards, px of the upright image; 0 where a held picture is shown
+     */
+    public double[] overlayShiftPx() {
+        if (v.source != ImageSource.LIVE || v.live == null || v.live.keyFrame() == null) {
+            return new double[2];
+        }
+        int width = v.live.keyFrame().widthPx();
+        int height = v.live.keyFrame().heightPx();
+        double[] from = orientation().map(0, 0, width, height);
+        double[] to = orientation().map(v.live.shiftXPx(), v.live.shiftYPx(), width, height);
+        return new double[] {to[0] - from[0], to[1] - from[1]};
     }
 
     /**
@@ -343,7 +391,12 @@ public final class CheckScreenState {
      * @return true if so, with the same target
      */
     public boolean showsSaved() {
-        return v.saved != null && v.result == v.savedResult;
+        return v.saved != null && shownResult() == v.savedResult;
+    }
+
+    /** Whether a result is the one that was kept last. */
+    boolean keeps(CheckResult result) {
+        return v.saved != null && result == v.savedResult;
     }
 
     /**
@@ -394,10 +447,10 @@ public final class CheckScreenState {
     /**
      * Whether there is a result to keep that was not kept yet.
      *
-     * @return true once the chains have ended
+     * @return true once the chains have ended, and as long as their verdict is shown
      */
     public boolean canSave() {
-        return v.result != null && v.checked != null && !v.saving && !showsSaved();
+        return shownResult() != null && shownPhoto() != null && !v.saving && !showsSaved();
     }
 
     /**
@@ -489,6 +542,8 @@ public final class CheckScreenState {
         private CheckResult result;
         private ResultView view;
         private Advice advice;
+        private HeldVerdict held;
+        private long shownAtMs;
         private List<ObjectRow> objects = Collections.emptyList();
         private Overlay overlay;
         private Photo checked;
@@ -527,6 +582,8 @@ public final class CheckScreenState {
             result = o.result;
             view = o.view;
             advice = o.advice;
+            held = o.held;
+            shownAtMs = o.shownAtMs;
             objects = o.objects;
             overlay = o.overlay;
             checked = o.checked;
@@ -629,6 +686,7 @@ public final class CheckScreenState {
             result = null;
             view = null;
             advice = null;
+            held = null;
             objects = Collections.emptyList();
             overlay = null;
             checked = null;
@@ -652,6 +710,24 @@ public final class CheckScreenState {
             advice = value == result ? advice : null;
             result = value;
             view = ofValue;
+            return this;
+        }
+
+        /** The verdict stays when the view leaves it; called before the newer state is taken over. */
+        Builder hold(boolean verdictThere, long nowMs) {
+            if (verdictThere) {
+                shownAtMs = nowMs;
+                held = null;
+            } else if (result != null && checked != null && source == ImageSource.LIVE) {
+                held = new HeldVerdict(result, view, objects, checked, shownAtMs, Math.max(0, nowMs - shownAtMs));
+            } else if (held != null) {
+                held = held.at(nowMs);
+            }
+            return this;
+        }
+
+        Builder held(HeldVerdict value) {
+            held = value;
             return this;
         }
 

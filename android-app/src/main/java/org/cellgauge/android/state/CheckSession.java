@@ -9,7 +9,9 @@ import io.reactivex.rxjava3.processors.UnicastProcessor;
 import java.io.IOException;
 import java.text.SimpleDateFormat;
 import java.util.Date;
+import java.util.HashMap;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
@@ -27,6 +29,7 @@ import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
 import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Requirement;
 import org.cellgauge.cell.Target;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Verdict;
@@ -241,13 +244,49 @@ public final class CheckSession {
      * @param target what is asked of the objects
      */
     public void chooseTarget(Target target) {
-        change(s -> s.cell() == null ? s : judged(s.change().target(target, true).build()));
+        change(s -> s.cell() == null ? s : judged(heldAgainst(s, target).target(target, true).build()));
+    }
+
+    /**
+     * Lets an object count or not: of one that does not, nothing is asked, in view or not.
+     *
+     * @param objectId marker id of an object of the cell
+     * @param counts false to ask nothing of it; true for what is asked of all, or of it alone by the cell file
+     */
+    public void count(int objectId, boolean counts) {
+        change(s -> {
+            if (s.cell() == null) {
+                return s;
+            }
+            Map<Integer, Requirement> own = new HashMap<>(s.target().own());
+            own.remove(objectId);
+            Requirement stated = s.cell().cell().target().own().get(objectId);
+            if (!counts) {
+                own.put(objectId, Requirement.NONE);
+            } else if (stated != null && stated.isAny()) {
+                own.put(objectId, stated);
+            }
+            Target target = new Target(s.target().general(), own);
+            return judged(heldAgainst(s, target).target(target, true).build());
+        });
     }
 
     /** Takes the cell file's target again. */
     public void resetTarget() {
         change(s -> s.cell() == null ? s
-                : judged(s.change().target(s.cell().cell().target(), false).build()));
+                : judged(heldAgainst(s, s.cell().cell().target()).target(s.cell().cell().target(), false).build()));
+    }
+
+    /** The last verdict is another one under another target. */
+    private static CheckScreenState.Builder heldAgainst(CheckScreenState s, Target target) {
+        HeldVerdict held = s.held();
+        if (held == null) {
+            return s.change();
+        }
+        CheckResult result = held.result().withTarget(target);
+        ResultView view = ResultView.of(result);
+        return s.change().held(new HeldVerdict(result, view, CheckFigures.rows(result.cell(), target, s.live(), result,
+                view), held.photo(), held.atMs(), held.ageMs()));
     }
 
     /** Holds the frame that the figures belong to, and samples it to the end. */
@@ -351,14 +390,23 @@ public final class CheckSession {
         change(s -> s.change().readingPhoto(false).photoProblem(problem).build());
     }
 
-    /** Keeps the result on the screen. */
+    /** Keeps the result of the newest state. */
     public void save() {
+        save(state());
+    }
+
+    /**
+     * Keeps the result that was on the screen.
+     *
+     * @param shown what the screen showed when the user asked for it; the session may be further by now
+     */
+    public void save(CheckScreenState shown) {
         change(s -> {
-            if (!s.canSave()) {
+            if (!shown.canSave() || s.saving() || s.keeps(shown.shownResult())) {
                 return s;
             }
-            CheckResult result = s.result();
-            Photo photo = s.checkedPhoto();
+            CheckResult result = shown.shownResult();
+            Photo photo = shown.shownPhoto();
             files(() -> save(photo, result));
             return s.change().saving(true).saveProblem(null).build();
         });
@@ -481,7 +529,8 @@ public final class CheckSession {
             if (!belongs(s, from)) {
                 return s;
             }
-            CheckScreenState.Builder next = s.change().live(state, photo);
+            boolean verdict = state.update() != null && state.update().result() != null;
+            CheckScreenState.Builder next = s.change().hold(verdict, System.nanoTime() / NS_PER_MS).live(state, photo);
             if (s.source() == ImageSource.FROZEN && photo != null) {
                 // a frame that was under way when the picture was frozen
                 next.still(photo, s.orientation());

@@ -36,7 +36,7 @@ public class LensKnowledgeTest {
     private static final double[][] PLACES_MM = {{-420, -210, 40}, {430, 220, 20}, {0, 240, 60}};
     private static final int[] IDS = {5, 6, 7};
     private static final String CELL = "cellgauge: 1\nmarkers: {family: square-binary, size_mm: 60}\n"
-            + "placement: {std_mm: [0.5, 0.5, 0.5], std_deg: 0.1}\nimage: {pixel_std_px: 0.1}\n"
+            + "placement: {std_mm: [0.5, 0.5, 0.5], std_deg: 0.1}\npixel_std_px: 0.1\n"
             + "target: {std_mm: 3}\nreferences:\n"
             + "  10: {position_mm: [-150, -120, 0]}\n  20: {position_mm: [150, -120, 0]}\n"
             + "  30: {position_mm: [150, 120, 0]}\n  40: {position_mm: [-150, 120, 100]}\n"
