@@ -18,7 +18,8 @@ public enum CalibrationRefusal implements RefusalKind {
     FOCAL_TOO_UNSURE("the photos tell the focal length to %s %% only; %s"),
     /** A lens of which two directions fall together within the image: its name, a pixel there. */
     LENS_FOLDS("with the lens %s the photos lead to coefficients that fold the image over near pixel (%s, %s), so they "
-            + "do not tell them; take photos with the target near the image's borders, or name a leaner lens"),
+            + "do not tell them; take photos with the target near the image's borders, or name a leaner lens, "
+            + "or for a very wide one that of a quotient of polynomials or a fisheye's"),
     /** Nothing explains the photos: rms, px. */
     NOTHING_FITS("no camera explains the photos: corners are off by %s px; check rows, columns and sizes in the target "
             + "file, and that all photos are of one camera, its zoom and focus unchanged");

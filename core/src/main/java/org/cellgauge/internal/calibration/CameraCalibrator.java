@@ -45,6 +45,8 @@ public final class CameraCalibrator {
     private static final double CONTRADICTING = 2.5;
     private static final double TURNED_DEG = 45;
     private static final double MUCH_WEIGHT = 0.2;
+    /** Deviation of a coefficient of a quotient above which it is not told. */
+    private static final double MOST_OF_A_COEFFICIENT = 1;
 
     private final TargetPoints points;
     private final List<TargetObservation> given;
@@ -245,7 +247,8 @@ public final class CameraCalibrator {
                     .filter(p -> p.activeCount() >= 4).toList();
             CalibrationFit part = fit.ofPhotos(choice, board, half(fit, parity));
             // what half of the photos do not tell, nothing could be held against
-            sum += part.covariance == null || hasPole(part) ? Double.POSITIVE_INFINITY : part.heldOut(others);
+            sum += part.covariance == null || hasPole(part) || isUntold(part) ? Double.POSITIVE_INFINITY
+                    : part.heldOut(others);
         }
         return Math.sqrt(sum / heldOutFreedom(fit));
     }
@@ -268,6 +271,26 @@ public final class CameraCalibrator {
     /** Whether a quotient of polynomials folds the image, as it readily does where few photos tell its coefficients. */
     private boolean hasPole(CalibrationFit fit) {
         return fit.choice.lens() == RationalLens.MODEL && Lenses.foldWithin(camera(fit)) != null;
+    }
+
+    /**
+     * Whether photos leave a coefficient of a quotient of polynomials open, by a deviation above
+     * {@link #MOST_OF_A_COEFFICIENT}: numerator and denominator then cancel over all of the image, values run off along
+     * a bent ridge (k1 and k4 of -17 each for a lens of -0.2), and no covariance at the mode describes that.
+     */
+    private static boolean isUntold(CalibrationFit fit) {
+        double[] covariance = fit.covariance;
+        if (fit.choice.lens() != RationalLens.MODEL || covariance == null) {
+            return false;
+        }
+        List<String> names = fit.choice.lens().parameterNames();
+        for (int u = 0; u < fit.choice.unknowns(); u++) {
+            if (names.get(fit.choice.parameter(u)).startsWith("k")
+                    && !(covariance[u * (fit.globals + 1)] < MOST_OF_A_COEFFICIENT * MOST_OF_A_COEFFICIENT)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private PinholeCamera camera(CalibrationFit fit) {
@@ -505,8 +528,10 @@ public final class CameraCalibrator {
     private void warnOfBend(CalibrationFit fit, double crossRatio) {
         BoardBend bend = points.isFlat() ? BoardBend.of(fit, crossRatio) : null;
         if (bend != null && bend.isThere()) {
+            // target files of others count in squares, of which a bend is a small part
+            int decimals = (int) Math.max(2, 1 - Math.floor(Math.log10(bend.stdMm())));
             warnings.add(Warning.of(fit.board.warp == 0 ? CalibrationWarning.BENT : CalibrationWarning.BENT_OTHERWISE,
-                    Decimal.of(bend.heightMm(), 2), Decimal.of(bend.stdMm(), 2)));
+                    Decimal.of(bend.heightMm(), decimals), Decimal.of(bend.stdMm(), decimals)));
         }
     }
 

@@ -274,6 +274,21 @@ class CameraCalibratorTest {
         assertTrue(prism.figures().rmsPx() <= result.figures().rmsPx() + 1e-9, "a richer lens fits no worse");
     }
 
+    /**
+     * Few photos of the middle of the image: with a quotient of polynomials, numerator and denominator cancel over all
+     * that they show, and photos held out are explained no worse.
+     */
+    @Test
+    void aQuotientThatPhotosDoNotTellIsNotChosen() {
+        CalibrationStudy study = new CalibrationStudy(0.2, 1);
+        CalibrationResult result = Calibration.of(study.points(), study.photos(CalibrationStudy.Scene.POOR_CHOSEN, 9),
+                CalibrationOptions.USUAL);
+        assertEquals(BrownLens.MODEL, result.camera().lens());
+        CalibrationResult.Parameter k1 = result.parameters().stream().filter(p -> p.name().equals("k1")).findFirst()
+                .orElseThrow();
+        assertEquals(study.truth()[BrownLens.MODEL.parameterNames().indexOf("k1")], k1.value(), 4 * k1.std());
+    }
+
     /** Six markers about a cell, two of them raised and turned: no plane holds them. */
     @Test
     void findsTheCameraFromReferencesOfACell() {
