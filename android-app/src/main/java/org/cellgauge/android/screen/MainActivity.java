@@ -547,11 +547,14 @@ public final class MainActivity extends Activity {
 
     /** The list takes room from the picture only where the user wants it, or there is no picture. */
     private void showPanel(CheckScreenState s) {
-        boolean shownPanel = figuresWanted || s.cell() == null || message != null;
+        // what the user asked for and did not get stands there, with what can be done
+        boolean amiss = s.saveProblem() != null || s.source() == ImageSource.FROZEN && s.fault() != null
+                || s.cell() != null && s.cell().cameraFile() != null && s.cell().calibration() == null;
+        boolean shownPanel = figuresWanted || s.cell() == null || message != null || amiss;
         panel.setVisibility(shownPanel ? View.VISIBLE : View.GONE);
         findViewById(R.id.figures).setContentDescription(words.get(shownPanel ? R.string.figures_hide_spoken
                 : R.string.figures_show_spoken));
-        enable(R.id.figures, s.cell() != null && message == null);
+        enable(R.id.figures, s.cell() != null && message == null && !amiss);
     }
 
     private void tapped(float x, float y) {

@@ -25,7 +25,8 @@ final class NextStep {
     String of(CheckScreenState s) {
         switch (Banner.of(s)) {
             case QUICK_LOOK:
-                return s.allowsSampling() && s.source() == ImageSource.LIVE ? words.get(R.string.next_hold_still) : null;
+                return s.allowsSampling() && s.source() == ImageSource.LIVE ? words.get(R.string.next_hold_still)
+                        : null;
             case NOT_CONVERGED:
                 return words.get(s.source() == ImageSource.LIVE ? R.string.next_not_converged
                         : R.string.next_not_converged_still);

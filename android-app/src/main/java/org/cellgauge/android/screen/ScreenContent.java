@@ -85,15 +85,39 @@ final class ScreenContent {
         }
     }
 
-    /** The one thing to do next; null where there is none. */
+    /** The one thing to do next, or why there is nothing to do but wait; null where the headline says all. */
     String next(CheckScreenState s) {
-        return s.held() == null ? new NextStep(words).of(s) : words.get(R.string.next_held);
+        if (s.held() != null) {
+            return words.get(R.string.next_held);
+        }
+        switch (Banner.of(s)) {
+            case SEARCHING:
+            case REFUSED:
+            case INTERNAL:
+                return reason(s);
+            case QUICK_LOOK:
+                return s.allowsSampling() ? new NextStep(words).of(s) : reason(s);
+            case PASS_UNMEASURED:
+                return new NextStep(words).of(s);
+            default:
+                String next = new NextStep(words).of(s);
+                boolean judged = s.result() != null && !s.lensMeasured();
+                return !judged ? next : next == null ? words.get(R.string.lens_short)
+                        : next + " " + words.get(R.string.lens_short);
+        }
     }
 
     // ---- below the picture
 
-    /** What the picture's legend would say; null where nothing is drawn that needs explaining. */
+    /** What the picture's legend would say, after what became of saving; null where there is neither. */
     String caption(CheckScreenState s) {
+        String kept = s.saving() ? words.get(R.string.saving)
+                : s.showsSaved() ? words.get(R.string.saved, s.saved().name()) : null;
+        String legend = legend(s);
+        return kept == null ? legend : legend == null ? kept : words.get(R.string.caption_parts, kept, legend);
+    }
+
+    private String legend(CheckScreenState s) {
         Overlay overlay = s.overlay();
         if (overlay == null) {
             return null;
@@ -280,13 +304,15 @@ final class ScreenContent {
         } else if (object.mark() == ObjectRow.Mark.NOT_CONVERGED) {
             text = words.get(R.string.no_figure_not_converged);
         }
-        if (s.shownResult() != null && s.shownResult().verdict() == Verdict.CONTRADICTED && object.mark() == ObjectRow.Mark.NO_FIGURE) {
+        boolean contradicted = s.shownResult() != null && s.shownResult().verdict() == Verdict.CONTRADICTED;
+        if (contradicted && object.mark() == ObjectRow.Mark.NO_FIGURE) {
             text = words.get(R.string.no_figure_not_converged);
         }
         return new Row(drawable(object.mark()), !s.lensMeasured() && object.mark() == ObjectRow.Mark.OK
                 ? R.color.mark_neutral : colour(object.mark()),
                 words.get(R.string.object_title, object.id(), mark(object, s)), figures, text, null)
-                .withBar(object.use() == null ? Double.NaN : object.use().share(), words.use(object.use())).ofObject(object.id());
+                .withBar(object.use() == null ? Double.NaN : object.use().share(), words.use(object.use()))
+                .ofObject(object.id());
     }
 
     /** The heading of what is said of one object. */
@@ -359,7 +385,8 @@ final class ScreenContent {
                 return asked.isOneStd() ? words.get(R.string.mark_ok, words.plain(asked.stdMm().x()))
                         : words.get(R.string.mark_target_met);
             case NOT_OK:
-                return asked.isOneStd() && isBeyond(object) ? words.get(R.string.mark_not_ok, words.plain(asked.stdMm().x()))
+                return asked.isOneStd() && isBeyond(object)
+                        ? words.get(R.string.mark_not_ok, words.plain(asked.stdMm().x()))
                         : words.get(R.string.mark_target_missed);
             case PRELIMINARY:
                 return words.get(R.string.mark_preliminary);
@@ -507,7 +534,8 @@ final class ScreenContent {
         }
         if (!s.targetStdMm().isPresent()) {
             Requirement asked = s.target().general();
-            return isTolerance(s.target()) ? words.get(R.string.target_tolerance_all, words.plain(asked.toleranceMm().x()),
+            return isTolerance(s.target())
+                    ? words.get(R.string.target_tolerance_all, words.plain(asked.toleranceMm().x()),
                     words.tenthOfPercent(asked.probability())) : words.get(R.string.target_of_cell);
         }
         boolean chosen = !s.target().equals(s.cell().cell().target());

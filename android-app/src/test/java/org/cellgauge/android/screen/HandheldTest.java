@@ -108,22 +108,25 @@ public class HandheldTest {
                     screen.text(R.id.banner_headline).matches("Pass – target met \\(of \\d+ s ago\\)"));
             assertTrue("dimmed", green != ((ColorDrawable) screen.find(R.id.banner).getBackground()).getColor());
             assertTrue(screen.text(R.id.banner_next), screen.text(R.id.banner_next).startsWith("The camera has moved"));
+            screen.keep("held-verdict", FIXTURE.photo());
             assertEquals(ObjectRow.Mark.OK, screen.state().objects().get(0).mark());
             screen.tap(R.id.save);
+            screen.until("saved", () -> screen.state().showsSaved());
             assertSame(found, Screen.app().archive.results.get(0));
             assertEquals(found.detections().imageName(), Screen.app().archive.photos.get(0).name());
-            assertTrue(screen.shown().showsSaved());
             // another target judges what is shown
             screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(0.3)));
             screen.settle();
-            assertTrue(screen.text(R.id.banner_headline), screen.text(R.id.banner_headline).startsWith("Target missed"));
+            assertTrue(screen.text(R.id.banner_headline),
+                    screen.text(R.id.banner_headline).startsWith("Target missed"));
             // a new one takes its place
             screen.until("result", () -> {
                 Screen.app().feed.frame(shifted(FIXTURE.image(), 60, 20));
                 return screen.state().verdict() != null;
             });
             assertNull(screen.state().held());
-            assertEquals("Target missed", screen.text(R.id.banner_headline));
+            assertEquals(screen.activity().getString(Banner.of(screen.state().verdict()).headline()),
+                    screen.text(R.id.banner_headline));
         }
     }
 
@@ -135,7 +138,7 @@ public class HandheldTest {
             screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(0.3)));
             assertTrue("the session is further", seen.result() != screen.state().result());
             screen.session().save(seen);
-            screen.settle();
+            screen.until("saved", () -> screen.state().saved() != null);
             assertSame(seen.result(), Screen.app().archive.results.get(0));
             assertEquals(Verdict.PASS, Screen.app().archive.results.get(0).verdict());
         }
@@ -176,6 +179,8 @@ public class HandheldTest {
             screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(0.6)));
             screen.until("advice", () -> screen.state().advice() != null);
             String next = screen.text(R.id.banner_next);
+            screen.tap(R.id.figures);
+            screen.keep("figures-and-advice", FIXTURE.photo());
             assertTrue(next, next.matches("To meet the target: .* \\(largest deviation of .* → \\d\\.\\d\\d mm\\)\\."));
             assertTrue(screen.state().advice().view().worstStdMm() <= 0.6);
             screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(3)));
@@ -220,8 +225,12 @@ public class HandheldTest {
             assertEquals("Target met – but the lens is not calibrated", screen.text(R.id.banner_headline));
             int colour = ((ColorDrawable) screen.find(R.id.banner).getBackground()).getColor();
             assertTrue(colour != screen.activity().getColor(R.color.banner_pass));
-            assertTrue(screen.text(R.id.banner_next), screen.text(R.id.banner_next).startsWith("Calibrate this camera"));
+            assertTrue(screen.text(R.id.banner_next),
+                    screen.text(R.id.banner_next).startsWith("Calibrate this camera"));
+            screen.keep("lens-not-calibrated", FIXTURE.photo());
             screen.tap(R.id.save);
+            screen.until("saved", () -> screen.state().showsSaved());
+            assertTrue(screen.text(R.id.caption), screen.text(R.id.caption).startsWith("Saved as lifted-4-1"));
             assertEquals(Estimate.INTRINSICS, Screen.app().archive.results.get(0).settings().model().estimate());
         }
     }
@@ -254,8 +263,8 @@ public class HandheldTest {
             assertFalse(asked.stdMm().isAny());
             assertEquals(Verdict.PASS, screen.state().verdict());
             RowTexts row = row(screen, 5);
-            assertTrue(row.text(R.id.row_bar_text),
-                    row.text(R.id.row_bar_text).matches("(gripping point: )?[\\d.]+ % within 2.5 mm along [xyz]; 90 % asked for"));
+            assertTrue(row.text(R.id.row_bar_text), row.text(R.id.row_bar_text)
+                    .matches("(gripping point: )?[\\d.]+ % within 2.5 mm along [xyz]; 90 % asked for"));
             assertEquals("Object 5 – target met", row.text(R.id.row_title));
             // it survives the end of the process
             try (Screen again = Screen.start(screen.killed())) {
@@ -297,8 +306,8 @@ public class HandheldTest {
             screen.holdStillUntilResult(FIXTURE);
             ZoomLayout room = screen.find(R.id.view_area);
             View picture = screen.find(R.id.viewport);
-            float x = room.getWidth() / 2f + 100;
-            float y = room.getHeight() / 2f + 50;
+            float x = picture.getLeft() + picture.getWidth() / 2f + 100;
+            float y = picture.getTop() + picture.getHeight() / 2f + 50;
             room.zoom(3, x, y);
             assertEquals(3, picture.getScaleX(), 1e-6);
             // the point under the fingers has stayed: it was 100 px right of the middle, and is enlarged 300
@@ -331,6 +340,8 @@ public class HandheldTest {
             screen.settle();
             AlertDialog dialog = (AlertDialog) ShadowDialog.getLatestDialog();
             String text = Screen.plain(((TextView) dialog.findViewById(android.R.id.message)).getText());
+            Screen.write("object-dialog", Screen.picture(dialog.getWindow().getDecorView()));
+            screen.keep("enlarged", FIXTURE.photo());
             assertTrue(text, text.contains("95% ellipse: semi-axes"));
             assertTrue(text, text.contains("What the variance of its position comes from:"));
             assertTrue(text, text.contains("noise in the object's own corners"));

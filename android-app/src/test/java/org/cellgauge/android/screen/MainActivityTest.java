@@ -331,7 +331,8 @@ public class MainActivityTest {
             assertSame(before.estimate(), screen.state().result().estimate());
             assertSame(before.draws(), screen.state().result().draws());
             assertTrue(rows(screen), rows(screen).contains("Object 5 – deviation beyond 0.3 mm"));
-            assertTrue(rows(screen), rows(screen).contains("Target, chosen here: a standard deviation of at most 0.3 mm on every axis"));
+            assertTrue(rows(screen), rows(screen).contains("Target, chosen here: a standard deviation of at most "
+                    + "0.3 mm on every axis"));
             screen.session().resetTarget();
             screen.settle();
             assertEquals("Pass – target met", screen.text(R.id.banner_headline));

@@ -114,7 +114,7 @@ public class LensKnowledgeTest {
         }
     }
 
-    /** Why: the same lens at its word is wrong by more than it says, or accuses references that are where they should. */
+    /** Why: at its word the same lens is wrong by more than it says, or accuses references that stand right. */
     @Test
     public void aModelAtItsWordLeavesTheLensOut() {
         CheckSettings trusted = LensKnowledge.settings(CheckSettings.builder().threads(1).build(), STRAIGHT, true);
