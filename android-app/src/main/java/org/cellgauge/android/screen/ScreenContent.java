@@ -289,6 +289,10 @@ final class ScreenContent {
             if (object.mark() == ObjectRow.Mark.PRELIMINARY) {
                 figures += "\n" + words.get(R.string.figures_preliminary);
             }
+            if (s.fused() != null && s.fused().count() > 1 && s.fused().stdMm(object.id()) != null) {
+                figures += "\n" + words.plural(R.plurals.figures_fused, s.fused().count(), s.fused().count(),
+                        deviations(R.string.figures, s.fused().stdMm(object.id())));
+            }
             // what is said of all objects alike stands in the reason, once
             text = words.cause(object.reason());
             if (object.mark() == ObjectRow.Mark.NOT_OK && !isBeyond(object)) {

@@ -226,7 +226,8 @@ final class Wording {
         }
         Conformity c = use.conformity();
         if (c == null) {
-            return get(use.grip() ? R.string.use_std_grip : R.string.use_std, number(use.stdMm(), 1),
+            return get(use.grip() ? R.string.use_std_grip : R.string.use_std,
+                    number(use.stdMm(), use.limitMm() < 1 ? 2 : 1),
                     plain(use.limitMm()), axis(use.axis()));
         }
         return get(use.grip() ? R.string.use_tolerance_grip : R.string.use_tolerance, tenthOfPercent(c.probability()),

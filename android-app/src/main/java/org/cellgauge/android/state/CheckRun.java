@@ -29,6 +29,8 @@ final class CheckRun {
     private final boolean lensEstimated;
     private final Photo photo;
     private final MarkerDetector detector;
+    private FusedViews fused;
+    private long lastJudged;
     private final RecentFrames recent = new RecentFrames(RECENT_FRAMES);
     private final FlowableProcessor<Detections> frames = PublishProcessor.<Detections>create().toSerialized();
     /** Stopped before it has begun, it never begins. */
@@ -90,6 +92,29 @@ final class CheckRun {
     /** No frame comes any more: the one that figures belong to is checked to its end. */
     void endFrames() {
         frames.onComplete();
+    }
+
+    /**
+     * Takes a view that was judged together with those before; for one thread.
+     *
+     * @param view markers of its key frame
+     * @param general how checks go about it
+     * @return all views so far that fit each other
+     */
+    FusedViews fuse(Detections view, CheckSettings general) {
+        if (fused == null) {
+            fused = FusedViews.none(cell, LensKnowledge.settings(general, cell.camera(), !lensEstimated));
+        }
+        fused = fused.with(view);
+        return fused;
+    }
+
+    /** Whether a view has been judged that was not before; for one thread. */
+    boolean isNewlyJudged(LiveState state) {
+        boolean newly = photo == null && state.phase() == LiveState.Phase.RESULT
+                && state.keyFrameNumber() != lastJudged;
+        lastJudged = newly ? state.keyFrameNumber() : lastJudged;
+        return newly;
     }
 
     /** The pixels that figures belong to, or null where there are none. */

@@ -255,6 +255,11 @@ public final class CheckScreenState {
         return v.result != null ? v.view : held() == null ? null : held().view();
     }
 
+    /** The result as it is drawn: in no green where nobody measured the lens. */
+    CheckResult drawn() {
+        return v.drawn;
+    }
+
     /** The frame or photo that the result on the screen belongs to. */
     Photo shownPhoto() {
         return v.result != null ? v.checked : held() == null ? null : held().photo();
@@ -285,6 +290,15 @@ public final class CheckScreenState {
      */
     public Advice advice() {
         return v.advice;
+    }
+
+    /**
+     * The views of this cell that were judged, taken together.
+     *
+     * @return null before the first one
+     */
+    public FusedViews fused() {
+        return v.fused;
     }
 
     /**
@@ -541,8 +555,10 @@ public final class CheckScreenState {
         private LiveState live;
         private CheckResult result;
         private ResultView view;
+        private CheckResult drawn;
         private Advice advice;
         private HeldVerdict held;
+        private FusedViews fused;
         private long shownAtMs;
         private List<ObjectRow> objects = Collections.emptyList();
         private Overlay overlay;
@@ -581,8 +597,10 @@ public final class CheckScreenState {
             live = o.live;
             result = o.result;
             view = o.view;
+            drawn = o.drawn;
             advice = o.advice;
             held = o.held;
+            fused = o.fused;
             shownAtMs = o.shownAtMs;
             objects = o.objects;
             overlay = o.overlay;
@@ -685,8 +703,10 @@ public final class CheckScreenState {
             awaitedFrame = Math.min(awaitedFrame, 1);
             result = null;
             view = null;
+            drawn = null;
             advice = null;
             held = null;
+            fused = null;
             objects = Collections.emptyList();
             overlay = null;
             checked = null;
@@ -706,7 +726,8 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder result(CheckResult value, ResultView ofValue) {
+        Builder result(CheckResult value, ResultView ofValue, CheckResult drawnAs) {
+            drawn = drawnAs;
             advice = value == result ? advice : null;
             result = value;
             view = ofValue;
@@ -728,6 +749,11 @@ public final class CheckScreenState {
 
         Builder held(HeldVerdict value) {
             held = value;
+            return this;
+        }
+
+        Builder fused(FusedViews value) {
+            fused = value;
             return this;
         }
 

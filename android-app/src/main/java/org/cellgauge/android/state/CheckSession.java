@@ -525,6 +525,12 @@ public final class CheckSession {
 
     private void checked(CheckRun from, LiveState state) {
         Photo photo = from.photoOf(state.keyFrame());
+        if (from.isNewlyJudged(state)) {
+            files(() -> {
+                FusedViews fused = from.fuse(state.keyFrame(), settings);
+                change(s -> belongs(s, from) ? s.change().fused(fused).build() : s);
+            });
+        }
         change(s -> {
             if (!belongs(s, from)) {
                 return s;
@@ -561,7 +567,8 @@ public final class CheckSession {
         if (result != s.result() && result != null && result.verdict() == Verdict.FAIL) {
             files(() -> advise(result, view));
         }
-        return redrawn(s.change().result(result, view)
+        CheckResult drawn = result == s.result() ? s.drawn() : LensKnowledge.drawn(result, s.lensMeasured());
+        return redrawn(s.change().result(result, view, drawn)
                 .objects(CheckFigures.rows(current.cell(), s.target(), s.live(), result, view)).build());
     }
 
@@ -580,7 +587,7 @@ public final class CheckSession {
             return s;
         }
         PinholeCamera camera = current.cell().camera();
-        return s.change().overlay(CheckFigures.overlay(current.cell(), s.live(), s.result(),
+        return s.change().overlay(CheckFigures.overlay(current.cell(), s.live(), s.drawn(),
                 s.display().style(s.orientation(), camera.widthPx(), camera.heightPx()))).build();
     }
 

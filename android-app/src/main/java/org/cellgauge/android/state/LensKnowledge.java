@@ -1,7 +1,14 @@
 package org.cellgauge.android.state;
 
+import java.util.HashMap;
+import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.android.camera.CameraModelSource;
+import org.cellgauge.cell.ObjectMarker;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
+import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
@@ -30,6 +37,26 @@ final class LensKnowledge {
     /** Whether somebody measured the lens: a maker's values are of a type of device, and none say how sure they are. */
     static boolean isMeasured(CameraModelSource source) {
         return source == CameraModelSource.CALIBRATION_FILE;
+    }
+
+    /**
+     * A result as it is drawn: of a lens that nobody measured, what meets its target is as if nothing were asked of it.
+     *
+     * @param result judged by the target in force; null for none
+     * @param measured whether the lens was
+     * @return the same where it was
+     */
+    static CheckResult drawn(CheckResult result, boolean measured) {
+        if (result == null || measured) {
+            return result;
+        }
+        Map<Integer, Requirement> missed = new HashMap<>();
+        for (ObjectMarker object : result.cell().objects()) {
+            if (result.verdict(object.id()) == Verdict.FAIL) {
+                missed.put(object.id(), result.cell().target().of(object.id()));
+            }
+        }
+        return result.withTarget(new Target(Requirement.NONE, missed));
     }
 
     /**
