@@ -18,8 +18,8 @@ import org.cellgauge.vision.MarkerObservation;
  * them, by Laplace's approximation. It holds where nothing has moved between them; a view that does not fit the others
  * begins a new set. Immutable.
  *
- * <p>What is wrong with a corner is wrong in the same way in the next frame of the same view, so that a view counts only
- * where it is another one.
+ * <p>What is wrong with a corner is wrong in the same way in the next frame of the same view, so that a view counts
+ * only where it is another one.
  */
 public final class FusedViews {
     /** As many as a technician takes; the oldest gives way. */

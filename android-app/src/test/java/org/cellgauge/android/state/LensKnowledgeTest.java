@@ -19,6 +19,8 @@ import org.junit.Test;
  * and where the objects are is known.
  */
 public class LensKnowledgeTest {
+    private static final CheckSettings QUICK = CheckSettings.builder().targetMcseStdRel(0.1).threads(1).build();
+
     /** The largest error of any coordinate of any object, mm, and the same in its deviations. */
     private static double[] worstError(CheckResult result) {
         ResultView view = ResultView.of(result);
@@ -26,7 +28,8 @@ public class LensKnowledgeTest {
         double stds = 0;
         for (int i = 0; i < SimulatedCell.IDS.length; i++) {
             for (int axis = 0; axis < 3; axis++) {
-                double error = Math.abs(view.object(SimulatedCell.IDS[i]).mean()[axis] - SimulatedCell.PLACES_MM[i][axis]);
+                double error = Math.abs(view.object(SimulatedCell.IDS[i]).mean()[axis]
+                        - SimulatedCell.PLACES_MM[i][axis]);
                 mm = Math.max(mm, error);
                 stds = Math.max(stds, error / view.object(SimulatedCell.IDS[i]).std()[axis]);
             }
@@ -41,7 +44,7 @@ public class LensKnowledgeTest {
 
     @Test
     public void whatAnUnmeasuredLensDoesIsInTheFigures() {
-        CheckSettings unmeasured = LensKnowledge.settings(CheckSettings.builder().targetMcseStdRel(0.1).threads(1).build(), SimulatedCell.STRAIGHT, false);
+        CheckSettings unmeasured = LensKnowledge.settings(QUICK, SimulatedCell.STRAIGHT, false);
         for (double k1 : new double[] {0.03, 0.06}) {
             for (int view = 0; view < 3; view += 2) {
                 CheckResult result = check(k1, view, unmeasured);
@@ -59,7 +62,7 @@ public class LensKnowledgeTest {
     /** Why: at its word the same lens is wrong by more than it says, or accuses references that stand right. */
     @Test
     public void aModelAtItsWordLeavesTheLensOut() {
-        CheckSettings trusted = LensKnowledge.settings(CheckSettings.builder().targetMcseStdRel(0.1).threads(1).build(), SimulatedCell.STRAIGHT, true);
+        CheckSettings trusted = LensKnowledge.settings(QUICK, SimulatedCell.STRAIGHT, true);
         CheckResult result = check(0.06, 0, trusted);
         assertTrue(result.verdict() == Verdict.CONTRADICTED || worstError(result)[1] > 4.5
                 || !result.referenceCheck().misplaced().isEmpty());
