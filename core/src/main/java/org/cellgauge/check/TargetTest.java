@@ -37,7 +37,7 @@ public final class TargetTest {
      * A test.
      *
      * @param objects the objects seen, in the order of the cell
-     * @param notSeen marker ids of the others
+     * @param notSeen marker ids of the others; those of which the target asks nothing do not count
      * @param misplaced ids of references that seem misplaced, the worst first
      * @param poseWithoutMisplaced whether the other references lead to a camera pose; of no meaning where none seems
      *     misplaced
@@ -47,7 +47,10 @@ public final class TargetTest {
     public TargetTest(List<JudgedObject> objects, List<Integer> notSeen, List<Integer> misplaced,
             boolean poseWithoutMisplaced, @Nullable Misfit misfit, Target target) {
         this.objects = Collections.unmodifiableList(new ArrayList<>(objects));
-        this.notSeen = Collections.unmodifiableList(new ArrayList<>(notSeen));
+        List<Integer> missed = new ArrayList<>(notSeen);
+        // of an object of which nothing is asked, nothing is missed where it is not seen
+        missed.removeIf(id -> target.isAny() && !target.of(id).isAny());
+        this.notSeen = Collections.unmodifiableList(missed);
         this.misplaced = Collections.unmodifiableList(new ArrayList<>(misplaced));
         this.poseWithoutMisplaced = poseWithoutMisplaced;
         this.misfit = misfit;

@@ -23,11 +23,13 @@ import org.cellgauge.vision.Detections;
  * its detections and the same settings: chains are tuned and started from the frame's own initial estimate, whatever
  * came before.
  *
- * <p><em>Still</em> is about one thing only, whether what is drawn still lies on the view. It counts how far the marker
- * that moved most is from where the key frame has it (root mean square over its corners). Up to 3 px in an image of
- * 1280 px width (in proportion at other sizes), and never less than six deviations of the difference of two noisy
- * coordinates, the camera is still; for chains to start, half of that. The difference keeps tremor at the limit from
- * restarting every frame.
+ * <p><em>Still</em> is a camera in whose frames the outlines of the markers lie over those of the key frame: a hand
+ * moves the view as a whole, by some pixels from frame to frame, and no figure changes by that. The view may move by
+ * the side of the smallest reference, at most 3 % of the picture. Besides, no marker may move: each may be 3 px in an
+ * image of 1280 px width (in proportion at other sizes) from where the motion of the references puts it, never less
+ * than six deviations of the difference of two noisy coordinates, and as much more as markers at another distance seem
+ * to move. For chains to start, half of both. The difference keeps tremor at the limit from restarting every frame.
+ * Until they start, a frame whose edges are clearly sharper than the key frame's takes its place.
  *
  * <p>A marker of the cell that the key frame lacks restarts the check once two frames in a row show it. One that is
  * missing from a frame or two changes nothing but {@link LiveState#missingIds()}; after 15 frames the check restarts

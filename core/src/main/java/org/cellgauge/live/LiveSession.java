@@ -56,6 +56,7 @@ final class LiveSession {
     private final List<Integer> missingReferences = new ArrayList<>();
     private final List<Integer> missingObjects = new ArrayList<>();
     private double displacementPx = Double.NaN;
+    private @Nullable ViewMotion motion;
     private Frame newest;
     private @Nullable Refusal refusal;
     private @Nullable KeyFrame key;
@@ -169,6 +170,7 @@ final class LiveSession {
     private void onFrame(Frame frame) {
         newest = frame;
         findMissing(frame.detections);
+        motion = key == null ? null : ViewMotion.between(cell, key.detections, frame.detections);
         boolean referenceSeen = missingReferences.size() < cell.references().size();
         KeyFrame held = key;
         displacementPx = held == null ? Double.NaN
@@ -181,7 +183,8 @@ final class LiveSession {
             withoutReference();
         } else {
             framesWithoutReference = 0;
-            if (held == null || held.refusal != null || moved(held) || markersChanged(held, frame.detections)) {
+            if (held == null || held.refusal != null || moved(held) || markersChanged(held, frame.detections)
+                    || !held.settled && held.isBlurredAgainst(frame.detections)) {
                 takeAsKeyFrame(frame);
             } else {
                 settle(held);
@@ -248,12 +251,18 @@ final class LiveSession {
         }
     }
 
-    /** Whether the newest frame is too far from the key frame; before chains have started half as far is too far. */
+    /**
+     * Whether the newest frame is of another view than the key frame, or a marker stands elsewhere in it; before chains
+     * have started half as far is too far.
+     */
     private boolean moved(KeyFrame held) {
-        if (Double.isNaN(displacementPx)) {
+        ViewMotion seen = motion;
+        if (seen == null || Double.isNaN(seen.wholePx)) {
             return missingReferences.size() < cell.references().size();
         }
-        return displacementPx > (held.settled ? 1 : SETTLE_SHARE) * held.tolerancePx;
+        double share = held.settled ? 1 : SETTLE_SHARE;
+        return seen.wholePx > share * held.viewTolerancePx
+                || seen.besidesPx > share * Stillness.besidesPx(held.tolerancePx, seen.wholePx);
     }
 
     /** Whether a marker has come that the key frame lacks, twice in a row, or one has been gone for long. */
@@ -287,6 +296,7 @@ final class LiveSession {
         key = null;
         refusal = why;
         displacementPx = Double.NaN;
+        motion = null;
     }
 
     private void takeAsKeyFrame(Frame frame) {
@@ -294,7 +304,7 @@ final class LiveSession {
         newcomers.clear();
         framesWithout.clear();
         try {
-            KeyFrame taken = new KeyFrame(frame.detections, frame.number,
+            KeyFrame taken = new KeyFrame(cell, frame.detections, frame.number,
                     CellCheck.quickLook(cell, frame.detections, settings, lastWorldFromCamera));
             key = taken;
             lastWorldFromCamera = taken.update.estimate().camera().meanTransform();
@@ -406,9 +416,10 @@ final class LiveSession {
         }
         if (held == null || why != null) {
             return new LiveState(phase, newest.detections, newest.number, null, 0, null, missingReferences,
-                    missingObjects, Double.NaN, why);
+                    missingObjects, Double.NaN, 0, 0, why);
         }
         return new LiveState(phase, newest.detections, newest.number, held.detections, held.number, held.update,
-                missingReferences, missingObjects, displacementPx, null);
+                missingReferences, missingObjects, displacementPx, motion == null ? 0 : motion.shiftXPx,
+                motion == null ? 0 : motion.shiftYPx, null);
     }
 }

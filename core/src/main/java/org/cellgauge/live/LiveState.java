@@ -12,7 +12,8 @@ import org.jspecify.annotations.Nullable;
  * What a live check knows at one moment; immutable.
  *
  * <p>Figures belong to the key frame, not to the newest frame: draw the overlay of {@link #update()} with the markers
- * of {@link #keyFrame()}. While the camera is held still, it lies on the newest frame as well.
+ * of {@link #keyFrame()}, moved by {@link #shiftXPx()} and {@link #shiftYPx()}: while the camera is held still, it lies
+ * on the newest frame so.
  */
 public final class LiveState {
     /** How far the check has come. */
@@ -38,11 +39,14 @@ public final class LiveState {
     private final List<Integer> missingReferences;
     private final List<Integer> missingObjects;
     private final double displacementPx;
+    private final double shiftXPx;
+    private final double shiftYPx;
     private final @Nullable Refusal refusal;
 
     LiveState(Phase phase, Detections detections, long frameNumber, @Nullable Detections keyFrame,
             long keyFrameNumber, @Nullable CheckUpdate update, List<Integer> missingReferences,
-            List<Integer> missingObjects, double displacementPx, @Nullable Refusal refusal) {
+            List<Integer> missingObjects, double displacementPx, double shiftXPx, double shiftYPx,
+            @Nullable Refusal refusal) {
         this.phase = phase;
         this.detections = detections;
         this.frameNumber = frameNumber;
@@ -52,6 +56,8 @@ public final class LiveState {
         this.missingReferences = Collections.unmodifiableList(new ArrayList<>(missingReferences));
         this.missingObjects = Collections.unmodifiableList(new ArrayList<>(missingObjects));
         this.displacementPx = displacementPx;
+        this.shiftXPx = shiftXPx;
+        this.shiftYPx = shiftYPx;
         this.refusal = refusal;
     }
 
@@ -146,6 +152,25 @@ public final class LiveState {
      */
     public double displacementPx() {
         return displacementPx;
+    }
+
+    /**
+     * How far the newest frame's view has moved to the right of the key frame's as a whole: where what is drawn lies on
+     * the newest frame.
+     *
+     * @return px; 0 where there is no key frame or nothing in common
+     */
+    public double shiftXPx() {
+        return shiftXPx;
+    }
+
+    /**
+     * How far it has moved downwards.
+     *
+     * @return px, as {@link #shiftXPx()}
+     */
+    public double shiftYPx() {
+        return shiftYPx;
     }
 
     /**

@@ -15,6 +15,11 @@ final class Stillness {
     /** A difference of two noisy coordinates has sqrt(2) times the noise; six of its deviations are never reached. */
     private static final double NOISE_FACTOR = 6 * Math.sqrt(2);
 
+    /** What a hand moves a view by at most, as a share of the picture. */
+    private static final double VIEW_SHARE = 0.03;
+    /** Objects stand nearer to the camera than references by so much of their distance, or less. */
+    private static final double PARALLAX_SHARE = 0.2;
+
     private Stillness() {
     }
 
@@ -28,6 +33,36 @@ final class Stillness {
     static double tolerancePx(Detections frame, double pixelStdPx) {
         return Math.max(TREMOR_PX * Math.max(frame.widthPx(), frame.heightPx()) / AT_WIDTH_PX,
                 NOISE_FACTOR * pixelStdPx);
+    }
+
+    /**
+     * How far the view as a whole may move while it counts as the same one: as long as the outlines of its markers lie
+     * over each other, and no farther than a hand moves it that means to hold it still. Figures do not change by that:
+     * they are about where the camera stands, to within a per cent or two of its distance.
+     *
+     * @param frame the key frame
+     * @param cell whose markers count
+     * @param tolerancePx as {@link #tolerancePx}; never less than that
+     * @return px
+     */
+    static double viewTolerancePx(Detections frame, Cell cell, double tolerancePx) {
+        double side = Double.POSITIVE_INFINITY;
+        for (Reference reference : cell.references()) {
+            MarkerObservation seen = frame.find(reference.id());
+            side = seen == null ? side : Math.min(side, seen.shortestSidePx());
+        }
+        return Math.max(tolerancePx, Math.min(side, VIEW_SHARE * Math.max(frame.widthPx(), frame.heightPx())));
+    }
+
+    /**
+     * How far a marker may be from where the motion of the whole puts it.
+     *
+     * @param tolerancePx as {@link #tolerancePx}
+     * @param wholePx how far the whole has moved: markers nearer to the camera move farther
+     * @return px
+     */
+    static double besidesPx(double tolerancePx, double wholePx) {
+        return tolerancePx + PARALLAX_SHARE * wholePx;
     }
 
     /**

@@ -10,9 +10,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.sampling.Quantity;
@@ -145,6 +148,25 @@ class JudgementTest {
         assertEquals(Verdict.PASS, result.verdict(5));
         assertNull(result.estimate().largestDeviation(20));
         assertFalse(result.estimate().isAmbiguous(20));
+    }
+
+    /** Of what does not count nothing is asked, and nothing is missed where it is not seen. */
+    @Test
+    void objectThatDoesNotCountMayBeOutOfView() {
+        List<MarkerObservation> markers = new ArrayList<>(PHOTO.markers());
+        markers.removeIf(m -> m.id() == 20);
+        Cell cell = SCENE.cell();
+        Target generous = Target.ofStdMm(OptionalDouble.of(100));
+        CheckResult result = run(cell.withTarget(generous),
+                new Detections(PHOTO.imageName(), PHOTO.widthPx(), PHOTO.heightPx(), markers));
+        assertEquals(Verdict.FAIL, result.verdict());
+        CheckResult without = result.withTarget(new Target(generous.general(), Map.of(20, Requirement.NONE)));
+        assertEquals(Verdict.PASS, without.verdict());
+        assertEquals(Verdict.NO_TARGET, without.verdict(20));
+        assertEquals(Reason.Kind.LARGEST_DEVIATION, without.finding().kind());
+        // another one that does count is missed all the same
+        assertEquals(Verdict.FAIL,
+                result.withTarget(new Target(generous.general(), Map.of(5, Requirement.NONE))).verdict());
     }
 
     @Test

@@ -22,6 +22,8 @@ enum Banner {
     QUICK_LOOK(R.string.head_quick_look, R.drawable.mark_preliminary, R.color.banner_neutral),
     SAMPLING(R.string.head_sampling, R.drawable.mark_preliminary, R.color.banner_neutral),
     PASS(R.string.head_pass, R.drawable.mark_pass, R.color.banner_pass),
+    /** Met with all that an unmeasured lens may do in the figures: no green, because nobody measured it. */
+    PASS_UNMEASURED(R.string.head_pass_unmeasured, R.drawable.mark_pass, R.color.banner_neutral),
     FAIL(R.string.head_fail, R.drawable.mark_fail, R.color.banner_fail),
     NOT_CONVERGED(R.string.head_not_converged, R.drawable.mark_not_converged, R.color.banner_not_converged),
     AMBIGUOUS(R.string.head_ambiguous, R.drawable.mark_ambiguous, R.color.banner_ambiguous),
@@ -92,6 +94,9 @@ enum Banner {
     }
 
     private static Banner of(CheckScreenState s, LiveState.Phase phase) {
+        if (s.held() != null) {
+            return of(s.held().result().verdict(), s);
+        }
         switch (phase) {
             case SEARCHING:
                 return SEARCHING;
@@ -104,7 +109,12 @@ enum Banner {
             default:
                 break;
         }
-        return of(s.verdict());
+        return of(s.verdict(), s);
+    }
+
+    private static Banner of(Verdict verdict, CheckScreenState s) {
+        Banner judged = of(verdict);
+        return judged == PASS && !s.lensMeasured() ? PASS_UNMEASURED : judged;
     }
 
     /** The banner of a finished check. */

@@ -6,6 +6,7 @@ import android.content.ActivityNotFoundException;
 import android.content.ClipData;
 import android.content.Intent;
 import android.content.pm.PackageManager;
+import android.graphics.Color;
 import android.graphics.SurfaceTexture;
 import android.hardware.display.DisplayManager;
 import android.net.Uri;
@@ -51,6 +52,9 @@ public final class MainActivity extends Activity {
     private static final int REQUEST_PERMISSION = 4;
     private static final String TARGET_TEXT = "target-text";
     private static final String LICENCES_TOP = "licences-top";
+    private static final String FIGURES = "figures";
+    /** A finger may miss a marker by so much. */
+    private static final float REACH_DP = 32;
     private static final int QUARTER_DEG = 90;
     /** Capital letters of a text of 12 sp, the smallest of the screen, are as high. */
     private static final float LABEL_CAP_SP = 8.5f;
@@ -68,6 +72,7 @@ public final class MainActivity extends Activity {
     private Disposable levels = Disposable.disposed();
     private TargetDialog targetDialog;
     private LicencesDialog licencesDialog;
+    private ObjectDialog objectDialog;
 
     private boolean resumed;
     private SurfaceTexture surface;
@@ -76,10 +81,14 @@ public final class MainActivity extends Activity {
 
     private ImageView bannerMark;
     private TextView headline;
+    private TextView next;
     private View banner;
     private TextView reason;
     private TextView caption;
     private RowList rows;
+    private View panel;
+    /** Whether the user wants the list of figures at the cost of the picture's size. */
+    private boolean figuresWanted;
     private View viewArea;
     private ViewportLayout viewport;
     private PreviewView preview;
@@ -111,6 +120,9 @@ public final class MainActivity extends Activity {
         findViews();
         wireBar();
         rows.onAction(this::perform);
+        rows.onObject(this::showObject);
+        ((ZoomLayout) viewArea).onTap(this::tapped);
+        figuresWanted = saved != null && saved.getBoolean(FIGURES);
         preview.setSurfaceTextureListener(new PreviewSurface());
         viewArea.addOnLayoutChangeListener((view, left, top, right, bottom, oldLeft, oldTop, oldRight, oldBottom) -> {
             if (right - left != oldRight - oldLeft || bottom - top != oldBottom - oldTop) {
@@ -118,7 +130,7 @@ public final class MainActivity extends Activity {
             }
         });
         if (saved != null && saved.containsKey(TARGET_TEXT)) {
-            targetDialog = new TargetDialog(this, session, saved.getString(TARGET_TEXT));
+            targetDialog = new TargetDialog(this, session, saved.getStringArray(TARGET_TEXT));
         }
         if (saved != null && saved.containsKey(LICENCES_TOP)) {
             licencesDialog = new LicencesDialog(this, mainThread, saved.getInt(LICENCES_TOP));
@@ -129,9 +141,11 @@ public final class MainActivity extends Activity {
         banner = findViewById(R.id.banner);
         bannerMark = findViewById(R.id.banner_mark);
         headline = findViewById(R.id.banner_headline);
+        next = findViewById(R.id.banner_next);
         reason = findViewById(R.id.reason);
         caption = findViewById(R.id.caption);
         rows = findViewById(R.id.rows);
+        panel = findViewById(R.id.panel);
         viewArea = findViewById(R.id.view_area);
         viewport = findViewById(R.id.viewport);
         preview = findViewById(R.id.preview);
@@ -148,9 +162,13 @@ public final class MainActivity extends Activity {
                 session.resume();
             }
         });
-        findViewById(R.id.save).setOnClickListener(v -> session.save());
+        findViewById(R.id.save).setOnClickListener(v -> session.save(shown));
         findViewById(R.id.share).setOnClickListener(v -> share());
         findViewById(R.id.target).setOnClickListener(v -> targetDialog = new TargetDialog(this, session, null));
+        findViewById(R.id.figures).setOnClickListener(v -> {
+            figuresWanted = panel.getVisibility() != View.VISIBLE;
+            showPanel(session.state());
+        });
         findViewById(R.id.refocus).setOnClickListener(v -> {
             session.refocusing();
             feed.refocus();
@@ -203,6 +221,9 @@ public final class MainActivity extends Activity {
         if (licencesDialog != null) {
             licencesDialog.dismiss();
         }
+        if (objectDialog != null) {
+            objectDialog.dismiss();
+        }
         if (!isChangingConfigurations()) {
             session.close();
         }
@@ -239,8 +260,9 @@ public final class MainActivity extends Activity {
     protected void onSaveInstanceState(Bundle out) {
         super.onSaveInstanceState(out);
         session.memory().write(out);
+        out.putBoolean(FIGURES, figuresWanted);
         if (targetDialog != null && targetDialog.isShowing()) {
-            out.putString(TARGET_TEXT, targetDialog.text());
+            out.putStringArray(TARGET_TEXT, targetDialog.texts());
         }
         if (licencesDialog != null && licencesDialog.isShowing()) {
             out.putInt(LICENCES_TOP, licencesDialog.top());
@@ -392,7 +414,7 @@ public final class MainActivity extends Activity {
                 }
                 break;
             default:
-                session.save();
+                session.save(shown);
                 break;
         }
     }
@@ -483,13 +505,22 @@ public final class MainActivity extends Activity {
         Banner now = Banner.of(s);
         text(headline, content.headline(s));
         bannerMark.setImageResource(now.mark());
-        banner.setBackgroundColor(getColor(now.colour()));
+        banner.setBackgroundColor(s.held() == null ? getColor(now.colour()) : dimmed(getColor(now.colour())));
+        optional(next, content.next(s));
         optional(reason, content.reason(s));
         rows.show(content.rows(s));
         showMessage(s);
         showPicture(s);
+        showPanel(s);
         runCamera();
         showBar(s);
+    }
+
+    /** A colour half-way to the one of nothing: white letters stand out from both. */
+    private int dimmed(int colour) {
+        int idle = getColor(R.color.banner_idle);
+        return Color.rgb((Color.red(colour) + Color.red(idle)) / 2, (Color.green(colour) + Color.green(idle)) / 2,
+                (Color.blue(colour) + Color.blue(idle)) / 2);
     }
 
     private void showPicture(CheckScreenState s) {
@@ -509,7 +540,35 @@ public final class MainActivity extends Activity {
         still.setVisibility(stillShown ? View.VISIBLE : View.GONE);
         still.setStill(s.still(), s.orientation());
         overlay.setOverlay(message == null ? s.overlay() : null);
+        double[] shift = s.overlayShiftPx();
+        overlay.setShift(shift[0], shift[1]);
         overlay.describe(content.spoken(s));
+    }
+
+    /** The list takes room from the picture only where the user wants it, or there is no picture. */
+    private void showPanel(CheckScreenState s) {
+        // what the user asked for and did not get stands there, with what can be done
+        boolean amiss = s.saveProblem() != null || s.source() == ImageSource.FROZEN && s.fault() != null
+                || s.cell() != null && s.cell().cameraFile() != null && s.cell().calibration() == null;
+        boolean shownPanel = figuresWanted || s.cell() == null || message != null || amiss;
+        panel.setVisibility(shownPanel ? View.VISIBLE : View.GONE);
+        findViewById(R.id.figures).setContentDescription(words.get(shownPanel ? R.string.figures_hide_spoken
+                : R.string.figures_show_spoken));
+        enable(R.id.figures, s.cell() != null && message == null && !amiss);
+    }
+
+    private void tapped(float x, float y) {
+        if (message == null) {
+            float reach = TypedValue.applyDimension(TypedValue.COMPLEX_UNIT_DIP, REACH_DP,
+                    getResources().getDisplayMetrics());
+            PictureTap.objectAt(session.state(), x, y, viewport.getWidth(), viewport.getHeight(), reach)
+                    .ifPresent(this::showObject);
+        }
+    }
+
+    private void showObject(int id) {
+        objectDialog = new ObjectDialog(this, session, content, id,
+                of -> targetDialog = new TargetDialog(this, session, null, of));
     }
 
     private void showMessage(CheckScreenState s) {
@@ -559,9 +618,7 @@ public final class MainActivity extends Activity {
         enable(R.id.refocus, s.setup() != null && liveShown && openFor != null);
         enable(R.id.photo, s.cell() != null);
         View target = findViewById(R.id.target);
-        target.setContentDescription(words.get(R.string.target_spoken, s.targetStdMm().isPresent()
-                ? words.get(R.string.target_mm, words.plain(s.targetStdMm().getAsDouble()))
-                : words.get(s.target().isAny() ? R.string.target_stated : R.string.target_not_set)));
+        target.setContentDescription(words.get(R.string.target_spoken, content.targetSpoken(s)));
     }
 
     private void enable(int id, boolean enabled) {

@@ -12,6 +12,8 @@ public final class OverlayView extends View {
     private final OverlayPainter painter = new OverlayPainter();
     private Overlay overlay;
     private ViewFit fit;
+    private double shiftXPx;
+    private double shiftYPx;
 
     /**
      * For the layout's file.
@@ -37,6 +39,20 @@ public final class OverlayView extends View {
         painter.prepare(next);
         refit();
         invalidate();
+    }
+
+    /**
+     * Where to draw it: the picture moves with the hand that holds the camera.
+     *
+     * @param toRightPx by how much the picture has moved since, px of the upright picture
+     * @param downPx the same downwards
+     */
+    void setShift(double toRightPx, double downPx) {
+        if (toRightPx != shiftXPx || downPx != shiftYPx) {
+            shiftXPx = toRightPx;
+            shiftYPx = downPx;
+            invalidate();
+        }
     }
 
     /**
@@ -68,6 +84,7 @@ public final class OverlayView extends View {
         int saved = canvas.save();
         canvas.translate((float) fit.dx(), (float) fit.dy());
         canvas.scale((float) fit.scale(), (float) fit.scale());
+        canvas.translate((float) shiftXPx, (float) shiftYPx);
         painter.draw(canvas);
         canvas.restoreToCount(saved);
     }

@@ -1,6 +1,7 @@
 package org.cellgauge.android.screen;
 
 import java.util.Objects;
+import java.util.OptionalInt;
 
 /** One row of the list, ready to be shown; immutable. Parts that are null take no room. */
 final class Row {
@@ -10,6 +11,9 @@ final class Row {
     private final String figures;
     private final String text;
     private final Action action;
+    private double bar = Double.NaN;
+    private OptionalInt objectId = OptionalInt.empty();
+    private String barText;
 
     /**
      * A row.
@@ -54,6 +58,33 @@ final class Row {
         return action;
     }
 
+    /** The same row with a bar: how much of what is asked is taken, 1 at the limit; NaN for none. */
+    Row withBar(double share, String words) {
+        Row row = new Row(mark, colour, title, figures, text, action);
+        row.bar = share;
+        row.barText = words;
+        return row;
+    }
+
+    /** The same row, which leads to all that is known of an object. */
+    Row ofObject(int id) {
+        Row row = withBar(bar, barText);
+        row.objectId = OptionalInt.of(id);
+        return row;
+    }
+
+    OptionalInt objectId() {
+        return objectId;
+    }
+
+    double bar() {
+        return bar;
+    }
+
+    String barText() {
+        return barText;
+    }
+
     @Override
     public boolean equals(Object other) {
         if (!(other instanceof Row)) {
@@ -61,11 +92,13 @@ final class Row {
         }
         Row o = (Row) other;
         return mark == o.mark && colour == o.colour && title.equals(o.title) && Objects.equals(figures, o.figures)
-                && Objects.equals(text, o.text) && action == o.action;
+                && Objects.equals(text, o.text) && action == o.action
+                && Double.compare(bar, o.bar) == 0 && Objects.equals(barText, o.barText)
+                && objectId.equals(o.objectId);
     }
 
     @Override
     public int hashCode() {
-        return Objects.hash(mark, colour, title, figures, text, action);
+        return Objects.hash(mark, colour, title, figures, text, action, bar, barText, objectId);
     }
 }

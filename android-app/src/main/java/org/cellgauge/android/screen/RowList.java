@@ -8,16 +8,22 @@ import android.view.View;
 import android.widget.Button;
 import android.widget.ImageView;
 import android.widget.LinearLayout;
+import android.widget.ProgressBar;
 import android.widget.TextView;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import org.cellgauge.android.R;
 
 /** Rows below each other. A row that has not changed is left alone, so that a screen reader stays where it is. */
 public final class RowList extends LinearLayout {
+    /** A bar is full where all that is asked is taken. */
+    private static final int BAR_FULL = 1000;
+
     private final List<Row> shown = new ArrayList<>();
     private Consumer<Action> actions = action -> { };
+    private IntConsumer objects = id -> { };
 
     /**
      * For the layout's file.
@@ -32,6 +38,11 @@ public final class RowList extends LinearLayout {
     /** Who is told of a button that was pressed. */
     void onAction(Consumer<Action> listener) {
         actions = listener;
+    }
+
+    /** Who is told of an object whose row was tapped. */
+    void onObject(IntConsumer listener) {
+        objects = listener;
     }
 
     /** Shows rows in place of those before. */
@@ -59,7 +70,22 @@ public final class RowList extends LinearLayout {
         mark.setImageTintList(ColorStateList.valueOf(getContext().getColor(row.colour())));
         text(view.findViewById(R.id.row_title), row.title());
         text(view.findViewById(R.id.row_figures), row.figures());
+        text(view.findViewById(R.id.row_bar_text), row.barText());
+        ProgressBar bar = view.findViewById(R.id.row_bar);
+        bar.setVisibility(row.barText() == null ? GONE : VISIBLE);
+        bar.setProgress((int) Math.min(BAR_FULL, Math.round(BAR_FULL * row.bar())));
+        bar.setProgressTintList(ColorStateList.valueOf(getContext().getColor(row.colour())));
         text(view.findViewById(R.id.row_text), row.text());
+        if (row.objectId().isPresent()) {
+            int id = row.objectId().getAsInt();
+            view.setOnClickListener(v -> objects.accept(id));
+            view.setContentDescription(getContext().getString(R.string.object_row_spoken, row.title(),
+                    row.figures() == null ? "" : row.figures()));
+        } else {
+            view.setOnClickListener(null);
+            view.setContentDescription(null);
+        }
+        view.setClickable(row.objectId().isPresent());
         Button button = view.findViewById(R.id.row_action);
         button.setVisibility(row.action() == null ? GONE : VISIBLE);
         if (row.action() != null) {

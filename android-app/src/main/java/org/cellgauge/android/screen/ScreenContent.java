@@ -11,16 +11,22 @@ import org.cellgauge.android.state.CheckScreenState;
 import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.ObjectRow;
 import org.cellgauge.android.state.Problem;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.internal.overlay.EllipseShape;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.internal.overlay.Role;
 import org.cellgauge.internal.overlay.Shape;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.warning.Warning;
 
 /** What a state says, in the user's language: pure text, so that the activity only has to put it in its places. */
 final class ScreenContent {
     private static final String BULLET = "\u2022 ";
+    /** Deviations on either side of the mean that hold 95 % of a normal distribution. */
+    private static final double DEVIATIONS_95 = 1.96;
+    private static final double MS_PER_S = 1000;
 
     private final Wording words;
     private final String version;
@@ -39,7 +45,9 @@ final class ScreenContent {
     // ---- banner
 
     String headline(CheckScreenState s) {
-        return words.get(Banner.of(s).headline());
+        String verdict = words.get(Banner.of(s).headline());
+        return s.held() == null ? verdict
+                : words.get(R.string.head_held, verdict, words.number(Math.ceil(s.held().ageMs() / MS_PER_S), 0));
     }
 
     /** Why the banner says what it says; empty where the headline or the message over the picture says all. */
@@ -64,21 +72,52 @@ final class ScreenContent {
             case INTERNAL:
                 return words.get(R.string.reason_internal, words.problem(s.checkProblem()));
             case PASS:
+            case PASS_UNMEASURED:
             case FAIL:
             case NOT_CONVERGED:
             case AMBIGUOUS:
             case CONTRADICTED:
             case NO_TARGET:
-                return words.reason(s.reason());
+                return (s.lensMeasured() ? "" : words.get(R.string.lens_unmeasured) + " ")
+                        + words.reason(s.shownResult().finding());
             default:
                 return "";
         }
     }
 
+    /** The one thing to do next, or why there is nothing to do but wait; null where the headline says all. */
+    String next(CheckScreenState s) {
+        if (s.held() != null) {
+            return words.get(R.string.next_held);
+        }
+        switch (Banner.of(s)) {
+            case SEARCHING:
+            case REFUSED:
+            case INTERNAL:
+                return reason(s);
+            case QUICK_LOOK:
+                return s.allowsSampling() ? new NextStep(words).of(s) : reason(s);
+            case PASS_UNMEASURED:
+                return new NextStep(words).of(s);
+            default:
+                String next = new NextStep(words).of(s);
+                boolean judged = s.result() != null && !s.lensMeasured();
+                return !judged ? next : next == null ? words.get(R.string.lens_short)
+                        : next + " " + words.get(R.string.lens_short);
+        }
+    }
+
     // ---- below the picture
 
-    /** What the picture's legend would say; null where nothing is drawn that needs explaining. */
+    /** What the picture's legend would say, after what became of saving; null where there is neither. */
     String caption(CheckScreenState s) {
+        String kept = s.saving() ? words.get(R.string.saving)
+                : s.showsSaved() ? words.get(R.string.saved, s.saved().name()) : null;
+        String legend = legend(s);
+        return kept == null ? legend : legend == null ? kept : words.get(R.string.caption_parts, kept, legend);
+    }
+
+    private String legend(CheckScreenState s) {
         Overlay overlay = s.overlay();
         if (overlay == null) {
             return null;
@@ -243,47 +282,115 @@ final class ScreenContent {
         String figures = null;
         String text = null;
         if (object.stdMm() != null) {
-            figures = deviations(R.string.figures, object.stdMm());
+            figures = deviations(R.string.figures, object.stdMm()) + "\n" + coverage(object.stdMm());
             if (object.gripStdMm() != null) {
                 figures += "\n" + deviations(R.string.figures_grip, object.gripStdMm());
             }
             if (object.mark() == ObjectRow.Mark.PRELIMINARY) {
                 figures += "\n" + words.get(R.string.figures_preliminary);
             }
-            text = words.cause(object.reason());
-            if (object.ellipse95Px() != null) {
-                String ellipse = words.get(R.string.ellipse, words.number(object.ellipse95Px().semiMajor(), 1),
-                        words.number(object.ellipse95Px().semiMinor(), 1));
-                text = text == null ? ellipse : text + "\n" + ellipse;
+            if (s.fused() != null && s.fused().count() > 1 && s.fused().stdMm(object.id()) != null) {
+                figures += "\n" + words.plural(R.plurals.figures_fused, s.fused().count(), s.fused().count(),
+                        deviations(R.string.figures, s.fused().stdMm(object.id())));
             }
-            text = text == null ? null : text + words.tolerance(object.reason(), "\n")
-                    + words.misfit(object.reason(), "\n")
-                    + words.misplacement(object.reason(), "\n");
+            // what is said of all objects alike stands in the reason, once
+            text = words.cause(object.reason());
+            if (object.mark() == ObjectRow.Mark.NOT_OK && !isBeyond(object)) {
+                text = (text == null ? "" : text) + words.misfit(object.reason(), "\n")
+                        + words.misplacement(object.reason(), "\n");
+            }
         } else if (object.mark() == ObjectRow.Mark.AMBIGUOUS) {
             text = object.reason() == null ? words.get(R.string.no_figure_two_poses) : words.reason(object.reason());
+            if (object.poseShares().size() == 2) {
+                text += "\n" + words.get(R.string.pose_shares, words.percent(object.poseShares().get(0)),
+                        words.percent(object.poseShares().get(1)));
+            }
         } else if (object.mark() == ObjectRow.Mark.NOT_CONVERGED) {
             text = words.get(R.string.no_figure_not_converged);
         }
-        if (s.verdict() == Verdict.CONTRADICTED && object.mark() == ObjectRow.Mark.NO_FIGURE) {
+        boolean contradicted = s.shownResult() != null && s.shownResult().verdict() == Verdict.CONTRADICTED;
+        if (contradicted && object.mark() == ObjectRow.Mark.NO_FIGURE) {
             text = words.get(R.string.no_figure_not_converged);
         }
-        return new Row(drawable(object.mark()), colour(object.mark()),
-                words.get(R.string.object_title, object.id(), mark(object, s)), figures, text, null);
+        return new Row(drawable(object.mark()), !s.lensMeasured() && object.mark() == ObjectRow.Mark.OK
+                ? R.color.mark_neutral : colour(object.mark()),
+                words.get(R.string.object_title, object.id(), mark(object, s)), figures, text, null)
+                .withBar(object.use() == null ? Double.NaN : object.use().share(), words.use(object.use()))
+                .ofObject(object.id());
+    }
+
+    /** The heading of what is said of one object. */
+    String objectTitle(CheckScreenState s, int objectId) {
+        for (ObjectRow object : s.objects()) {
+            if (object.id() == objectId) {
+                return words.get(R.string.object_title, objectId, mark(object, s));
+            }
+        }
+        return words.get(R.string.object_title, objectId, words.get(R.string.mark_not_seen));
+    }
+
+    /** All that is known of one object: its row, its ellipse, and what causes how much of its variance. */
+    String objectDetails(CheckScreenState s, int objectId) {
+        StringBuilder text = new StringBuilder();
+        for (ObjectRow object : s.objects()) {
+            if (object.id() != objectId) {
+                continue;
+            }
+            Row row = object(object, s);
+            line(text, row.figures());
+            line(text, row.barText());
+            if (object.ellipse95Px() != null) {
+                line(text, words.get(R.string.ellipse, words.number(object.ellipse95Px().semiMajor(), 1),
+                        words.number(object.ellipse95Px().semiMinor(), 1)));
+            }
+            ResultView view = s.shownView();
+            if (object.stdMm() == null || view == null) {
+                line(text, row.text());
+                continue;
+            }
+            line(text, words.budget(R.string.budget, view.object(objectId)));
+            if (view.grip(objectId) != null) {
+                line(text, words.budget(R.string.budget_grip, view.grip(objectId)));
+            }
+            line(text, (words.tolerance(object.reason(), "\n") + words.misfit(object.reason(), "\n")
+                    + words.misplacement(object.reason(), "\n")).trim());
+        }
+        return text.toString();
+    }
+
+    private static void line(StringBuilder text, String more) {
+        if (more != null && !more.isEmpty()) {
+            text.append(text.length() == 0 ? "" : "\n").append(more);
+        }
     }
 
     private String deviations(int id, double[] stdMm) {
         return words.get(id, words.mm(stdMm[0]), words.mm(stdMm[1]), words.mm(stdMm[2]));
     }
 
+    /** The same along every axis within 95 %: what the picture's ellipses hold. Draws are nearly normal where shown. */
+    private String coverage(double[] stdMm) {
+        double[] within = new double[stdMm.length];
+        for (int i = 0; i < within.length; i++) {
+            within[i] = DEVIATIONS_95 * stdMm[i];
+        }
+        return words.get(R.string.figures_95, words.mm(within[0]), words.mm(within[1]), words.mm(within[2]));
+    }
+
+    /** Whether its own figures are beyond what is asked, and not what else does not fit. */
+    private static boolean isBeyond(ObjectRow object) {
+        return object.use() != null && object.use().share() > 1;
+    }
+
     private String mark(ObjectRow object, CheckScreenState s) {
+        Requirement asked = s.target().of(object.id());
         switch (object.mark()) {
             case OK:
-                return s.targetStdMm().isPresent()
-                        ? words.get(R.string.mark_ok, words.plain(s.targetStdMm().getAsDouble()))
+                return asked.isOneStd() ? words.get(R.string.mark_ok, words.plain(asked.stdMm().x()))
                         : words.get(R.string.mark_target_met);
             case NOT_OK:
-                return s.targetStdMm().isPresent()
-                        ? words.get(R.string.mark_not_ok, words.plain(s.targetStdMm().getAsDouble()))
+                return asked.isOneStd() && isBeyond(object)
+                        ? words.get(R.string.mark_not_ok, words.plain(asked.stdMm().x()))
                         : words.get(R.string.mark_target_missed);
             case PRELIMINARY:
                 return words.get(R.string.mark_preliminary);
@@ -292,7 +399,8 @@ final class ScreenContent {
             case AMBIGUOUS:
                 return words.get(R.string.mark_ambiguous);
             case NOT_JUDGED:
-                return words.get(R.string.mark_not_judged);
+                return words.get(s.target().isAny() && !asked.isAny() ? R.string.mark_not_counted
+                        : R.string.mark_not_judged);
             case NO_FIGURE:
                 return words.get(R.string.mark_no_figure);
             default:
@@ -404,12 +512,35 @@ final class ScreenContent {
         return s.cell().uri() == null ? words.get(R.string.cell_example) : s.cell().name();
     }
 
+    /** The target in a few words. */
+    String targetSpoken(CheckScreenState s) {
+        if (s.targetStdMm().isPresent()) {
+            return words.get(R.string.target_mm, words.plain(s.targetStdMm().getAsDouble()));
+        }
+        Requirement asked = s.target().general();
+        if (isTolerance(s.target())) {
+            return words.get(R.string.target_tolerance_mm, words.plain(asked.toleranceMm().x()),
+                    words.tenthOfPercent(asked.probability()));
+        }
+        return words.get(s.target().isAny() ? R.string.target_stated : R.string.target_not_set);
+    }
+
+    /** Whether one tolerance along every axis is asked for, and nothing else. */
+    private static boolean isTolerance(Target target) {
+        Requirement asked = target.general();
+        return target.own().isEmpty() && asked.toleranceMm().isUniform() && !asked.stdMm().isAny()
+                && asked.distanceMm() == Double.POSITIVE_INFINITY && asked.toleranceDeg() == Double.POSITIVE_INFINITY;
+    }
+
     private String target(CheckScreenState s) {
         if (!s.target().isAny()) {
             return words.get(R.string.target_none);
         }
         if (!s.targetStdMm().isPresent()) {
-            return words.get(R.string.target_of_cell);
+            Requirement asked = s.target().general();
+            return isTolerance(s.target())
+                    ? words.get(R.string.target_tolerance_all, words.plain(asked.toleranceMm().x()),
+                    words.tenthOfPercent(asked.probability())) : words.get(R.string.target_of_cell);
         }
         boolean chosen = !s.target().equals(s.cell().cell().target());
         return words.get(chosen ? R.string.target_in_use_chosen : R.string.target_in_use,
@@ -417,7 +548,7 @@ final class ScreenContent {
     }
 
     private void warnings(CheckScreenState s, List<Row> rows) {
-        List<Warning> warnings = s.result() != null ? s.result().warnings()
+        List<Warning> warnings = s.shownResult() != null ? s.shownResult().warnings()
                 : s.live() != null ? s.live().detections().warnings() : new ArrayList<>();
         if (!warnings.isEmpty()) {
             List<String> sentences = new ArrayList<>();

@@ -2,6 +2,7 @@ package org.cellgauge.android.screen;
 
 import android.content.res.Resources;
 import java.text.NumberFormat;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -10,12 +11,16 @@ import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.android.state.Problem;
+import org.cellgauge.android.state.TargetUse;
 import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Reason;
+import org.cellgauge.estimate.VarianceSource;
 import org.cellgauge.internal.overlay.LabelWords;
 import org.cellgauge.internal.overlay.LegendWords;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
+import org.cellgauge.output.BudgetShare;
+import org.cellgauge.output.ResultRow;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.Misplacement;
 import org.cellgauge.statistics.ChainDiagnostics;
@@ -27,12 +32,20 @@ import org.cellgauge.warning.Warning;
 
 /** Sentences in the user's language, with numbers as written there, from what core and camera say in parts. */
 final class Wording {
+    /** What causes less of a variance is not worth a line. */
+    private static final double LEAST_SHARE = 0.005;
+
     private final Resources resources;
     private final Locale locale;
 
     Wording(Resources resources) {
         this.resources = resources;
         this.locale = resources.getConfiguration().getLocales().get(0);
+    }
+
+    /** The language, with its country. */
+    Locale locale() {
+        return locale;
     }
 
     String get(int id, Object... arguments) {
@@ -68,6 +81,7 @@ final class Wording {
         return format.format(value);
     }
 
+    /** A share of one to the percent, as in the picture's labels. */
     String percent(double share) {
         return NumberFormat.getPercentInstance(locale).format(share);
     }
@@ -114,6 +128,7 @@ final class Wording {
     String message(Message message) {
         int warning = WarningStrings.of(message.kind());
         int id = warning == WarningStrings.NONE ? RefusalStrings.of(message.kind()) : warning;
+        id = id == WarningStrings.NONE ? ChangeStrings.of(message.kind()) : id;
         if (id == WarningStrings.NONE) {
             return message.toString();
         }
@@ -204,6 +219,26 @@ final class Wording {
                 number(c.probability(), 4), plain(c.asked()), number(c.mcse(), 4));
     }
 
+    /** How much of what is asked an object takes, as its bar shows it; null where nothing is asked. */
+    String use(TargetUse use) {
+        if (use == null) {
+            return null;
+        }
+        Conformity c = use.conformity();
+        if (c == null) {
+            return get(use.grip() ? R.string.use_std_grip : R.string.use_std,
+                    number(use.stdMm(), use.limitMm() < 1 ? 2 : 1),
+                    plain(use.limitMm()), axis(use.axis()));
+        }
+        return get(use.grip() ? R.string.use_tolerance_grip : R.string.use_tolerance, tenthOfPercent(c.probability()),
+                tolerance(c), tenthOfPercent(c.asked()));
+    }
+
+    /** Not rounded up to a certainty that is not there. */
+    String tenthOfPercent(double share) {
+        return plain(Math.floor(share * 1000 + 1e-9) / 10) + "\u00A0%";
+    }
+
     private String tolerance(Conformity c) {
         switch (c.of()) {
             case DISTANCE:
@@ -227,6 +262,19 @@ final class Wording {
         }
         return get(reason.grip() ? R.string.cause_grip : R.string.cause, percent(reason.share().getAsDouble()),
                 axis(reason), source(reason));
+    }
+
+    /** What causes how much of the variance of a point, the largest first; empty where that is not known. */
+    String budget(int heading, ResultRow row) {
+        List<BudgetShare> shares = new ArrayList<>(row.budget());
+        shares.sort((a, b) -> Double.compare(b.share(), a.share()));
+        StringBuilder text = new StringBuilder();
+        for (BudgetShare share : shares) {
+            if (share.share() >= LEAST_SHARE) {
+                text.append('\n').append(get(R.string.budget_line, percent(share.share()), source(share.source())));
+            }
+        }
+        return text.length() == 0 ? "" : get(heading) + text;
     }
 
     /** What the photo contradicts, after what stands before it; empty where it contradicts nothing. */
@@ -286,9 +334,13 @@ final class Wording {
     }
 
     private String source(Reason reason) {
-        switch (reason.source().kind()) {
+        return source(reason.source());
+    }
+
+    private String source(VarianceSource source) {
+        switch (source.kind()) {
             case PLACEMENT_OF_REFERENCE:
-                return get(R.string.source_placement, reason.source().referenceId().getAsInt());
+                return get(R.string.source_placement, source.referenceId().getAsInt());
             case CORNER_NOISE_OF_REFERENCES:
                 return get(R.string.source_reference_corners);
             case CORNER_NOISE_OF_OBJECT:

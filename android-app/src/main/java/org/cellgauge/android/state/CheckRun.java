@@ -13,7 +13,6 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.settings.Estimate;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
@@ -27,9 +26,11 @@ final class CheckRun {
     private final int number;
     private final CellDocument document;
     private final Cell cell;
-    private final boolean focalEstimated;
+    private final boolean lensEstimated;
     private final Photo photo;
     private final MarkerDetector detector;
+    private FusedViews fused;
+    private long lastJudged;
     private final RecentFrames recent = new RecentFrames(RECENT_FRAMES);
     private final FlowableProcessor<Detections> frames = PublishProcessor.<Detections>create().toSerialized();
     /** Stopped before it has begun, it never begins. */
@@ -41,14 +42,14 @@ final class CheckRun {
      * @param number tells it from others of its session
      * @param document the cell
      * @param camera the camera of the frames to come
-     * @param focalEstimated whether its focal length is estimated along
+     * @param lensEstimated whether its lens was not measured and is estimated along, see {@link LensKnowledge}
      * @param photo the one photo that is checked, or null: frames come
      */
-    CheckRun(int number, CellDocument document, PinholeCamera camera, boolean focalEstimated, Photo photo) {
+    CheckRun(int number, CellDocument document, PinholeCamera camera, boolean lensEstimated, Photo photo) {
         this.number = number;
         this.document = document;
         this.cell = seenBy(document, camera);
-        this.focalEstimated = focalEstimated;
+        this.lensEstimated = lensEstimated;
         this.photo = photo;
         this.detector = photo != null ? BoofMarkerDetector.forCell(cell) : BoofMarkerDetector.forFrames(cell);
     }
@@ -75,8 +76,7 @@ final class CheckRun {
      */
     void start(CheckSettings general, Flowable<LivePace> pace, SessionThreads threads, Consumer<LiveState> states,
             Consumer<Throwable> faults) {
-        CheckSettings settings = general.toBuilder()
-                .estimate(focalEstimated ? Estimate.FOCAL : Estimate.NONE).build();
+        CheckSettings settings = LensKnowledge.settings(general, cell.camera(), !lensEstimated);
         Flowable<Detections> input = photo == null ? frames
                 : Flowable.just(detector.detect(photo.luminance(), photo.name()));
         subscription.set(threads.check(input, cell, settings, pace).subscribe(states, faults));
@@ -92,6 +92,29 @@ final class CheckRun {
     /** No frame comes any more: the one that figures belong to is checked to its end. */
     void endFrames() {
         frames.onComplete();
+    }
+
+    /**
+     * Takes a view that was judged together with those before; for one thread.
+     *
+     * @param view markers of its key frame
+     * @param general how checks go about it
+     * @return all views so far that fit each other
+     */
+    FusedViews fuse(Detections view, CheckSettings general) {
+        if (fused == null) {
+            fused = FusedViews.none(cell, LensKnowledge.settings(general, cell.camera(), !lensEstimated));
+        }
+        fused = fused.with(view);
+        return fused;
+    }
+
+    /** Whether a view has been judged that was not before; for one thread. */
+    boolean isNewlyJudged(LiveState state) {
+        boolean newly = photo == null && state.phase() == LiveState.Phase.RESULT
+                && state.keyFrameNumber() != lastJudged;
+        lastJudged = newly ? state.keyFrameNumber() : lastJudged;
+        return newly;
     }
 
     /** The pixels that figures belong to, or null where there are none. */
@@ -111,13 +134,13 @@ final class CheckRun {
         return cell;
     }
 
-    boolean focalEstimated() {
-        return focalEstimated;
+    boolean lensEstimated() {
+        return lensEstimated;
     }
 
     /** Whether frames of a camera belong to this check. */
-    boolean fits(CellDocument other, PinholeCamera camera, boolean focal) {
-        return photo == null && other == document && focal == focalEstimated
+    boolean fits(CellDocument other, PinholeCamera camera, boolean estimated) {
+        return photo == null && other == document && estimated == lensEstimated
                 && camera.lens() == cell.camera().lens()
                 && camera.widthPx() == cell.camera().widthPx() && camera.heightPx() == cell.camera().heightPx()
                 && Arrays.equals(camera.intrinsics(), cell.camera().intrinsics());

@@ -19,6 +19,7 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.overlay.ImageOrientation;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.live.LiveState;
+import org.cellgauge.output.ResultView;
 
 /** All that the screen shows; immutable. The screen knows nothing else, and changes nothing but through a session. */
 public final class CheckScreenState {
@@ -135,6 +136,17 @@ public final class CheckScreenState {
     }
 
     /**
+     * Whether the lens of what is shown was calibrated.
+     *
+     * @return false where it is estimated along, from what is known of devices' lenses beforehand; true as well where
+     *     no camera is known yet
+     */
+    public boolean lensMeasured() {
+        return v.source == ImageSource.LIVE ? v.setup == null || LensKnowledge.isMeasured(v.setup.source())
+                : !v.lensEstimated;
+    }
+
+    /**
      * Why the camera does not deliver.
      *
      * @return null while it does, or is being opened
@@ -217,12 +229,76 @@ public final class CheckScreenState {
     }
 
     /**
+     * The last verdict, while the camera's view has left it and there is no newer one.
+     *
+     * @return null where there is none, or the one in force is shown
+     */
+    public HeldVerdict held() {
+        return v.source == ImageSource.LIVE && v.result == null && !awaitsFrame() ? v.held : null;
+    }
+
+    /**
+     * The result that the screen shows: of the view, or the last one.
+     *
+     * @return null where there is none
+     */
+    public CheckResult shownResult() {
+        return v.result != null ? v.result : held() == null ? null : held().result();
+    }
+
+    /**
+     * All that {@link #shownResult()} says.
+     *
+     * @return null where there is none
+     */
+    public ResultView shownView() {
+        return v.result != null ? v.view : held() == null ? null : held().view();
+    }
+
+    /** The result as it is drawn: in no green where nobody measured the lens. */
+    CheckResult drawn() {
+        return v.drawn;
+    }
+
+    /** The frame or photo that the result on the screen belongs to. */
+    Photo shownPhoto() {
+        return v.result != null ? v.checked : held() == null ? null : held().photo();
+    }
+
+    /**
      * The result, judged by the target in force.
      *
      * @return null before the chains have ended
      */
     public CheckResult result() {
         return v.result;
+    }
+
+    /**
+     * All that the result says.
+     *
+     * @return null before the chains have ended
+     */
+    public ResultView view() {
+        return v.view;
+    }
+
+    /**
+     * What would meet a target that the result misses.
+     *
+     * @return the cheapest that is known, or null
+     */
+    public Advice advice() {
+        return v.advice;
+    }
+
+    /**
+     * The views of this cell that were judged, taken together.
+     *
+     * @return null before the first one
+     */
+    public FusedViews fused() {
+        return v.fused;
     }
 
     /**
@@ -249,7 +325,7 @@ public final class CheckScreenState {
      * @return in the order of the cell; empty where there is no check; unmodifiable
      */
     public List<ObjectRow> objects() {
-        return awaitsFrame() ? Collections.emptyList() : v.objects;
+        return awaitsFrame() ? Collections.emptyList() : held() == null ? v.objects : held().objects();
     }
 
     /**
@@ -268,6 +344,22 @@ public final class CheckScreenState {
      */
     public Overlay overlay() {
         return awaitsFrame() ? null : v.overlay;
+    }
+
+    /**
+     * By how much the camera's picture has moved as a whole since the frame that the overlay belongs to.
+     *
+     * @return to the right and downwards, px of the upright image; 0 where a held picture is shown
+     */
+    public double[] overlayShiftPx() {
+        if (v.source != ImageSource.LIVE || v.live == null || v.live.keyFrame() == null) {
+            return new double[2];
+        }
+        int width = v.live.keyFrame().widthPx();
+        int height = v.live.keyFrame().heightPx();
+        double[] from = orientation().map(0, 0, width, height);
+        double[] to = orientation().map(v.live.shiftXPx(), v.live.shiftYPx(), width, height);
+        return new double[] {to[0] - from[0], to[1] - from[1]};
     }
 
     /**
@@ -313,7 +405,12 @@ public final class CheckScreenState {
      * @return true if so, with the same target
      */
     public boolean showsSaved() {
-        return v.saved != null && v.result == v.savedResult;
+        return v.saved != null && shownResult() == v.savedResult;
+    }
+
+    /** Whether a result is the one that was kept last. */
+    boolean keeps(CheckResult result) {
+        return v.saved != null && result == v.savedResult;
     }
 
     /**
@@ -364,10 +461,10 @@ public final class CheckScreenState {
     /**
      * Whether there is a result to keep that was not kept yet.
      *
-     * @return true once the chains have ended
+     * @return true once the chains have ended, and as long as their verdict is shown
      */
     public boolean canSave() {
-        return v.result != null && v.checked != null && !v.saving && !showsSaved();
+        return shownResult() != null && shownPhoto() != null && !v.saving && !showsSaved();
     }
 
     /**
@@ -389,8 +486,8 @@ public final class CheckScreenState {
         if (v.cell == null) {
             return SessionMemory.nothing(seed);
         }
-        return new SessionMemory(seed, v.cell.uri(), v.calibrationUri, v.targetChosen, v.target.oneStdMm(), v.source,
-                v.photoUri, v.photoCamera, v.focalEstimated);
+        return new SessionMemory(seed, v.cell.uri(), v.calibrationUri, v.targetChosen, v.target, v.source,
+                v.photoUri, v.photoCamera, v.lensEstimated);
     }
 
     /** The camera of the photo or frozen frame. */
@@ -398,9 +495,9 @@ public final class CheckScreenState {
         return v.photoCamera;
     }
 
-    /** Whether the focal length of that camera is estimated along. */
-    boolean focalEstimated() {
-        return v.focalEstimated;
+    /** Whether the lens of that camera is estimated along. */
+    boolean lensEstimated() {
+        return v.lensEstimated;
     }
 
     /** Whether the target is the user's and not the cell file's. */
@@ -457,6 +554,12 @@ public final class CheckScreenState {
         private OptionalInt run = OptionalInt.empty();
         private LiveState live;
         private CheckResult result;
+        private ResultView view;
+        private CheckResult drawn;
+        private Advice advice;
+        private HeldVerdict held;
+        private FusedViews fused;
+        private long shownAtMs;
         private List<ObjectRow> objects = Collections.emptyList();
         private Overlay overlay;
         private Photo checked;
@@ -469,7 +572,7 @@ public final class CheckScreenState {
         private boolean targetChosen;
         private String photoUri;
         private PinholeCamera photoCamera;
-        private boolean focalEstimated;
+        private boolean lensEstimated;
 
         private Builder() {
         }
@@ -493,6 +596,12 @@ public final class CheckScreenState {
             run = o.run;
             live = o.live;
             result = o.result;
+            view = o.view;
+            drawn = o.drawn;
+            advice = o.advice;
+            held = o.held;
+            fused = o.fused;
+            shownAtMs = o.shownAtMs;
             objects = o.objects;
             overlay = o.overlay;
             checked = o.checked;
@@ -505,7 +614,7 @@ public final class CheckScreenState {
             targetChosen = o.targetChosen;
             photoUri = o.photoUri;
             photoCamera = o.photoCamera;
-            focalEstimated = o.focalEstimated;
+            lensEstimated = o.lensEstimated;
         }
 
         Builder cell(CellDocument value) {
@@ -534,10 +643,10 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder photo(String uri, PinholeCamera camera, boolean focal) {
+        Builder photo(String uri, PinholeCamera camera, boolean estimated) {
             photoUri = uri;
             photoCamera = camera;
-            focalEstimated = focal;
+            lensEstimated = estimated;
             return this;
         }
 
@@ -593,6 +702,11 @@ public final class CheckScreenState {
             live = null;
             awaitedFrame = Math.min(awaitedFrame, 1);
             result = null;
+            view = null;
+            drawn = null;
+            advice = null;
+            held = null;
+            fused = null;
             objects = Collections.emptyList();
             overlay = null;
             checked = null;
@@ -612,8 +726,39 @@ public final class CheckScreenState {
             return this;
         }
 
-        Builder result(CheckResult value) {
+        Builder result(CheckResult value, ResultView ofValue, CheckResult drawnAs) {
+            drawn = drawnAs;
+            advice = value == result ? advice : null;
             result = value;
+            view = ofValue;
+            return this;
+        }
+
+        /** The verdict stays when the view leaves it; called before the newer state is taken over. */
+        Builder hold(boolean verdictThere, long nowMs) {
+            if (verdictThere) {
+                shownAtMs = nowMs;
+                held = null;
+            } else if (result != null && checked != null && source == ImageSource.LIVE) {
+                held = new HeldVerdict(result, view, objects, checked, shownAtMs, Math.max(0, nowMs - shownAtMs));
+            } else if (held != null) {
+                held = held.at(nowMs);
+            }
+            return this;
+        }
+
+        Builder held(HeldVerdict value) {
+            held = value;
+            return this;
+        }
+
+        Builder fused(FusedViews value) {
+            fused = value;
+            return this;
+        }
+
+        Builder advice(Advice value) {
+            advice = value;
             return this;
         }
 

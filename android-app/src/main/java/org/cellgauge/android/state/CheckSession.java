@@ -9,15 +9,15 @@ import io.reactivex.rxjava3.processors.UnicastProcessor;
 import java.io.IOException;
 import java.text.SimpleDateFormat;
 import java.util.Date;
+import java.util.HashMap;
 import java.util.Locale;
-import java.util.OptionalDouble;
+import java.util.Map;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraFeed;
-import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraSetup;
 import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.CellDocument;
@@ -29,12 +29,15 @@ import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
 import org.cellgauge.android.files.StorageFullException;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.cell.Requirement;
 import org.cellgauge.cell.Target;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.overlay.ImageOrientation;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.vision.GreyImage;
 import org.cellgauge.warning.Place;
@@ -236,19 +239,54 @@ public final class CheckSession {
     }
 
     /**
-     * Holds other deviations against the figures; nothing is sampled again.
+     * Holds another target against the figures; nothing is sampled again.
      *
-     * @param stdMm largest allowed standard deviation of any axis, mm, positive
+     * @param target what is asked of the objects
      */
-    public void chooseTarget(double stdMm) {
-        change(s -> s.cell() == null ? s : judged(s.change()
-                .target(Target.ofStdMm(OptionalDouble.of(stdMm)), true).build()));
+    public void chooseTarget(Target target) {
+        change(s -> s.cell() == null ? s : judged(heldAgainst(s, target).target(target, true).build()));
+    }
+
+    /**
+     * Lets an object count or not: of one that does not, nothing is asked, in view or not.
+     *
+     * @param objectId marker id of an object of the cell
+     * @param counts false to ask nothing of it; true for what is asked of all, or of it alone by the cell file
+     */
+    public void count(int objectId, boolean counts) {
+        change(s -> {
+            if (s.cell() == null) {
+                return s;
+            }
+            Map<Integer, Requirement> own = new HashMap<>(s.target().own());
+            own.remove(objectId);
+            Requirement stated = s.cell().cell().target().own().get(objectId);
+            if (!counts) {
+                own.put(objectId, Requirement.NONE);
+            } else if (stated != null && stated.isAny()) {
+                own.put(objectId, stated);
+            }
+            Target target = new Target(s.target().general(), own);
+            return judged(heldAgainst(s, target).target(target, true).build());
+        });
     }
 
     /** Takes the cell file's target again. */
     public void resetTarget() {
         change(s -> s.cell() == null ? s
-                : judged(s.change().target(s.cell().cell().target(), false).build()));
+                : judged(heldAgainst(s, s.cell().cell().target()).target(s.cell().cell().target(), false).build()));
+    }
+
+    /** The last verdict is another one under another target. */
+    private static CheckScreenState.Builder heldAgainst(CheckScreenState s, Target target) {
+        HeldVerdict held = s.held();
+        if (held == null) {
+            return s.change();
+        }
+        CheckResult result = held.result().withTarget(target);
+        ResultView view = ResultView.of(result);
+        return s.change().held(new HeldVerdict(result, view, CheckFigures.rows(result.cell(), target, s.live(), result,
+                view), held.photo(), held.atMs(), held.ageMs()));
     }
 
     /** Holds the frame that the figures belong to, and samples it to the end. */
@@ -264,7 +302,7 @@ public final class CheckSession {
         live = false;
         current.endFrames();
         return s.change().still(s.checkedPhoto(), s.orientation()).source(ImageSource.FROZEN)
-                .photo(null, current.cell().camera(), current.focalEstimated()).build();
+                .photo(null, current.cell().camera(), current.lensEstimated()).build();
     }
 
     /** Goes back to the camera's picture. */
@@ -312,18 +350,18 @@ public final class CheckSession {
         }
         beginPhoto(uri);
         PinholeCamera camera = cell.calibration();
-        boolean focal = false;
+        boolean estimated = false;
         CameraSetup setup = openSetup;
         if (camera == null && setup != null) {
             camera = setup.camera();
-            focal = setup.source() == CameraModelSource.FIELD_OF_VIEW;
+            estimated = !LensKnowledge.isMeasured(setup.source());
         }
-        checkPhoto(cell, uri, reading, camera, focal, ImageSource.PHOTO, null);
+        checkPhoto(cell, uri, reading, camera, estimated, ImageSource.PHOTO, null);
     }
 
-    private void checkPhoto(CellDocument cell, String uri, Supplier<Photo> reading, PinholeCamera camera, boolean focal,
-            ImageSource source, ImageOrientation orientation) {
-        change(s -> s.change().photo(uri, camera, focal).build());
+    private void checkPhoto(CellDocument cell, String uri, Supplier<Photo> reading, PinholeCamera camera,
+            boolean estimated, ImageSource source, ImageOrientation orientation) {
+        change(s -> s.change().photo(uri, camera, estimated).build());
         Photo photo;
         try {
             photo = reading.get();
@@ -339,7 +377,7 @@ public final class CheckSession {
         boolean fits = camera.widthPx() == photo.luminance().widthPx()
                 && camera.heightPx() == photo.luminance().heightPx();
         try {
-            begin(cell, camera, focal, photo);
+            begin(cell, camera, estimated, photo);
         } catch (OutOfMemoryError e) {
             photoRefused(new Problem(Problem.Kind.PHOTO_REFUSED,
                     Refusal.at(Place.of(photo.name()), FileRefusal.MEMORY_FOR_CHECK)));
@@ -352,14 +390,23 @@ public final class CheckSession {
         change(s -> s.change().readingPhoto(false).photoProblem(problem).build());
     }
 
-    /** Keeps the result on the screen. */
+    /** Keeps the result of the newest state. */
     public void save() {
+        save(state());
+    }
+
+    /**
+     * Keeps the result that was on the screen.
+     *
+     * @param shown what the screen showed when the user asked for it; the session may be further by now
+     */
+    public void save(CheckScreenState shown) {
         change(s -> {
-            if (!s.canSave()) {
+            if (!shown.canSave() || s.saving() || s.keeps(shown.shownResult())) {
                 return s;
             }
-            CheckResult result = s.result();
-            Photo photo = s.checkedPhoto();
+            CheckResult result = shown.shownResult();
+            Photo photo = shown.shownPhoto();
             files(() -> save(photo, result));
             return s.change().saving(true).saveProblem(null).build();
         });
@@ -435,7 +482,7 @@ public final class CheckSession {
 
     private void sampleStill(CheckScreenState s) {
         if (s.photoCamera() != null && state().still() == s.still()) {
-            begin(s.cell(), s.photoCamera(), s.focalEstimated(), s.still());
+            begin(s.cell(), s.photoCamera(), s.lensEstimated(), s.still());
         }
     }
 
@@ -446,8 +493,8 @@ public final class CheckSession {
      *
      * @return null where the user has gone on to another cell or picture meanwhile
      */
-    private CheckRun begin(CellDocument cell, PinholeCamera camera, boolean focal, Photo photo) {
-        CheckRun begun = new CheckRun(runs.incrementAndGet(), cell, camera, focal, photo);
+    private CheckRun begin(CellDocument cell, PinholeCamera camera, boolean estimated, Photo photo) {
+        CheckRun begun = new CheckRun(runs.incrementAndGet(), cell, camera, estimated, photo);
         synchronized (runLock) {
             if (closed || document != cell || live != (photo == null)) {
                 return null;
@@ -478,11 +525,18 @@ public final class CheckSession {
 
     private void checked(CheckRun from, LiveState state) {
         Photo photo = from.photoOf(state.keyFrame());
+        if (from.isNewlyJudged(state)) {
+            files(() -> {
+                FusedViews fused = from.fuse(state.keyFrame(), settings);
+                change(s -> belongs(s, from) ? s.change().fused(fused).build() : s);
+            });
+        }
         change(s -> {
             if (!belongs(s, from)) {
                 return s;
             }
-            CheckScreenState.Builder next = s.change().live(state, photo);
+            boolean verdict = state.update() != null && state.update().result() != null;
+            CheckScreenState.Builder next = s.change().hold(verdict, System.nanoTime() / NS_PER_MS).live(state, photo);
             if (s.source() == ImageSource.FROZEN && photo != null) {
                 // a frame that was under way when the picture was frozen
                 next.still(photo, s.orientation());
@@ -506,15 +560,25 @@ public final class CheckSession {
             return s;
         }
         CheckResult found = s.live().update() == null ? null : s.live().update().result();
-        CheckResult result = found == null ? null : found.withTarget(s.target());
-        if (result != null && s.result() != null && sameJudgement(s.result(), result)) {
-            result = s.result();
+        CheckResult result = found == null ? null
+                : s.result() != null && sameJudgement(s.result(), found, s.target()) ? s.result()
+                : found.withTarget(s.target());
+        ResultView view = result == null ? null : result == s.result() ? s.view() : ResultView.of(result);
+        if (result != s.result() && result != null && result.verdict() == Verdict.FAIL) {
+            files(() -> advise(result, view));
         }
-        return redrawn(s.change().result(result).objects(CheckFigures.rows(current.cell(), s.live(), result)).build());
+        CheckResult drawn = result == s.result() ? s.drawn() : LensKnowledge.drawn(result, s.lensMeasured());
+        return redrawn(s.change().result(result, view, drawn)
+                .objects(CheckFigures.rows(current.cell(), s.target(), s.live(), result, view)).build());
     }
 
-    private static boolean sameJudgement(CheckResult a, CheckResult b) {
-        return a.estimate() == b.estimate() && a.cell().target().equals(b.cell().target());
+    private void advise(CheckResult result, ResultView view) {
+        Advice advice = Advice.of(result, view);
+        change(s -> s.result() == result ? s.change().advice(advice).build() : s);
+    }
+
+    private static boolean sameJudgement(CheckResult a, CheckResult found, Target target) {
+        return a.estimate() == found.estimate() && a.cell().target().equals(target);
     }
 
     private CheckScreenState redrawn(CheckScreenState s) {
@@ -523,7 +587,7 @@ public final class CheckSession {
             return s;
         }
         PinholeCamera camera = current.cell().camera();
-        return s.change().overlay(CheckFigures.overlay(current.cell(), s.live(), s.result(),
+        return s.change().overlay(CheckFigures.overlay(current.cell(), s.live(), s.drawn(),
                 s.display().style(s.orientation(), camera.widthPx(), camera.heightPx()))).build();
     }
 
@@ -568,10 +632,10 @@ public final class CheckSession {
             }
             lastNs = timestampNs;
             try {
-                boolean focal = setup.source() == CameraModelSource.FIELD_OF_VIEW;
+                boolean estimated = !LensKnowledge.isMeasured(setup.source());
                 CheckRun current = run();
-                if (current == null || !current.fits(cell, setup.camera(), focal)) {
-                    current = begin(cell, setup.camera(), focal, null);
+                if (current == null || !current.fits(cell, setup.camera(), estimated)) {
+                    current = begin(cell, setup.camera(), estimated, null);
                 }
                 if (current == null) {
                     return;
@@ -610,19 +674,19 @@ public final class CheckSession {
                 return;
             }
             if (m.targetChosen()) {
-                change(s -> s.change().target(Target.ofStdMm(m.targetStdMm()), true).build());
+                change(s -> s.change().target(m.target(), true).build());
             }
             if (m.source() == ImageSource.PHOTO && m.photoCamera() == null) {
                 takePhoto(m.photoUri(), photo(m.photoUri()));
             } else if (m.source() == ImageSource.PHOTO) {
                 beginPhoto(m.photoUri());
-                checkPhoto(document, m.photoUri(), photo(m.photoUri()), m.photoCamera(), m.focalEstimated(),
+                checkPhoto(document, m.photoUri(), photo(m.photoUri()), m.photoCamera(), m.lensEstimated(),
                         ImageSource.PHOTO, null);
             } else if (m.source() == ImageSource.FROZEN) {
                 FrozenFrameFile.Frame frame = frozenFrame.read();
                 if (frame != null && m.photoCamera() != null) {
                     beginPhoto(null);
-                    checkPhoto(document, null, frame::photo, m.photoCamera(), m.focalEstimated(), ImageSource.FROZEN,
+                    checkPhoto(document, null, frame::photo, m.photoCamera(), m.lensEstimated(), ImageSource.FROZEN,
                             frame.orientation());
                 }
             }

@@ -1,5 +1,8 @@
 package org.cellgauge.android.state;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import org.cellgauge.check.Reason;
 import org.cellgauge.statistics.Ellipse;
 
@@ -33,6 +36,8 @@ public final class ObjectRow {
     private final double[] gripStdMm;
     private final Ellipse ellipse95Px;
     private final Reason reason;
+    private final TargetUse use;
+    private final List<Double> poseShares;
 
     /**
      * A row.
@@ -43,14 +48,19 @@ public final class ObjectRow {
      * @param gripStdMm those of its gripping point in mm, or null
      * @param ellipse95Px the 95 % ellipse of its position in px of the image as it came, or null
      * @param reason why it was judged so, or what causes its largest deviation; null where there is nothing to say
+     * @param use how much of what is asked it takes, or null
+     * @param poseShares shares of the poses that fit, where several do
      */
-    ObjectRow(int id, Mark mark, double[] stdMm, double[] gripStdMm, Ellipse ellipse95Px, Reason reason) {
+    ObjectRow(int id, Mark mark, double[] stdMm, double[] gripStdMm, Ellipse ellipse95Px, Reason reason,
+            TargetUse use, List<Double> poseShares) {
         this.id = id;
         this.mark = mark;
         this.stdMm = stdMm;
         this.gripStdMm = gripStdMm;
         this.ellipse95Px = ellipse95Px;
         this.reason = reason;
+        this.use = use;
+        this.poseShares = Collections.unmodifiableList(new ArrayList<>(poseShares));
     }
 
     /**
@@ -105,5 +115,23 @@ public final class ObjectRow {
      */
     public Reason reason() {
         return reason;
+    }
+
+    /**
+     * How much of what is asked of it the object takes.
+     *
+     * @return null where there is no figure or nothing is asked
+     */
+    public TargetUse use() {
+        return use;
+    }
+
+    /**
+     * Shares of the poses that fit, as in the picture.
+     *
+     * @return 0 to 1 each, unmodifiable; empty where one pose fits
+     */
+    public List<Double> poseShares() {
+        return poseShares;
     }
 }

@@ -1,7 +1,7 @@
 package org.cellgauge.android.state;
 
 import android.os.Bundle;
-import java.util.OptionalDouble;
+import org.cellgauge.cell.Target;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Lenses;
 
@@ -15,39 +15,39 @@ public final class SessionMemory {
     private static final String CELL = "cell";
     private static final String CALIBRATION = "calibration";
     private static final String TARGET_CHOSEN = "target-chosen";
-    private static final String TARGET = "target-mm";
+    private static final String TARGET = "target";
     private static final String SOURCE = "source";
     private static final String PHOTO = "photo";
     private static final String CAMERA = "camera";
     private static final String CAMERA_LENS = "camera-lens";
     private static final String CAMERA_WIDTH = "camera-width";
     private static final String CAMERA_HEIGHT = "camera-height";
-    private static final String FOCAL = "focal-estimated";
+    private static final String LENS = "lens-estimated";
 
     private final long seed;
     private final boolean hasCell;
     private final String cellUri;
     private final String calibrationUri;
     private final boolean targetChosen;
-    private final OptionalDouble targetStdMm;
+    private final Target target;
     private final ImageSource source;
     private final String photoUri;
     private final PinholeCamera photoCamera;
-    private final boolean focalEstimated;
+    private final boolean lensEstimated;
 
     private SessionMemory(long seed, boolean hasCell, String cellUri, String calibrationUri, boolean targetChosen,
-            OptionalDouble targetStdMm, ImageSource source, String photoUri, PinholeCamera photoCamera,
-            boolean focalEstimated) {
+            Target target, ImageSource source, String photoUri, PinholeCamera photoCamera,
+            boolean lensEstimated) {
         this.seed = seed;
         this.hasCell = hasCell;
         this.cellUri = cellUri;
         this.calibrationUri = calibrationUri;
         this.targetChosen = targetChosen;
-        this.targetStdMm = targetStdMm;
+        this.target = target;
         this.source = source;
         this.photoUri = photoUri;
         this.photoCamera = photoCamera;
-        this.focalEstimated = focalEstimated;
+        this.lensEstimated = lensEstimated;
     }
 
     /**
@@ -57,16 +57,16 @@ public final class SessionMemory {
      * @param cellUri of the cell file; null for the bundled example
      * @param calibrationUri of a calibration file chosen with it, or null
      * @param targetChosen whether the target is the user's and not the cell file's
-     * @param targetStdMm that target, mm
+     * @param target that target
      * @param source what was shown
      * @param photoUri of the photo that was shown; null for the bundled one or none
      * @param photoCamera the camera of the photo or frozen frame, or null
-     * @param focalEstimated whether its focal length is estimated along
+     * @param lensEstimated whether its lens was not measured and is estimated along
      */
-    SessionMemory(long seed, String cellUri, String calibrationUri, boolean targetChosen, OptionalDouble targetStdMm,
-            ImageSource source, String photoUri, PinholeCamera photoCamera, boolean focalEstimated) {
-        this(seed, true, cellUri, calibrationUri, targetChosen, targetStdMm, source, photoUri, photoCamera,
-                focalEstimated);
+    SessionMemory(long seed, String cellUri, String calibrationUri, boolean targetChosen, Target target,
+            ImageSource source, String photoUri, PinholeCamera photoCamera, boolean lensEstimated) {
+        this(seed, true, cellUri, calibrationUri, targetChosen, target, source, photoUri, photoCamera,
+                lensEstimated);
     }
 
     /**
@@ -76,7 +76,7 @@ public final class SessionMemory {
      * @return a memory without a cell
      */
     public static SessionMemory nothing(long seed) {
-        return new SessionMemory(seed, false, null, null, false, OptionalDouble.empty(), ImageSource.LIVE, null, null,
+        return new SessionMemory(seed, false, null, null, false, Target.NONE, ImageSource.LIVE, null, null,
                 false);
     }
 
@@ -87,8 +87,7 @@ public final class SessionMemory {
      * @return the memory
      */
     public static SessionMemory read(Bundle bundle) {
-        OptionalDouble target = bundle.containsKey(TARGET) ? OptionalDouble.of(bundle.getDouble(TARGET))
-                : OptionalDouble.empty();
+        Target target = TargetMemory.read(bundle.getBundle(TARGET));
         double[] intrinsics = bundle.getDoubleArray(CAMERA);
         PinholeCamera camera = intrinsics == null ? null
                 : PinholeCamera.of(Lenses.named(bundle.getString(CAMERA_LENS)), bundle.getInt(CAMERA_WIDTH),
@@ -96,7 +95,7 @@ public final class SessionMemory {
         return new SessionMemory(bundle.getLong(SEED), bundle.getBoolean(HAS_CELL), bundle.getString(CELL),
                 bundle.getString(CALIBRATION), bundle.getBoolean(TARGET_CHOSEN), target,
                 ImageSource.valueOf(bundle.getString(SOURCE, ImageSource.LIVE.name())), bundle.getString(PHOTO), camera,
-                bundle.getBoolean(FOCAL));
+                bundle.getBoolean(LENS));
     }
 
     /**
@@ -110,9 +109,7 @@ public final class SessionMemory {
         bundle.putString(CELL, cellUri);
         bundle.putString(CALIBRATION, calibrationUri);
         bundle.putBoolean(TARGET_CHOSEN, targetChosen);
-        if (targetStdMm.isPresent()) {
-            bundle.putDouble(TARGET, targetStdMm.getAsDouble());
-        }
+        bundle.putBundle(TARGET, TargetMemory.write(target));
         bundle.putString(SOURCE, source.name());
         bundle.putString(PHOTO, photoUri);
         if (photoCamera != null) {
@@ -121,7 +118,7 @@ public final class SessionMemory {
             bundle.putInt(CAMERA_WIDTH, photoCamera.widthPx());
             bundle.putInt(CAMERA_HEIGHT, photoCamera.heightPx());
         }
-        bundle.putBoolean(FOCAL, focalEstimated);
+        bundle.putBoolean(LENS, lensEstimated);
     }
 
     long seed() {
@@ -144,8 +141,8 @@ public final class SessionMemory {
         return targetChosen;
     }
 
-    OptionalDouble targetStdMm() {
-        return targetStdMm;
+    Target target() {
+        return target;
     }
 
     ImageSource source() {
@@ -160,7 +157,7 @@ public final class SessionMemory {
         return photoCamera;
     }
 
-    boolean focalEstimated() {
-        return focalEstimated;
+    boolean lensEstimated() {
+        return lensEstimated;
     }
 }

@@ -176,8 +176,8 @@ public class AccessibilityTest {
             Screen.app().levels.onNext(ThermalLevel.NORMAL);
             Screen.app().feed.frame(Fixture.LIFTED.image());
             screen.until("result", () -> screen.state().verdict() != null);
-            assertEquals("Picture. Pass – target met. Object 5 within 3 mm. Object 20 within 3 mm. "
-                    + "Object 30 within 3 mm.", Screen.plain(overlay.getContentDescription()));
+            assertEquals("Picture. Pass – target met. Object 5 deviation within 3 mm. Object 20 deviation within 3 mm. "
+                    + "Object 30 deviation within 3 mm.", Screen.plain(overlay.getContentDescription()));
         }
     }
 

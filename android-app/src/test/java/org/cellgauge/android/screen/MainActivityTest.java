@@ -57,6 +57,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Reason;
@@ -155,7 +156,7 @@ public class MainActivityTest {
             assertEquals(ImageSource.PHOTO, screen.state().source());
             assertFalse(messageShown(screen));
             assertEquals(0, feed().openings);
-            assertTrue(rows(screen), rows(screen).contains("Object 20 – within 3 mm"));
+            assertTrue(rows(screen), rows(screen).contains("Object 20 – deviation within 3 mm"));
         }
     }
 
@@ -324,13 +325,14 @@ public class MainActivityTest {
         try (Screen screen = live()) {
             screen.holdStillUntilResult(FIXTURE);
             CheckResult before = screen.state().result();
-            screen.session().chooseTarget(0.3);
+            screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(0.3)));
             screen.settle();
             assertEquals("Target missed", screen.text(R.id.banner_headline));
             assertSame(before.estimate(), screen.state().result().estimate());
             assertSame(before.draws(), screen.state().result().draws());
-            assertTrue(rows(screen), rows(screen).contains("Object 5 – beyond 0.3 mm"));
-            assertTrue(rows(screen), rows(screen).contains("Target: 0.3 mm on every axis, chosen here."));
+            assertTrue(rows(screen), rows(screen).contains("Object 5 – deviation beyond 0.3 mm"));
+            assertTrue(rows(screen), rows(screen).contains("Target, chosen here: a standard deviation of at most "
+                    + "0.3 mm on every axis"));
             screen.session().resetTarget();
             screen.settle();
             assertEquals("Pass – target met", screen.text(R.id.banner_headline));
@@ -424,7 +426,7 @@ public class MainActivityTest {
         try (Screen screen = live()) {
             screen.holdStillUntilResult(FIXTURE);
             screen.tap(R.id.save);
-            screen.session().chooseTarget(0.3);
+            screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(0.3)));
             screen.settle();
             assertTrue(rows(screen), rows(screen).contains("Saved before: lifted-4-1"));
             screen.tap(R.id.save);
@@ -554,7 +556,7 @@ public class MainActivityTest {
             screen.until("the same view", () -> !screen.state().awaitsFrame());
             assertEquals("Pass – target met", screen.text(R.id.banner_headline));
             assertSame(result, screen.state().result());
-            assertTrue(rows(screen), rows(screen).contains("Object 5 – within 3 mm"));
+            assertTrue(rows(screen), rows(screen).contains("Object 5 – deviation within 3 mm"));
 
             screen.tap(R.id.refocus);
             assertEquals("Focusing…", screen.text(R.id.banner_headline));
@@ -589,7 +591,7 @@ public class MainActivityTest {
         CellDocument bare = new CellDocument("bare.yaml", "content://cells/bare", FIXTURE.cell(), null);
         try (Screen screen = Screen.start()) {
             screen.chooseCell(bare);
-            screen.session().chooseTarget(0.3);
+            screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(0.3)));
             screen.openPhoto(FIXTURE.photo());
             assertEquals("The camera of this photo is not known", screen.text(R.id.message_title));
             assertEquals("Choose calibration file", screen.text(R.id.message_second));
@@ -630,7 +632,7 @@ public class MainActivityTest {
     }
 
     @Test
-    public void focalLengthIsEstimatedWhereOnlyTheFieldOfViewIsKnown() {
+    public void lensIsEstimatedWhereNobodyMeasuredIt() {
         CellDocument bare = new CellDocument("bare.yaml", "content://cells/bare", FIXTURE.cell(), null);
         Screen.allowCamera();
         try (Screen screen = Screen.start()) {
@@ -639,10 +641,10 @@ public class MainActivityTest {
             feed().opened(FIXTURE.cell().camera(), CameraModelSource.FIELD_OF_VIEW, 90, false);
             screen.settle();
             screen.holdStillUntilResult(FIXTURE);
-            assertEquals(Estimate.FOCAL, screen.state().result().settings().model().estimate());
+            assertEquals(Estimate.INTRINSICS, screen.state().result().settings().model().estimate());
             screen.openPhoto(FIXTURE.photo());
             screen.until("result", () -> screen.state().verdict() != null);
-            assertEquals(Estimate.FOCAL, screen.state().result().settings().model().estimate());
+            assertEquals(Estimate.INTRINSICS, screen.state().result().settings().model().estimate());
         }
     }
 
@@ -876,7 +878,7 @@ public class MainActivityTest {
             screen.holdStillUntilResult(FIXTURE);
             CheckSession session = screen.session();
             CheckResult result = screen.state().result();
-            screen.session().chooseTarget(0.3);
+            screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(0.3)));
             MainActivity before = screen.activity();
             screen.turn(Screen.TABLET_PORTRAIT, Surface.ROTATION_0);
             assertNotSame(before, screen.activity());
@@ -907,7 +909,7 @@ public class MainActivityTest {
         Bundle kept;
         double[] std;
         try (Screen screen = live()) {
-            screen.session().chooseTarget(2.5);
+            screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(2.5)));
             screen.holdStillUntilResult(FIXTURE);
             screen.tap(R.id.freeze);
             std = screen.state().result().estimate().object(20).pose().std();
@@ -952,7 +954,7 @@ public class MainActivityTest {
             screen.chooseCell(FIXTURE.document());
             screen.session().chooseCalibration("content://calibrations/tablet");
             screen.settle();
-            screen.session().chooseTarget(0.3);
+            screen.session().chooseTarget(Target.ofStdMm(OptionalDouble.of(0.3)));
             screen.settle();
             feed().opened(FIXTURE.cell().camera(), 90, false);
             screen.holdStillUntilResult(FIXTURE);

@@ -15,6 +15,7 @@ import org.cellgauge.android.files.FileRefusal;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.CellRefusal;
+import org.cellgauge.cell.ChangeKind;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
@@ -56,6 +57,7 @@ public class WarningWordsTest {
         kinds.addAll(Arrays.asList(CheckRefusal.values()));
         kinds.addAll(Arrays.asList(SettingRefusal.values()));
         kinds.addAll(Arrays.asList(FileRefusal.values()));
+        kinds.addAll(Arrays.asList(ChangeKind.values()));
         return kinds;
     }
 
@@ -83,7 +85,8 @@ public class WarningWordsTest {
     public void everyKindHasAStringOfItsOwn() {
         Set<Integer> ids = new HashSet<>();
         for (MessageKind kind : kinds()) {
-            int id = kind instanceof WarningKind ? WarningStrings.of(kind) : RefusalStrings.of(kind);
+            int id = kind instanceof ChangeKind ? ChangeStrings.of(kind)
+                    : kind instanceof WarningKind ? WarningStrings.of(kind) : RefusalStrings.of(kind);
             assertTrue(kind + " has a string", id != WarningStrings.NONE);
             assertTrue(kind + " shares its string", ids.add(id));
         }

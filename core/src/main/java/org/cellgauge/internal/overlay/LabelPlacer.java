@@ -5,7 +5,7 @@ import java.util.List;
 
 /** Finds places for labels: near what they name, within the image, off each other and off what must stay visible. */
 final class LabelPlacer {
-    /** Price of covering what must not be covered, in distances per share of the label's area. */
+    /** Price of covering what must not be covered, in distances per share of the smaller of the two areas. */
     private static final double HARD = 1e5;
     /** Price of covering what better stays visible. */
     private static final double SOFT = 200;
@@ -134,7 +134,10 @@ final class LabelPlacer {
                 (top + bottom - target.top() - target.bottom()) / 2) / unitPx;
         double size = (right - left) * (bottom - top);
         for (int i = 0; i < row.hard.size() && cost < limit; i++) {
-            cost += HARD * overlap(row.hard.get(i), left, top, right, bottom) / size;
+            Box box = row.hard.get(i);
+            // a small marker is covered whole by a small part of a label
+            cost += HARD * overlap(box, left, top, right, bottom)
+                    / Math.min(size, (box.right() - box.left()) * (box.bottom() - box.top()));
         }
         for (int i = 0; i < row.soft.size() && cost < limit; i++) {
             cost += SOFT * overlap(row.soft.get(i), left, top, right, bottom) / size;

@@ -57,6 +57,22 @@ class LabelPlacerTest {
         assertEquals(0, placer.place(100, 20, target).overlap(ellipse));
     }
 
+    /** A label would hide a marker of a thousandth of its area whole: a farther place is better, however far. */
+    @Test
+    void aSmallMarkerIsNotCovered() {
+        LabelPlacer placer = new LabelPlacer(1006, 206, 1);
+        Box target = new Box(3, 95, 30, 110);
+        // everything but a place on the small marker and one at the other end is taken
+        placer.keepOff(new Box(0, 0, 1006, 88));
+        placer.keepOff(new Box(0, 118, 1006, 206));
+        placer.keepOff(target);
+        placer.keepOff(new Box(240, 88, 790, 118));
+        Box small = new Box(130, 100, 132, 102);
+        placer.keepOff(small);
+        Box label = placer.place(200, 20, target);
+        assertEquals(0, label.overlap(small), label.toString());
+    }
+
     /** The search passes over most places; it must not pass over the best one. */
     @Test
     void noPlaceOfTheGridIsBetterThanTheOneTaken() {
@@ -100,7 +116,7 @@ class LabelPlacerTest {
                 (box.left() + box.right() - target.left() - target.right()) / 2,
                 (box.top() + box.bottom() - target.top() - target.bottom()) / 2);
         for (Box b : hard) {
-            price += 1e5 * box.overlap(b) / (box.width() * box.height());
+            price += 1e5 * box.overlap(b) / Math.min(box.width() * box.height(), b.width() * b.height());
         }
         for (Box b : soft) {
             price += 200 * box.overlap(b) / (box.width() * box.height());

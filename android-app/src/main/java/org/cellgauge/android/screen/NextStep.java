@@ -1,0 +1,106 @@
+package org.cellgauge.android.screen;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.cellgauge.android.R;
+import org.cellgauge.android.state.Advice;
+import org.cellgauge.android.state.CheckScreenState;
+import org.cellgauge.android.state.ImageSource;
+import org.cellgauge.check.Reason;
+import org.cellgauge.output.AdviceView;
+import org.cellgauge.output.MisplacedView;
+import org.cellgauge.output.ReferencesView;
+import org.cellgauge.warning.CheckWarning;
+import org.cellgauge.warning.Warning;
+
+/** The one thing to do next, in words of action: what a technician reads after the verdict and before any figure. */
+final class NextStep {
+    private final Wording words;
+
+    NextStep(Wording words) {
+        this.words = words;
+    }
+
+    /** What to do next in a state; null where there is nothing to do but wait, or the reason says it all. */
+    String of(CheckScreenState s) {
+        switch (Banner.of(s)) {
+            case QUICK_LOOK:
+                return s.allowsSampling() && s.source() == ImageSource.LIVE ? words.get(R.string.next_hold_still)
+                        : null;
+            case NOT_CONVERGED:
+                return words.get(s.source() == ImageSource.LIVE ? R.string.next_not_converged
+                        : R.string.next_not_converged_still);
+            case AMBIGUOUS:
+                return s.reason().kind() == Reason.Kind.TWO_OBJECT_POSES
+                        ? words.get(R.string.next_two_object_poses, s.reason().objectId().getAsInt())
+                        : words.get(R.string.next_two_camera_poses);
+            case CONTRADICTED:
+                return contradicted(s);
+            case PASS:
+            case PASS_UNMEASURED:
+            case NO_TARGET:
+                return passed(s);
+            case FAIL:
+                return failed(s);
+            default:
+                return null;
+        }
+    }
+
+    private String contradicted(CheckScreenState s) {
+        Warning action = s.result().action();
+        return action == null ? words.get(R.string.next_contradicted) : sentence(action, s);
+    }
+
+    private String passed(CheckScreenState s) {
+        Warning action = s.result().action();
+        if (action != null) {
+            return sentence(action, s);
+        }
+        if (Banner.of(s) == Banner.NO_TARGET) {
+            return words.get(R.string.next_set_target);
+        }
+        return s.lensMeasured() ? null : words.get(R.string.next_calibrate);
+    }
+
+    private String failed(CheckScreenState s) {
+        Reason reason = s.reason();
+        Warning action = s.result().action();
+        if (action != null) {
+            return sentence(action, s);
+        }
+        if (!reason.missingObjects().isEmpty()) {
+            return words.plural(R.plurals.next_show_objects, reason.missingObjects().size(),
+                    words.ids(reason.missingObjects()));
+        }
+        if (reason.misfit() != null) {
+            return words.get(R.string.next_misfit);
+        }
+        if (s.advice() != null) {
+            return advice(s.advice());
+        }
+        return words.get(s.lensMeasured() ? R.string.next_closer : R.string.next_calibrate);
+    }
+
+    /** What a warning asks for; of a shifted reference by how much it is off in all, as one would measure it. */
+    private String sentence(Warning action, CheckScreenState s) {
+        ReferencesView references = s.view().references();
+        if (action.kind() == CheckWarning.REFERENCE_OFF && references != null && !references.misplaced().isEmpty()) {
+            MisplacedView off = references.misplaced().get(0);
+            double[] shift = off.offset();
+            return words.get(R.string.next_measure_reference, off.id(),
+                    words.number(Math.hypot(Math.hypot(shift[0], shift[1]), shift[2]), 1));
+        }
+        String text = words.message(action);
+        return text.substring(0, 1).toUpperCase(words.locale()) + text.substring(1) + ".";
+    }
+
+    private String advice(Advice advice) {
+        List<String> changes = new ArrayList<>();
+        advice.changes().forEach(change -> changes.add(words.message(change)));
+        AdviceView view = advice.view();
+        return words.get(R.string.next_advice, String.join("; ", changes),
+                words.get(view.grip() ? R.string.of_grip : R.string.of_object, view.objectId()),
+                words.mm(view.nowStdMm()), words.mm(view.thenStdMm()));
+    }
+}
