@@ -14,7 +14,8 @@ class FuzzTest {
     private static final Path ROOT = Path.of(System.getProperty("cellgauge.root", "."));
 
     @ParameterizedTest
-    @CsvSource({"CELL, 300", "CAMERA, 300", "TARGET, 300", "DETECTIONS, 300", "IMAGE, 200", "RESULT, 15", "CHECK, 2"})
+    @CsvSource({"CELL, 300", "CAMERA, 300", "TARGET, 300", "DETECTIONS, 300", "IMAGE, 200", "RESULT, 15",
+        "SURVEY, 300", "CHECK, 2"})
     void nothingButRefusals(Target target, int count) throws IOException {
         Fuzz fuzz = new Fuzz(target, 1, ROOT);
         assertArrayEquals(fuzz.input(3), fuzz.input(3), "not reproducible");

@@ -30,6 +30,9 @@ final class Scenes {
     /** Stands between the two files of a check; no number in it. */
     static final String BETWEEN = "\n=== corners ===\n";
 
+    /** Of a survey what {@code --against} reads: one reference and a camera. */
+    static final String SURVEY = survey();
+
     static final String FISHEYE = """
             model: kannala_brandt
             pinhole: {fx: 400, fy: 400, cx: 640, cy: 480, width: 1280, height: 960, skew: 0}
@@ -189,5 +192,20 @@ final class Scenes {
     private static byte[] inserted(byte[] file, int at, byte[] part) {
         return ByteBuffer.allocate(file.length + part.length).put(file, 0, at).put(part)
                 .put(file, at, file.length - at).array();
+    }
+
+    private static String survey() {
+        StringBuilder rows = new StringBuilder();
+        for (int i = 0; i < 12; i++) {
+            rows.append(i == 0 ? "[" : ", [");
+            for (int j = 0; j < 12; j++) {
+                rows.append(j == 0 ? "" : ", ").append(i != j ? "0" : i % 6 < 3 ? "0.25" : "0.0001");
+            }
+            rows.append(']');
+        }
+        String rotation = ", \"rotation\": [1, 0, 0, 0, 1, 0, 0, 0, 1]}";
+        return "{\"schema\": 1, \"epoch\": {\"bodies\": [{\"kind\": \"reference\", \"id\": 22, "
+                + "\"position_mm\": [1, 2, 3]" + rotation + ", {\"kind\": \"camera\", \"id\": 0, "
+                + "\"position_mm\": [0, 0, 900]" + rotation + "], \"covariance\": [" + rows + "]}}";
     }
 }

@@ -15,6 +15,7 @@ import org.cellgauge.cell.CellReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
+import org.cellgauge.desktop.EpochJson;
 import org.cellgauge.desktop.ImageFiles;
 import org.cellgauge.desktop.ImageRefusal;
 import org.cellgauge.internal.cell.CellPhrase;
@@ -27,6 +28,7 @@ import org.cellgauge.output.ResultRecord;
 import org.cellgauge.output.ResultRefusal;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.survey.SurveyRefusal;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.DetectionsFile;
 
@@ -164,6 +166,20 @@ public enum Target {
         void read(byte[] input) {
             ResultReader.of(InputFiles.text(input, "a.result.json", ResultRefusal.RESULT_FILE, ResultReader.MAX_BYTES),
                     "a.result.json");
+        }
+    },
+
+    /** Earlier surveys. */
+    SURVEY("desktop.EpochJson") {
+        @Override
+        List<byte[]> corpus(Path root) {
+            return List.of(Scenes.SURVEY.getBytes(StandardCharsets.UTF_8));
+        }
+
+        @Override
+        void read(byte[] input) {
+            EpochJson.parse(InputFiles.text(input, "a.survey.json", SurveyRefusal.SURVEY_FILE, 1 << 20),
+                    "a.survey.json");
         }
     },
 

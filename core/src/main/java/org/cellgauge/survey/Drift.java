@@ -40,7 +40,8 @@ public record Drift(List<Displacement> bodies, List<OfPhoto> photos, double limi
      * @param shiftMm along world x, y, z
      * @param stdMm deviations of that
      * @param turnDeg angle of the turn
-     * @param chiSquare the move in units of its own deviations, squared: of six degrees of freedom where nothing has moved
+     * @param chiSquare the move in units of its own deviations, squared: of six degrees of freedom where nothing has
+     *     moved
      * @param chance of as much or more where nothing has moved
      * @param moved whether that is less likely than chance allows for all things together
      */

@@ -103,7 +103,8 @@ public final class Survey {
      * What has moved since an earlier survey of the cell.
      *
      * @param earlier what that found; {@link SurveyResult#epoch}
-     * @param cameraStands whether all photos, those of the earlier survey too, are of a camera that should not have moved
+     * @param cameraStands whether all photos, those of the earlier survey too, are of a camera that should not have
+     *     moved
      * @return everything that both know
      * @throws InputRefusedException if no photo can be used, or the two surveys have nothing in common
      */

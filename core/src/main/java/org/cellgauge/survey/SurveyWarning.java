@@ -33,8 +33,8 @@ public enum SurveyWarning implements WarningKind {
     /** An object that has two poses still: its id. */
     AMBIGUOUS("object %s has two poses that explain all photos: take one from another side"),
     /** Something that has moved between two surveys: what, by how many mm and degrees, chance in per cent. */
-    MOVED("%s has moved since the earlier survey by %s mm and %s degrees (chance %s %% if it had not): measure it again, "
-            + "or put it back"),
+    MOVED("%s has moved since the earlier survey by %s mm and %s degrees (chance %s %% if it had not): measure it "
+            + "again, or put it back"),
     /** Something that one photo has elsewhere than the earlier survey: what, the photo, mm and degrees. */
     MOVED_IN_PHOTO("%s stands elsewhere in %s: off by %s mm and %s degrees from the earlier survey"),
     /** Sampled and predicted deviations differ: by how many per cent at most. */

@@ -93,8 +93,8 @@ class SurveyTest {
     }
 
     /**
-     * Corners to 0.01 px, as of sharp photos: things stand to each other to a hundredth of a millimetre, all together to
-     * one. Straight proposals left no chain moving; the cell turned as a whole was stretched by them.
+     * Corners to 0.01 px, as of sharp photos: things stand to each other to a hundredth of a millimetre, all together
+     * to one. Straight proposals left no chain moving; the cell turned as a whole was stretched by them.
      */
     @Test
     void drawsOfSharpPhotosMove() {

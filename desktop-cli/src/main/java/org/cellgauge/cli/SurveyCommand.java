@@ -58,8 +58,8 @@ import picocli.CommandLine.Spec;
             "  cellgauge survey --cell cell.yaml --against surveyed.survey.json later/",
             ""},
         footer = {"",
-            "FILE is a cell file with references where they were found and their joint covariance; beside it, under the",
-            "same name, .html has tables and curves, and .survey.json all figures. Tables go to standard output,",
+            "FILE is a cell file with references where they were found and their joint covariance; beside it, under",
+            "the same name, .html has tables and curves, and .survey.json all figures. Tables go to standard output,",
             "messages to standard error.",
             "",
             "Exit codes: 0 target met (or none set), 1 internal error, 2 usage, 3 input refused, 4 target missed or",
@@ -98,8 +98,8 @@ public final class SurveyCommand implements Callable<Integer> {
     private Path against;
 
     @Option(names = "--camera-stands",
-            description = "With --against: all photos, those of the earlier survey too, are of a camera that should not "
-                    + "have moved; tells whether it has.")
+            description = "With --against: all photos, those of the earlier survey too, are of a camera that should "
+                    + "not have moved; tells whether it has.")
     private boolean cameraStands;
 
     /**
@@ -170,7 +170,8 @@ public final class SurveyCommand implements Callable<Integer> {
                 || result.objects().stream().anyMatch(SurveyedObject::ambiguous) || isUndecided(result)) {
             return ExitCodes.NO_FIGURE;
         }
-        return (drift == null || !drift.any()) && result.objects().stream().allMatch(o -> meets(o, result.cell().target().of(o.marker().id()).stdMm()))
+        return (drift == null || !drift.any()) && result.objects().stream()
+                .allMatch(o -> meets(o, result.cell().target().of(o.marker().id()).stdMm()))
                 ? ExitCodes.OK : ExitCodes.TARGET_MISSED;
     }
 
@@ -200,7 +201,8 @@ public final class SurveyCommand implements Callable<Integer> {
                     : result.run() != null && result.run().convergence() == Convergence.CONVERGED ? "undecided"
                             : "not-converged";
         }
-        return drift != null && drift.any() ? "moved" : code == ExitCodes.TARGET_MISSED ? "fail" : hasTarget(result) ? "pass" : "no-target";
+        return drift != null && drift.any() ? "moved" : code == ExitCodes.TARGET_MISSED ? "fail"
+                : hasTarget(result) ? "pass" : "no-target";
     }
 
     private void print(SurveyResult result, @Nullable Drift drift, int judged, String command) {

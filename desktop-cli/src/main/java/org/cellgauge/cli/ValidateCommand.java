@@ -116,8 +116,8 @@ public final class ValidateCommand implements Callable<Integer> {
     private Integer photosPerCell;
 
     @Option(names = "--drift", paramLabel = "MM",
-            description = "With --photos-per-cell: surveys each cell twice, a reference moved by MM in between (0: nothing "
-                    + "moved), and counts what is called moved.")
+            description = "With --photos-per-cell: surveys each cell twice, a reference moved by MM in between (0: "
+                    + "nothing moved), and counts what is called moved.")
     private Double drift;
 
     @Option(names = "--json", description = "Prints all counts and ranks as JSON in place of the tables.")

@@ -33,8 +33,8 @@ class SurveyAgainstTest {
 
     private String photos(String name, String object, int seed) {
         String to = folder.resolve(name).toString();
-        CommandCall made = run("simulate", "--cell", folder.resolve("cell.yaml").toString(), "--out", to, "--count", "2",
-                "--camera-jitter", "30,3", "--seed", String.valueOf(seed), "--object", "5=" + object, "--object",
+        CommandCall made = run("simulate", "--cell", folder.resolve("cell.yaml").toString(), "--out", to, "--count",
+                "2", "--camera-jitter", "30,3", "--seed", String.valueOf(seed), "--object", "5=" + object, "--object",
                 "20=120,300,0");
         assertEquals(0, made.code(), made.err());
         return to;
@@ -69,7 +69,8 @@ class SurveyAgainstTest {
     @Test
     void filesThatHoldNoSurveyAreRefused() throws IOException {
         Path other = folder.resolve("other.json");
-        for (String text : List.of("no json", "{}", "{\"epoch\": 3}", "{\"epoch\": {\"bodies\": [], \"covariance\": 1}}",
+        for (String text : List.of("no json", "{}", "{\"epoch\": 3}",
+                "{\"epoch\": {\"bodies\": [], \"covariance\": 1}}",
                 "{\"epoch\": {\"bodies\": [{\"kind\": \"reference\", \"id\": 1, \"rotation\": [1], "
                         + "\"position_mm\": [0]}], \"covariance\": [[1]]}}")) {
             Files.writeString(other, text);

@@ -27,8 +27,8 @@ final class DriftChart {
     static void add(Drift drift, StringBuilder out) {
         double limit = Math.sqrt(drift.limit());
         out.append("<h2>Control charts</h2>\n<p>Distance of each thing from where the earlier survey had it, by every "
-                + "photo alone, in units of its deviations there (the root of a chi-square of six degrees of freedom, about "
-                + "2.4 where nothing has moved). Above the line, ").append(CheckText.fixed(limit, 1))
+                + "photo alone, in units of its deviations there (the root of a chi-square of six degrees of freedom, "
+                + "about 2.4 where nothing has moved). Above the line, ").append(CheckText.fixed(limit, 1))
                 .append(", in one photo of all charts together once in 400 times by chance.</p>\n");
         List<Epoch.Body> bodies = new ArrayList<>();
         drift.photos().forEach(p -> p.bodies().forEach(d -> {
@@ -83,7 +83,8 @@ final class DriftChart {
         }
         if (count > MOST_LABELS) {
             out.append("<text x=\"").append(LEFT).append("\" y=\"").append(HEIGHT - 8)
-                    .append("\" fill=\"currentColor\" font-size=\"12\">").append(Html.escape(drift.photos().get(0).photo()))
+                    .append("\" fill=\"currentColor\" font-size=\"12\">")
+                    .append(Html.escape(drift.photos().get(0).photo()))
                     .append(" to ").append(Html.escape(drift.photos().get(count - 1).photo())).append("</text>\n");
         }
         out.append("</svg>\n");

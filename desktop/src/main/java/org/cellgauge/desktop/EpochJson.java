@@ -64,8 +64,18 @@ public final class EpochJson {
      * @throws InputRefusedException if the file is missing or holds none
      */
     public static Epoch read(Path file) {
-        String name = file.toString();
-        String text = InputFiles.text(file, SurveyRefusal.SURVEY_FILE, MAX_BYTES);
+        return parse(InputFiles.text(file, SurveyRefusal.SURVEY_FILE, MAX_BYTES), file.toString());
+    }
+
+    /**
+     * Reads what was read from a file already.
+     *
+     * @param text all of it
+     * @param name of the file as people know it
+     * @return the epoch
+     * @throws InputRefusedException if it holds none
+     */
+    public static Epoch parse(String text, String name) {
         try {
             JsonElement all = JsonParser.parseString(text);
             if (!all.isJsonObject() || !all.getAsJsonObject().has(KEY)) {

@@ -40,7 +40,8 @@ public final class SurveyJson {
      * @param command that makes it again
      * @return JSON, ended by a line feed
      */
-    public static String line(SurveyResult result, @Nullable Drift drift, String verdict, String version, String command) {
+    public static String line(SurveyResult result, @Nullable Drift drift, String verdict, String version,
+            String command) {
         JsonObject out = new JsonObject();
         out.addProperty("schema", 1);
         out.addProperty("verdict", verdict);

@@ -12,9 +12,9 @@ import org.cellgauge.internal.geometry.Rotations;
  * thread-safe.
  *
  * <p>Photos tell how things stand to each other, to hundredths of a millimetre where corners are sharp, and nearly
- * nothing of all together: those turn about their centroid by what placement leaves open. Added up as a linear step such
- * a turn by w stretches a cell of size d by w² d / 2, which is a micrometre where 1 mm of placement is left open, and may
- * be a deviation of what the photos tell. Proposals along straight lines are then refused.
+ * nothing of all together: those turn about their centroid by what placement leaves open. Added up as a linear step
+ * such a turn by w stretches a cell of size d by w² d / 2, which is a micrometre where 1 mm of placement is left open,
+ * and may be a deviation of what the photos tell. Proposals along straight lines are then refused.
  *
  * <p>The common shift a and turn w are linear in the step, by least squares over the references that are seen. What is
  * left of the step, and how much the volume changes by the bend, is smaller than w by the ratio of errors of the

@@ -393,7 +393,7 @@ final class DriftTest {
         out.score = score;
     }
 
-    /** Turns a gradient at the later mode, in its unknowns, into a score at the earlier poses, in poses of the world. */
+    /** Turns a gradient at the later mode, in its unknowns, into a score at the earlier poses, in those. */
     private void aboutEarlier(Evidence evidence, int view) {
         int n = POSE * evidence.bodies.size();
         if (n == 0) {

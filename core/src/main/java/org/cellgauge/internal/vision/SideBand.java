@@ -25,8 +25,8 @@ public final class SideBand {
     }
 
     /**
-     * What is left out at each end of a side: there the next side's light must be known before it is measured, and under
-     * a wrong tone curve that would pull at the curve.
+     * What is left out at each end of a side: there the next side's light must be known before it is measured, and
+     * under a wrong tone curve that would pull at the curve.
      *
      * @param lengthPx of the side
      * @param blurPx standard deviation of the blur, without the pixel's own extent

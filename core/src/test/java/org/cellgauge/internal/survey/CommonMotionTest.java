@@ -45,7 +45,7 @@ class CommonMotionTest {
         return Math.sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]));
     }
 
-    /** The tangent of a turn by 0.05 rad of everything about the centre, and of a shift: 500 mm grow by 0.6 mm on it. */
+    /** The tangent of a turn by 0.05 rad of everything about the centre, and of a shift: 500 mm grow by 0.6 mm. */
     @Test
     void aTurnOfEverythingKeepsDistancesAndPictures() {
         SurveyFit fit = fit();
