@@ -20,12 +20,14 @@ import org.jspecify.annotations.Nullable;
  * @param measurements all of the cell, in its order
  * @param placement joint covariance of all references about their poses here: shifts and turns in world axes
  * @param epoch where everything is by Laplace's approximation, for later surveys to be held against
+ * @param advice what would meet the target where it is missed, cheapest first; empty where it is met, and where nothing
+ *     that is tried does
  * @param run how draws came about; null where figures are those of Laplace's approximation
  * @param warnings what users should know
  */
 public record SurveyResult(Cell cell, List<SurveyedPhoto> photos, List<SurveyedReference> references,
         List<SurveyedObject> objects, List<SurveyedMeasurement> measurements, SurveyedPlacement placement,
-        Epoch epoch, @Nullable SurveyRun run, List<Warning> warnings) {
+        Epoch epoch, List<SurveyAdvice> advice, @Nullable SurveyRun run, List<Warning> warnings) {
     private static final int ERRORS = SurveyedPlacement.ERRORS;
 
     /** Copies the lists. */
@@ -34,6 +36,7 @@ public record SurveyResult(Cell cell, List<SurveyedPhoto> photos, List<SurveyedR
         references = List.copyOf(references);
         objects = List.copyOf(objects);
         measurements = List.copyOf(measurements);
+        advice = List.copyOf(advice);
         warnings = List.copyOf(warnings);
     }
 

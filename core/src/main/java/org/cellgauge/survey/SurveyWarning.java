@@ -37,6 +37,8 @@ public enum SurveyWarning implements WarningKind {
             + "again, or put it back"),
     /** Something that one photo has elsewhere than the earlier survey: what, the photo, mm and degrees. */
     MOVED_IN_PHOTO("%s stands elsewhere in %s: off by %s mm and %s degrees from the earlier survey"),
+    /** Advice where a target is missed: how many photos. */
+    MORE_PHOTOS("take %s more photos like these while nothing moves"),
     /** Sampled and predicted deviations differ: by how many per cent at most. */
     FAR_FROM_GAUSSIAN("deviations of draws differ from those of the approximation by up to %s %%: figures are those of "
             + "the draws, those of the curve and the shares are rough");

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.ChangeKind;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.JointPlacement;
 import org.cellgauge.cell.MarkerFamily;
@@ -106,6 +107,43 @@ class SurveyTest {
         assertTrue(run.essPerThousand() >= 30, "effective draws " + run.essPerThousand());
         assertTrue(run.draws() <= 2000, "draws " + run.draws());
         assertEquals(1, run.worstRatio(), 0.12, "deviations of draws over those of the approximation");
+    }
+
+    /** Each advice is carried out: the cell stated so, or photographed so often, is surveyed anew. */
+    @Test
+    void whatIsAdvisedMeetsTheTarget() {
+        Cell stated = cell(4, 1, 3);
+        List<Detections> photos = simulated(stated, 4).photos();
+        double now = Survey.of(stated, photos, SETTINGS).estimate().objects().get(0).worstStdMm();
+        double target = 0.7 * now;
+        Cell cell = stated.withTarget(OptionalDouble.of(target));
+        assertEquals(List.of(), Survey.of(stated.withTarget(OptionalDouble.of(2 * now)), photos, SETTINGS).estimate()
+                .advice());
+        List<SurveyAdvice> advice = Survey.of(cell, photos, SETTINGS).estimate().advice();
+        SurveyAdvice placed = advice.stream().filter(a -> a.change().kind() == ChangeKind.PLACE_PRECISELY).findFirst()
+                .orElseThrow();
+        double std = Double.parseDouble(String.valueOf(placed.change().arguments().get(0)));
+        double found = Survey.of(cell(4, 1, std), simulated(cell(4, 1, std), 4).photos(), SETTINGS).estimate().objects()
+                .get(0).worstStdMm();
+        assertEquals(placed.worstStdMm(), found, 0.1 * found);
+        assertTrue(found <= target && found > 0.7 * target, found + " of " + target);
+        // what all references have in common, no photo tells
+        assertTrue(advice.stream().noneMatch(a -> a.change().kind() == SurveyWarning.MORE_PHOTOS), advice.toString());
+    }
+
+    /** Objects that few pixels show: there more photos do. */
+    @Test
+    void morePhotosAreAdvisedWhereNoiseLimits() {
+        Cell stated = cell(4, 1, 0.05).withPixelStdPx(OptionalDouble.of(1.5));
+        List<Detections> photos = simulated(stated, 3).photos();
+        double now = Survey.of(stated, photos, SETTINGS).estimate().objects().get(0).worstStdMm();
+        SurveyAdvice more = Survey.of(stated.withTarget(OptionalDouble.of(0.7 * now)), photos, SETTINGS).estimate()
+                .advice().get(0);
+        assertEquals(SurveyWarning.MORE_PHOTOS, more.change().kind());
+        int count = Integer.parseInt(String.valueOf(more.change().arguments().get(0)));
+        double found = Survey.of(stated, simulated(stated, 3 + count).photos(), SETTINGS).estimate().objects().get(0)
+                .worstStdMm();
+        assertTrue(found <= 0.7 * now, count + " more: " + found + " of " + 0.7 * now);
     }
 
     /** By the normal distribution, of the deviation that is stated. */

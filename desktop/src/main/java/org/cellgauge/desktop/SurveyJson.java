@@ -11,6 +11,7 @@ import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.statistics.Convergence;
 import org.cellgauge.survey.Drift;
 import org.cellgauge.survey.Epoch;
+import org.cellgauge.survey.SurveyAdvice;
 import org.cellgauge.survey.SurveyResult;
 import org.cellgauge.survey.SurveyRun;
 import org.cellgauge.survey.SurveyedDistance;
@@ -80,6 +81,17 @@ public final class SurveyJson {
             measurements.add(one);
         }
         out.add("measurements", measurements);
+        if (!result.advice().isEmpty()) {
+            JsonArray advice = new JsonArray();
+            for (SurveyAdvice a : result.advice()) {
+                JsonObject one = new JsonObject();
+                one.addProperty("code", a.change().kind().code());
+                one.addProperty("text", a.change().toString());
+                one.addProperty("worst_std_mm", a.worstStdMm());
+                advice.add(one);
+            }
+            out.add("plan", advice);
+        }
         SurveyRun run = result.run();
         if (run != null) {
             JsonObject one = new JsonObject();

@@ -46,6 +46,11 @@ public final class SurveyText {
                         .append(" is asked for\n");
             }
         }
+        if (!result.advice().isEmpty()) {
+            out.append("\nWhat would meet the target, with a margin of 15 %\n");
+            result.advice().forEach(a -> out.append("  - ").append(a.change()).append(": largest deviation ")
+                    .append(CheckText.fixed(a.worstStdMm(), 2)).append(" mm\n"));
+        }
         out.append("\nReferences: where they stand\n").append(references(result).text("  "));
         if (result.references().size() > 1) {
             out.append("\nDistances between references, mm\n").append(distances(result).text("  "));

@@ -9,14 +9,19 @@ import org.jspecify.annotations.Nullable;
  * deviation. A distance, and a turn, limit the sum of three variances as if all of it lay along one line, which is
  * never too little where the probability asked for is large; {@link #ratio} then says what it really is.
  */
-final class Asked {
+public final class Asked {
     /** What counts where nothing is asked of anything: 1 mm. */
     static final Requirement ONE_MM = Requirement.ofStdMm(1);
 
     private final Requirement asked;
     private final double deviations;
 
-    Asked(Requirement asked) {
+    /**
+     * Limits.
+     *
+     * @param asked of one object
+     */
+    public Asked(Requirement asked) {
         this.asked = asked;
         deviations = NormalBall.deviations(asked.probability());
     }
@@ -45,8 +50,14 @@ final class Asked {
         return turnRad2 == null ? most : Math.max(most, trace(turnRad2) / (traceLimitRad() * traceLimitRad()));
     }
 
-    /** How much of what is allowed is taken: 1 where it is just met; infinite where nothing is known. */
-    double ratio(double[] covarianceMm2, double @Nullable [] turnRad2) {
+    /**
+     * How much of what is allowed is taken.
+     *
+     * @param covarianceMm2 of the point, 3 x 3 row by row, mm²
+     * @param turnRad2 of the orientation's rotation vector, 3 x 3, rad²; null where none is asked about
+     * @return 1 where it is just met; infinite where nothing is known
+     */
+    public double ratio(double[] covarianceMm2, double @Nullable [] turnRad2) {
         if (!Double.isFinite(trace(covarianceMm2))) {
             return Double.POSITIVE_INFINITY;
         }

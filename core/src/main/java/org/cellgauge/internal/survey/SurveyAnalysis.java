@@ -472,7 +472,23 @@ final class SurveyAnalysis {
         List<SurveyedObject> objects = objects(at, covariance, drawn);
         List<SurveyedMeasurement> measurements = measurements();
         return new SurveyResult(progress.cell, photos(), references, objects, measurements, placement(covariance),
-                DriftTest.epoch(fit), run, warnings(references, objects, measurements, farthest));
+                DriftTest.epoch(fit), new SurveyAdvisor(fit, ofPhotos()).advice(), run, warnings(references, objects, measurements, farthest));
+    }
+
+    /** Information of all photos of what they share; both triangles. */
+    private double[] ofPhotos() {
+        int n = layout.size;
+        double[] gradient = new double[n];
+        double[] one = new double[n * n];
+        double[] sum = new double[n * n];
+        fit.model.linearisePriors(fit.mode, new double[n * n], gradient);
+        for (int v = 0; v < fit.views().size(); v++) {
+            view(v, one, gradient);
+            for (int i = 0; i < n * n; i++) {
+                sum[i] += one[i];
+            }
+        }
+        return sum;
     }
 
     /** What has moved since an earlier survey. */
