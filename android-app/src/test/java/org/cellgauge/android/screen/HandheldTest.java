@@ -36,7 +36,7 @@ import org.robolectric.shadows.ShadowDialog;
 
 /** The checker in a technician's hands: what stays, what is said first, how large the picture is, what a tap tells. */
 @RunWith(RobolectricTestRunner.class)
-@Config(application = TestApp.class)
+@Config(application = TestApp.class, minSdk = 27)
 public class HandheldTest {
     private static final Fixture FIXTURE = Fixture.LIFTED;
 

@@ -632,6 +632,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 27)
     public void lensIsEstimatedWhereNobodyMeasuredIt() {
         CellDocument bare = new CellDocument("bare.yaml", "content://cells/bare", FIXTURE.cell(), null);
         Screen.allowCamera();

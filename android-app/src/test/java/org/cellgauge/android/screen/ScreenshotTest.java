@@ -44,7 +44,7 @@ import org.robolectric.shadows.ShadowDialog;
  * from the fixture, since no camera draws here. Those that need many checks are of the newest Android only.
  */
 @RunWith(RobolectricTestRunner.class)
-@Config(application = TestApp.class)
+@Config(application = TestApp.class, minSdk = 27)
 public class ScreenshotTest {
     private static final Fixture FIXTURE = Fixture.LIFTED;
     /** More than any run can reach: chains go on as long as a picture takes. */
@@ -283,6 +283,7 @@ public class ScreenshotTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void keptAndNotKept() {
         try (Screen screen = live(Screen.TABLET_LANDSCAPE, FIXTURE.cell())) {
             screen.holdStillUntilResult(FIXTURE);

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import org.cellgauge.cell.CameraCalibration;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ChangeKind;
@@ -333,7 +334,7 @@ final class Levers {
                     List<Reference> references = new ArrayList<>(all.cell().references());
                     references.addAll(four);
                     return all.with(all.cell().withReferences(references))
-                            .withPlate(four.stream().map(Reference::id).toList());
+                            .withPlate(four.stream().map(Reference::id).collect(Collectors.toList()));
                 }, false);
     }
 

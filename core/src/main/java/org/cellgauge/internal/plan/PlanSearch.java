@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.cellgauge.cell.ChangeKind;
 import org.cellgauge.cell.Target;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
@@ -199,7 +200,7 @@ public final class PlanSearch {
     }
 
     private static List<String> groups(Tried tried) {
-        return tried.steps().stream().map(Levers.Step::group).toList();
+        return tried.steps().stream().map(Levers.Step::group).collect(Collectors.toList());
     }
 
     /** Of each kind of change the one that reaches most. */
@@ -217,7 +218,7 @@ public final class PlanSearch {
     private static List<Proposal> proposals(Levers levers, List<Tried> tried) {
         List<Proposal> out = new ArrayList<>();
         for (Tried t : tried) {
-            List<Change> changes = t.steps().stream().map(Levers.Step::change).toList();
+            List<Change> changes = t.steps().stream().map(Levers.Step::change).collect(Collectors.toList());
             out.add(new Proposal(changes, t.layout(), levers.model(t.layout(), t.calibrated()).forecast()));
         }
         return out;

@@ -2,6 +2,7 @@ package org.cellgauge.internal.plan;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -144,7 +145,7 @@ public final class SubsetSearch {
     }
 
     private static Choice choice(int[] members, double worst) {
-        return new Choice(Arrays.stream(members).sorted().boxed().toList(), worst);
+        return new Choice(Arrays.stream(members).sorted().boxed().collect(Collectors.toList()), worst);
     }
 
     /** Puts into a slot what is best beside the first so many. */

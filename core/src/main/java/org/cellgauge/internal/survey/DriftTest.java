@@ -3,6 +3,7 @@ package org.cellgauge.internal.survey;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
@@ -156,7 +157,7 @@ final class DriftTest {
         for (int v = 0; v < photos; v++) {
             Regression one = single.get(v);
             List<Integer> free = IntStream.range(0, one.bodies.size())
-                    .filter(b -> named.contains(one.bodies.get(b))).boxed().toList();
+                    .filter(b -> named.contains(one.bodies.get(b))).boxed().collect(Collectors.toList());
             List<Drift.Displacement> found = one.displacements(free, level);
             out.add(new Drift.OfPhoto(fit.views().get(v).detections.imageName(), found));
             for (Drift.Displacement d : found) {
@@ -533,7 +534,7 @@ final class DriftTest {
 
         /** One body's move, those of some others unknown. */
         private Drift.@Nullable Displacement displacement(int body, List<Integer> free, double level) {
-            List<Integer> others = free.stream().filter(b -> b != body).toList();
+            List<Integer> others = free.stream().filter(b -> b != body).collect(Collectors.toList());
             List<Integer> with = new ArrayList<>(List.of(body));
             with.addAll(others);
             Fit without = fit(others);

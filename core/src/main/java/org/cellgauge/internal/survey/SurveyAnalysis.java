@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.cellgauge.cell.Measurement;
 import org.cellgauge.cell.ObjectMarker;
@@ -525,7 +526,7 @@ final class SurveyAnalysis {
                 joint[i * n + j] = joint[j * n + i];
             }
         }
-        return new SurveyedPlacement(layout.references.stream().map(Reference::id).toList(), joint);
+        return new SurveyedPlacement(layout.references.stream().map(Reference::id).collect(Collectors.toList()), joint);
     }
 
     private List<SurveyedReference> references(SurveyState at, double[] covariance) {
