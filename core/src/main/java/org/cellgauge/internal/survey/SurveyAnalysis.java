@@ -473,7 +473,8 @@ final class SurveyAnalysis {
         List<SurveyedObject> objects = objects(at, covariance, drawn);
         List<SurveyedMeasurement> measurements = measurements();
         return new SurveyResult(progress.cell, photos(), references, objects, measurements, placement(covariance),
-                DriftTest.epoch(fit), new SurveyAdvisor(fit, ofPhotos()).advice(), run, warnings(references, objects, measurements, farthest));
+                DriftTest.epoch(fit), new SurveyAdvisor(fit, ofPhotos()).advice(), run,
+                warnings(references, objects, measurements, farthest));
     }
 
     /** Information of all photos of what they share; both triangles. */
