@@ -30,7 +30,7 @@ import org.robolectric.shadows.ShadowDialog;
 
 /** The screen for people who see colours, small letters or the screen itself less well, and for gloved fingers. */
 @RunWith(RobolectricTestRunner.class)
-@Config(application = TestApp.class)
+@Config(application = TestApp.class, minSdk = 27)
 public class AccessibilityTest {
     private static final int TOUCH_DP = 48;
     /** Web Content Accessibility Guidelines 2.1, 1.4.3 and 1.4.11. */

@@ -87,7 +87,7 @@ import org.robolectric.shadows.ShadowDialog;
 
 /** What a user meets: the first start, rough handling, and what is kept. */
 @RunWith(RobolectricTestRunner.class)
-@Config(application = TestApp.class, qualifiers = Screen.TABLET_LANDSCAPE)
+@Config(application = TestApp.class, qualifiers = Screen.TABLET_LANDSCAPE, minSdk = 27)
 public class MainActivityTest {
     private static final Fixture FIXTURE = Fixture.LIFTED;
 
@@ -136,6 +136,7 @@ public class MainActivityTest {
     // ---- first start
 
     @Test
+    @Config(minSdk = 26)
     public void firstStartExplainsAndOffersAFileAndTheExample() {
         try (Screen screen = Screen.start()) {
             assertEquals("No cell chosen", screen.text(R.id.banner_headline));
@@ -148,6 +149,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void exampleShowsAResultWithoutCameraOrPermission() {
         try (Screen screen = Screen.start()) {
             screen.tap(R.id.message_second);
@@ -161,6 +163,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void examplesCameraIsNotTakenForTheDevices() {
         Screen.allowCamera();
         try (Screen screen = Screen.start()) {
@@ -174,6 +177,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void documentsAreAskedForAndTheirAccessIsKept() {
         try (Screen screen = Screen.start()) {
             screen.tap(R.id.message_first);
@@ -192,6 +196,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void cancelledPickerChangesNothing() {
         try (Screen screen = Screen.start()) {
             screen.tap(R.id.message_first);
@@ -205,6 +210,7 @@ public class MainActivityTest {
     // ---- the check
 
     @Test
+    @Config(minSdk = 26)
     public void chainsThatDidNotConvergeShowNoFigureAnywhere() {
         Screen.app().settings = CheckSettings.builder().iterations(300).build();
         try (Screen screen = live()) {
@@ -223,6 +229,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void ambiguousObjectsShowNoFigureAnywhere() {
         Screen.turnDisplay(Surface.ROTATION_90);
         try (Screen screen = Screen.live(FIXTURE.document(Fixture.with(FIXTURE.cell(), 0.3, OptionalDouble.of(3))), 90,
@@ -241,6 +248,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void stillCameraEndsInTheResultOfItsKeyFrameAlone() {
         try (Screen screen = live()) {
             assertEquals("Starting the camera…", screen.text(R.id.banner_headline));
@@ -263,6 +271,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void figuresBeforeConvergenceAreMarkedAsSuch() {
         Screen.app().levels.onNext(ThermalLevel.HOT);
         try (Screen screen = live()) {
@@ -280,6 +289,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void noMarkersInViewNamesWhatIsLookedFor() {
         try (Screen screen = live()) {
             feed().frame(FIXTURE.blank());
@@ -292,6 +302,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void objectWithoutAnyReferenceHasNoFigure() {
         try (Screen screen = live()) {
             GreyImage image = FIXTURE.image();
@@ -307,6 +318,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void referenceThatIsCoveredIsNamed() {
         try (Screen screen = live()) {
             GreyImage image = FIXTURE.image();
@@ -321,6 +333,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void anotherTargetJudgesTheSameDrawsAnew() {
         try (Screen screen = live()) {
             screen.holdStillUntilResult(FIXTURE);
@@ -340,6 +353,7 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void cellWithoutTargetIsNotJudged() {
         Screen.allowCamera();
         try (Screen screen = Screen.start()) {

@@ -37,7 +37,7 @@ import org.robolectric.annotation.Config;
  * held and whichever way the camera looks. What is right is worked out here from the check of the frame alone.
  */
 @RunWith(RobolectricTestRunner.class)
-@Config(application = TestApp.class)
+@Config(application = TestApp.class, minSdk = 27)
 public class OverlayOnFrameTest {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 720;
