@@ -308,6 +308,48 @@ class SurveyTest {
         assertTrue(warns(wrong, SurveyWarning.MEASUREMENT_OFF), wrong.warnings().toString());
     }
 
+    /** Ten references that were placed by eye, a bar of half a metre over two of them, and a walk round. */
+    @Test
+    void oneScaleBarAndTwentyPhotosGiveHalfAMillimetre() {
+        Cell cell = cell(10, 0, 20);
+        int held = 0;
+        int pairs = 0;
+        for (int index = 0; index < 4; index++) {
+            SimulatedSurvey simulated = SimulatedSurvey.of(cell, SETTINGS, 20, 11, index);
+            // of all pairs the one that the bar spans best; the bar itself is off by one of its deviations
+            int[] bar = {100, 101};
+            for (int i = 100; i < 110; i++) {
+                for (int j = i + 1; j < 110; j++) {
+                    bar = Math.abs(apartMm(simulated, i, j) - 500) < Math.abs(apartMm(simulated, bar[0], bar[1]) - 500)
+                            ? new int[] {i, j} : bar;
+                }
+            }
+            SurveyResult result = Survey.of(cell.withJointPlacement(new JointPlacement(List.of(),
+                    List.of(new Measurement.Distance(bar[0], bar[1],
+                            apartMm(simulated, bar[0], bar[1]) + (index % 2 == 0 ? 0.1 : -0.1), 0.1)),
+                    null, null)), simulated.photos(), SETTINGS).estimate();
+            for (int i = 100; i < 110; i++) {
+                for (int j = i + 1; j < 110; j++) {
+                    SurveyedDistance distance = result.distance(i, j);
+                    double error = Math.abs(distance.mm() - apartMm(simulated, i, j));
+                    assertTrue(distance.stdMm() < 0.25, i + " to " + j + ": std " + distance.stdMm());
+                    assertTrue(error < 0.5, i + " to " + j + ": off by " + error);
+                    pairs++;
+                    held += error < 1.96 * distance.stdMm() ? 1 : 0;
+                }
+            }
+        }
+        // 45 distances of a cell share its bar and its cameras, so their number is not that of independent ones
+        assertTrue(held > 0.85 * pairs, held + " of " + pairs);
+    }
+
+    private static double apartMm(SimulatedSurvey simulated, int from, int to) {
+        double[] p = simulated.references().get(from).translationMm();
+        double[] q = simulated.references().get(to).translationMm();
+        return Math.sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])
+                + (p[2] - q[2]) * (p[2] - q[2]));
+    }
+
     @Test
     void surveyedCellKeepsWhatIsKnownOfReferencesTogether() {
         Cell cell = cell(5, 1, 20);
