@@ -107,6 +107,43 @@ class RealPhotosTest {
         assertEquals(135.0, distance, 2 * Math.sqrt(variance));
     }
 
+    /** The three photos together, and a check of one of them by what they found. */
+    @Test
+    void surveyOfAllPhotosSaysHowFarTheyLieApart() throws IOException {
+        Path photos = folder("fiducial_binary");
+        Files.copy(photos.resolve("intrinsic.yaml"), scratch.resolve("camera.yaml"));
+        Path cell = Files.writeString(scratch.resolve("cell.yaml"), "cellgauge: 1\ncamera: camera.yaml\n"
+                + "markers: {family: square-binary, size_mm: 100}\n"
+                + "placement: {std_mm: [0.001, 0.001, 0.001], std_deg: 0.001}\nreferences:\n"
+                + "  284: {position_mm: [0, 0, 0]}\n"
+                + "  643: {position_mm: [133, 24, 0], rotation_deg: [0, 0, -160], "
+                + "placement: {std_mm: [20, 20, 20], std_deg: 20}}\n");
+        Path surveyed = scratch.resolve("surveyed.yaml");
+        JsonObject survey = run("survey", "--cell", cell.toString(), photos.resolve("image0000.jpg").toString(),
+                photos.resolve("image0001.jpg").toString(), photos.resolve("image0002.jpg").toString(), "--out",
+                surveyed.toString(), "--json");
+        JsonObject distance = survey.getAsJsonArray("distances").get(0).getAsJsonObject();
+        double mm = distance.get("mm").getAsDouble();
+        double std = distance.get("std_mm").getAsDouble();
+        assertEquals(135.0, mm, 2 * std);
+        assertTrue(std < 0.2, "std " + std);
+        double alone = run("check", "--cell", cell.toString(), photos.resolve("image0001.jpg").toString(), "--json")
+                .getAsJsonObject("camera").getAsJsonArray("std").get(2).getAsDouble();
+        double with = run("check", "--cell", surveyed.toString(), photos.resolve("image0001.jpg").toString(), "--json")
+                .getAsJsonObject("camera").getAsJsonArray("std").get(2).getAsDouble();
+        System.out.printf("survey: %.2f mm, std %.2f; a camera's z %.2f mm as stated, %.2f as surveyed%n", mm, std,
+                alone, with);
+        assertTrue(with < 0.9 * alone, with + " of " + alone);
+    }
+
+    private static JsonObject run(String... arguments) {
+        StringWriter out = new StringWriter();
+        StringWriter err = new StringWriter();
+        int code = Main.commandLine().setOut(new PrintWriter(out)).setErr(new PrintWriter(err)).execute(arguments);
+        assertEquals(0, code, out + "\n" + err);
+        return JsonParser.parseString(out.toString()).getAsJsonObject();
+    }
+
     /** What the markers of a photo say of themselves: apart from 6 numbers of a pose, 8 coordinates leave two. */
     private static void printSquareness(String name, Detections found, PinholeCamera camera, double sizeMm,
             double addedStdPx) {

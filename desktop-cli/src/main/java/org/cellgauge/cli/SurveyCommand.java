@@ -144,6 +144,9 @@ public final class SurveyCommand implements Callable<Integer> {
                         spec.commandLine());
             }
         }
+        if (seen.isEmpty() && code != ExitCodes.OK) {
+            return code;
+        }
         Survey all = Survey.of(cell, seen, settings);
         Survey survey = leaveOut ? all.withoutMisfits() : all;
         SurveyResult result = survey.sampled();

@@ -9,9 +9,11 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.desktop.CheckText;
 import org.cellgauge.desktop.TextTable;
 import org.cellgauge.internal.statistics.BinomialBand;
+import org.cellgauge.internal.validation.DetectionSource;
 import org.cellgauge.internal.validation.DriftStudy;
 import org.cellgauge.internal.validation.SurveyStudy;
 import org.cellgauge.settings.CheckSettings;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 
 /** {@code validate --photos-per-cell}: are stated regions of surveys right? */
@@ -31,13 +33,15 @@ final class SurveyStudyRun {
      * @param check how it is surveyed; regions are of draws where it says how many
      * @param photos number of photos of each cell
      * @param cells number of cells
+     * @param source what photos are seen by; null where corners are drawn
      * @param json whether counts are printed as JSON
      * @return the exit code
      */
-    static int run(CommandLine command, Cell cell, CheckSettings check, int photos, int cells, boolean json) {
+    static int run(CommandLine command, Cell cell, CheckSettings check, int photos, int cells,
+            @Nullable DetectionSource source, boolean json) {
         boolean sampled = check.sampling().iterations().isPresent();
         SurveyStudy.Result result = SurveyStudy.of(cell, check, photos, cells, check.sampling().seed(),
-                check.sampling().threads(), sampled);
+                check.sampling().threads(), sampled, source);
         PrintWriter out = command.getOut();
         out.print(json ? json(result, photos) : text(result));
         out.flush();

@@ -13,6 +13,7 @@ import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.MarkerFamily;
 import org.cellgauge.desktop.render.CellSimulation;
+import org.cellgauge.desktop.render.RenderedPhotos;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
 import org.cellgauge.internal.validation.CellSource;
@@ -23,6 +24,7 @@ import org.cellgauge.internal.validation.TruthPrior;
 import org.cellgauge.internal.validation.Validation;
 import org.cellgauge.internal.validation.ValidationResult;
 import org.cellgauge.internal.validation.ValidationSettings;
+import org.cellgauge.internal.vision.BoofThreads;
 import org.cellgauge.settings.CalibrationUse;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.SettingTable;
@@ -112,7 +114,7 @@ public final class ValidateCommand implements Callable<Integer> {
     @Option(names = "--photos-per-cell", paramLabel = "K",
             description = "Surveys each cell from K photos all around it in place of checking one: regions of objects, "
                     + "gripping points, references, and objects of a later photo. By Laplace's approximation; by draws "
-                    + "where --iterations says how many.")
+                    + "where --iterations says how many. With --photos from rendered ones.")
     private Integer photosPerCell;
 
     @Option(names = "--drift", paramLabel = "MM",
@@ -203,6 +205,13 @@ public final class ValidateCommand implements Callable<Integer> {
         if (photosPerCell < 1) {
             throw new ParameterException(spec.commandLine(), "--photos-per-cell: must be at least 1");
         }
+        if (study.photos() && drift == null) {
+            BoofThreads.useOne();
+            Cell stated = study.stated(cell);
+            PhotoOptions.requirePrintable(spec.commandLine(), stated, study.printGainMm());
+            return SurveyStudyRun.run(spec.commandLine(), stated, check, photosPerCell, study.simulations(),
+                    new RenderedPhotos(study.sensor(), study.jpegQuality(), study.printGainMm()), json);
+        }
         Cell noisy = cell.withPixelStdPx(OptionalDouble.of(settings(cell).pixelStdPx()));
         if (drift != null) {
             if (!(drift >= 0 && drift <= MOST_DRIFT_MM)) {
@@ -211,7 +220,7 @@ public final class ValidateCommand implements Callable<Integer> {
             return SurveyStudyRun.drift(spec.commandLine(), noisy, check, photosPerCell, study.simulations(), drift,
                     json);
         }
-        return SurveyStudyRun.run(spec.commandLine(), noisy, check, photosPerCell, study.simulations(), json);
+        return SurveyStudyRun.run(spec.commandLine(), noisy, check, photosPerCell, study.simulations(), null, json);
     }
 
     private int causes(CellSource cells) {

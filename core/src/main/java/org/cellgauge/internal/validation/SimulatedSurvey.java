@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.PlacementGroup;
 import org.cellgauge.cell.Reference;
@@ -32,6 +33,7 @@ import org.jspecify.annotations.Nullable;
 public final class SimulatedSurvey {
     private static final long STREAM = 21;
     private static final long STREAM_AGAIN = 23;
+    private static final long STREAM_PHOTO = 24;
     private static final double GOLDEN_RAD = Math.PI * (3 - Math.sqrt(5));
     private static final double LEAST_TILT_RAD = Math.toRadians(10);
     private static final double TILT_RANGE_RAD = Math.toRadians(35);
@@ -39,6 +41,7 @@ public final class SimulatedSurvey {
     private static final double FILL = 1.35;
     private static final double GRAZING_COSINE = Math.sin(Math.toRadians(20));
     private static final int ATTEMPTS = 100;
+    private static final int LATER_POSES = 1000;
 
     private final Cell cell;
     private final Map<Integer, RigidTransform> references;
@@ -240,6 +243,50 @@ public final class SimulatedSurvey {
     }
 
     /**
+     * The same cell from the same places, as a source sees it: what it makes of photos in place of drawn corners.
+     *
+     * @param source makes photos and finds markers in them, say; photos that it refuses are left out
+     * @param seed seed of all noise
+     * @param index which cell of that seed
+     * @return the cell and these photos
+     */
+    public SimulatedSurvey seenBy(DetectionSource source, long seed, int index) {
+        List<RigidTransform> seenFrom = new ArrayList<>();
+        List<Detections> seen = new ArrayList<>();
+        for (int k = 0; k < cameras.size(); k++) {
+            RandomGenerator random = RandomStreams.of(RandomStreams.of(seed, STREAM_PHOTO, index).nextLong(), k);
+            try {
+                seen.add(seen(source, cameras.get(k), photos.get(k).imageName(), random));
+                seenFrom.add(cameras.get(k));
+            } catch (InputRefusedException e) {
+                // as one bad photo of a walk: the others are a survey without it
+                continue;
+            }
+        }
+        return new SimulatedSurvey(cell, references, objects, camera, seenFrom, seen);
+    }
+
+    private Detections seen(DetectionSource source, RigidTransform worldFromCamera, String name,
+            RandomGenerator random) {
+        Detections found = source.detect(new SimulatedCell(cell, new CellTruth(worldFromCamera, objects, camera),
+                references), random);
+        return new Detections(name, found.widthPx(), found.heightPx(), found.markers(), found.warnings(),
+                found.light());
+    }
+
+    /**
+     * A further photo of the same cell, as a source sees it.
+     *
+     * @param source makes the photo and finds its markers, say
+     * @param random where its pose and noise come from
+     * @return what it shows
+     * @throws InputRefusedException if the source sees nothing
+     */
+    public Detections later(DetectionSource source, RandomGenerator random) {
+        return seen(source, pose(cell, random.nextInt(LATER_POSES), 1, random), "later", random);
+    }
+
+    /**
      * A further photo of the same cell.
      *
      * @param random where its pose and noise come from
@@ -248,7 +295,7 @@ public final class SimulatedSurvey {
     public Detections later(RandomGenerator random) {
         for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
             Detections seen = photo(cell, "later", references, objects, camera,
-                    pose(cell, random.nextInt(1000), 1, random), random);
+                    pose(cell, random.nextInt(LATER_POSES), 1, random), random);
             if (seen != null) {
                 return seen;
             }

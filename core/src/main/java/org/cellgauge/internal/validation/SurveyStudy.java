@@ -23,6 +23,7 @@ import org.cellgauge.survey.SurveyResult;
 import org.cellgauge.survey.SurveyWarning;
 import org.cellgauge.survey.SurveyedObject;
 import org.cellgauge.survey.SurveyedReference;
+import org.cellgauge.vision.Detections;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -88,7 +89,7 @@ public final class SurveyStudy {
     }
 
     /**
-     * Runs a study.
+     * Runs a study with corners drawn.
      *
      * @param cell the cell, built anew each time as precisely as it says
      * @param settings how it is surveyed
@@ -101,8 +102,26 @@ public final class SurveyStudy {
      */
     public static Result of(Cell cell, CheckSettings settings, int photos, int cells, long seed, int threads,
             boolean sampled) {
+        return of(cell, settings, photos, cells, seed, threads, sampled, null);
+    }
+
+    /**
+     * Runs a study.
+     *
+     * @param cell the cell, built anew each time as precisely as it says
+     * @param settings how it is surveyed
+     * @param photos number of photos of each cell
+     * @param cells number of cells
+     * @param seed seed of all that is drawn
+     * @param threads cells at once; figures do not depend on it
+     * @param sampled whether regions are of draws; else of Laplace's approximation
+     * @param source what photos are seen by, called by several threads at once; null where corners are drawn
+     * @return the figures
+     */
+    public static Result of(Cell cell, CheckSettings settings, int photos, int cells, long seed, int threads,
+            boolean sampled, @Nullable DetectionSource source) {
         Tally[] tallies = new Tally[cells];
-        OwnThreads.forEach(cells, threads, c -> tallies[c] = one(cell, settings, photos, seed, c, sampled));
+        OwnThreads.forEach(cells, threads, c -> tallies[c] = one(cell, settings, photos, seed, c, sampled, source));
         Tally sum = new Tally();
         for (Tally t : tallies) {
             sum.add(t);
@@ -110,9 +129,11 @@ public final class SurveyStudy {
         return sum.result(cells);
     }
 
-    private static Tally one(Cell cell, CheckSettings settings, int photos, long seed, int index, boolean sampled) {
+    private static Tally one(Cell cell, CheckSettings settings, int photos, long seed, int index, boolean sampled,
+            @Nullable DetectionSource source) {
         Tally tally = new Tally();
-        SimulatedSurvey truth = SimulatedSurvey.of(cell, settings, photos, seed, index);
+        SimulatedSurvey drawn = SimulatedSurvey.of(cell, settings, photos, seed, index);
+        SimulatedSurvey truth = source == null ? drawn : drawn.seenBy(source, seed, index);
         try {
             Survey survey = Survey.of(cell, truth.photos(), settings);
             SurveyResult result = sampled ? survey.sampled() : survey.estimate();
@@ -127,8 +148,8 @@ public final class SurveyStudy {
             tally.falseAlarms += result.references().stream().anyMatch(SurveyedReference::misplaced)
                     || result.warnings().stream().anyMatch(w -> w.kind() == SurveyWarning.PHOTO_DOES_NOT_FIT) ? 1 : 0;
             RandomGenerator random = RandomStreams.of(seed, STREAM_LATER, index);
-            CellEstimate later = CellCheck.quickLook(result.surveyedCell(), truth.later(random), settings, null)
-                    .update().estimate();
+            Detections photo = source == null ? truth.later(random) : truth.later(source, random);
+            CellEstimate later = CellCheck.quickLook(result.surveyedCell(), photo, settings, null).update().estimate();
             for (ObjectEstimate o : later.objects()) {
                 tally.position(pose(truth.objects().get(o.id())), o.pose());
             }
