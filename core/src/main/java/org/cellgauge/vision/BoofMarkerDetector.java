@@ -86,6 +86,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     private static final double BLUR_LIMIT = 0.14;
     private static final double BLUR_LIMIT_PER_BORDER_CELL = 0.17;
+    /** As a share of that: the overshoot of one edge reaches the next one sooner than its blur does. */
+    private static final double BLUR_LIMIT_OF_SHARPENED = 0.8;
 
     private final PinholeCamera camera;
     private final MarkerFamily family;
@@ -530,7 +532,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
                     (int) Math.round(100 * (whiteOverMargin - 1))));
         }
         double blurPx = light.blurInPhotoPx(marker);
-        if (blurPx > (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * grid.borderCells()) * marker.cellPx()) {
+        double limit = (BLUR_LIMIT + BLUR_LIMIT_PER_BORDER_CELL * grid.borderCells()) * marker.cellPx();
+        if (blurPx > (light.isSharpened() ? BLUR_LIMIT_OF_SHARPENED : 1) * limit) {
             warnings.add(Warning.of(DetectionWarning.TOO_BLURRED, id, Decimal.of(blurPx, 1),
                     Decimal.of(marker.cellPx(), 1)));
             return null;

@@ -60,11 +60,17 @@ final class LightFit {
      */
     private static final double OUTLINE_STD_IN_BLOCKS_PX = 0.012;
     /** What is rounded off is not independent from pixel to pixel: lines are so many times less well known. */
-    private static final double NOISE_IN_BLOCKS = 1.08;
+    private static final double NOISE_IN_BLOCKS = 1.11;
     /** What they move the inner edges of one marker by, px. */
     private static final double SHIFT_STD_IN_BLOCKS_PX = 0.01;
     /** And sharpening that is not quite undone, as a share of the blur: 0.005 to 0.007 px at 1.2 px. */
-    private static final double OUTLINE_STD_OF_SHARPENED_BY_BLUR = 0.006;
+    private static final double OUTLINE_STD_OF_SHARPENED_BY_BLUR = 0.009;
+    /** A side that is so much sharper than the others, as a share of their blur, was not told its blur by its pixels. */
+    private static final double VANISHED_BLUR = 0.5;
+    /** Nor was one whose place is less well known than this, px. */
+    private static final double UNTOLD_PX = 0.05;
+    /** How alike the blur of sides is, as a share of it: focus, motion and the lens make some more blurred than others. */
+    private static final double EXPECTED_BLUR_STD = 0.25;
     /** Markers by which the curve is looked for first: a start within the reach of Gauss-Newton is enough. */
     private static final int MOST_SCANNED = 3;
     private static final int MAX_ROUNDS = 6;
@@ -267,6 +273,7 @@ final class LightFit {
         setNoise(markers);
         fitOutliersAnew(image, markers);
         setNoise(markers);
+        expectBlurOfOthers(image, markers, patterns);
         edgeShiftStdPx = Math.hypot(ofPower, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
         double[] blurs = new double[markers.size()];
         for (int m = 0; m < blurs.length; m++) {
@@ -610,6 +617,32 @@ final class LightFit {
                 marker.fitAnew(image, scale, usual);
                 marker.measureShift(image, scale);
                 marker.conclude(scale, false);
+            }
+        }
+    }
+
+    /**
+     * Fits sides anew that lie along a row of pixels in a sharp photo: their grey values tell a sharper edge here or a
+     * more blurred one there, with nothing to choose. Blur as of the photo's other sides is taken then.
+     */
+    private void expectBlurOfOthers(GreyImage image, List<MarkerEdges> markers, List<boolean[]> patterns) {
+        double[] blurs = new double[4 * markers.size()];
+        for (int k = 0; k < blurs.length; k++) {
+            blurs[k] = markers.get(k / 4).side(k % 4).unknowns[SideFit.BLUR];
+        }
+        double usual = blurs.length == 0 ? 0 : median(blurs);
+        for (int m = 0; m < markers.size(); m++) {
+            MarkerEdges marker = markers.get(m);
+            boolean any = false;
+            for (int i = 0; i < 4; i++) {
+                SideFit side = marker.side(i);
+                if (side.unknowns[SideFit.BLUR] < VANISHED_BLUR * usual || side.offsetStdPx(noiseGrey) > UNTOLD_PX) {
+                    side.expectBlur(usual, EXPECTED_BLUR_STD * usual, noiseGrey);
+                    any = true;
+                }
+            }
+            if (any) {
+                refit(image, marker, patterns.get(m));
             }
         }
     }

@@ -122,6 +122,9 @@ final class SideFit {
     double crushedShare;
     /** How far grey rises above white and falls below black beside the edge, as a share of their difference. */
     double overshoot;
+    /** What is known of the blur beforehand, px, and how well: grey levels squared over px squared, 0 for not at all. */
+    private double expectedBlur;
+    private double blurWeight;
 
     /**
      * Drops the pixels; the line is where the side's new coordinates have it.
@@ -135,9 +138,33 @@ final class SideFit {
         unknowns[SLOPE] = 0;
     }
 
+    /**
+     * Takes the blur as known beforehand: along a row of pixels a sharp edge tells place or blur, not both.
+     *
+     * @param blurPx blur of other sides, px
+     * @param stdPx how well it is known of this one, px, positive
+     * @param noiseGrey noise of a pixel, grey levels
+     */
+    void expectBlur(double blurPx, double stdPx, double noiseGrey) {
+        expectedBlur = blurPx;
+        blurWeight = noiseGrey * noiseGrey / (stdPx * stdPx);
+        unknowns[BLUR] = blurPx;
+    }
+
+    /**
+     * How well the last fit tells where the side lies, its blur unknown.
+     *
+     * @param noiseGrey noise of a pixel, grey levels
+     * @return standard deviation across in its middle, px
+     */
+    double offsetStdPx(double noiseGrey) {
+        return noiseGrey * Math.sqrt(covariance(OFFSET, OFFSET));
+    }
+
     /** Forgets the last fit: the next one starts from the grey values alone. */
     void restart() {
         started = false;
+        blurWeight = 0;
         // what another marker left would decide when this one counts as settled
         unknowns[BLUR] = 0;
     }
@@ -332,6 +359,10 @@ final class SideFit {
             n43 += r4 * r3;
             n44 += r4 * r4;
         }
+        double beside = p[BLUR] - expectedBlur;
+        sum += blurWeight * beside * beside;
+        g2 += blurWeight * beside;
+        n22 += blurWeight;
         g[0] = g0;
         g[1] = g1;
         g[2] = g2;
@@ -462,6 +493,7 @@ final class SideFit {
                 : 2 * (near / nearCount - far / farCount) / (p[BRIGHT] - p[DARK]);
         clippedShare = bright == 0 ? 0 : (double) clipped / bright;
         crushedShare = dark == 0 ? 0 : (double) crushed / dark;
+        normal[BLUR * (UNKNOWNS + 1)] += blurWeight;
         for (int a = 0; a < UNKNOWNS; a++) {
             normal[a * (UNKNOWNS + 1)] += 1e-9;
             for (int b = 0; b < a; b++) {

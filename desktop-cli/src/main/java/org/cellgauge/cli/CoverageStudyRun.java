@@ -245,7 +245,10 @@ final class CoverageStudyRun {
             CellTruth seen = atSide(cell, named, row.markerPx());
             TruthPrior prior = priors.apply(cell, seen);
             RenderedPhotos photos = new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm());
-            return new RowResult(run(OneCell.inFullView(prior), photos, done -> { }), cell, seen, prior);
+            // a row has truths of its own, so that what chance does to one it does not do to all
+            CheckSettings own = check.toBuilder()
+                    .seed(check.sampling().seed() + PhotoGrid.number(study.sensor(), row)).build();
+            return new RowResult(run(OneCell.inFullView(prior), photos, own, done -> { }), cell, seen, prior);
         } catch (InputRefusedException e) {
             command.getErr().println(row.name() + ": " + CommandWords.of(e));
             return null;
@@ -283,11 +286,15 @@ final class CoverageStudyRun {
     // ---- common
 
     private CoverageFigures run(CellSource cells, DetectionSource detections, IntConsumer progress) {
+        return run(cells, detections, check, progress);
+    }
+
+    private CoverageFigures run(CellSource cells, DetectionSource detections, CheckSettings with,
+            IntConsumer progress) {
         return study.cornersOnly()
-                ? CoverageStudy.runCornersOnly(cells, detections, check.sampling().seed(), study.simulations(),
-                        check.sampling().threads(), progress)
-                : CoverageStudy.run(cells, detections, check, study.simulations(), check.sampling().threads(),
-                        progress);
+                ? CoverageStudy.runCornersOnly(cells, detections, with.sampling().seed(), study.simulations(),
+                        with.sampling().threads(), progress)
+                : CoverageStudy.run(cells, detections, with, study.simulations(), with.sampling().threads(), progress);
     }
 
     /** Whether all regions held, where there is any to hold. */

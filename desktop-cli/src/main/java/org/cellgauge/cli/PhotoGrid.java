@@ -94,6 +94,17 @@ final class PhotoGrid {
         return rows;
     }
 
+    /**
+     * Which row of the whole table one is.
+     *
+     * @param base noise of the sensor
+     * @param row one of {@link #rows}
+     * @return from 0 on
+     */
+    static int number(Sensor base, Row row) {
+        return rows(base).stream().map(Row::cells).toList().indexOf(row.cells());
+    }
+
     private static Row special(String other, Sensor sensor, int markerPx, int jpegQuality, double printGainMm,
             boolean aprilTags) {
         return new Row("sRGB", sensor.blurPx(), markerPx, StudyTable.Exposure.NORMAL, other, sensor, jpegQuality,
