@@ -63,8 +63,13 @@ final class LightFit {
     private static final double NOISE_IN_BLOCKS = 1.11;
     /** What they move the inner edges of one marker by, px. */
     private static final double SHIFT_STD_IN_BLOCKS_PX = 0.01;
-    /** And sharpening that is not quite undone, as a share of the blur: 0.005 to 0.007 px at 1.2 px. */
-    private static final double OUTLINE_STD_OF_SHARPENED_BY_BLUR = 0.009;
+    /**
+     * And sharpening that is not quite undone, px for a blur of one cell: 0.008 px at a blur of 1.2 px and cells of 3 px,
+     * 0.003 px at cells of 6 px.
+     */
+    private static final double OUTLINE_STD_OF_SHARPENED_PX = 0.022;
+    /** Undone, it leaves noise that neighbours share with opposite signs: lines are so many times better known. */
+    private static final double NOISE_OF_SHARPENED = 0.95;
     /** A side that is so much sharper than the others, as a share of their blur, was not told its blur by its pixels. */
     private static final double VANISHED_BLUR = 0.5;
     /** Nor was one whose place is less well known than this, px. */
@@ -145,6 +150,7 @@ final class LightFit {
     private double degreesOfFreedom;
     private double edgeShiftStdPx;
     private double blurPx;
+    private double blurInCells;
     private double maskAmount;
     private double maskRadiusPx;
     private double maskOvershoot;
@@ -279,8 +285,11 @@ final class LightFit {
         for (int m = 0; m < blurs.length; m++) {
             blurs[m] = markers.get(m).blurPx();
         }
-        Arrays.sort(blurs);
-        blurPx = blurs.length == 0 ? 0 : blurs[blurs.length / 2];
+        blurPx = blurs.length == 0 ? 0 : median(blurs);
+        for (int m = 0; m < blurs.length; m++) {
+            blurs[m] /= markers.get(m).cellPx();
+        }
+        blurInCells = blurs.length == 0 ? 0 : median(blurs);
     }
 
     /** Looks for blocks of a JPEG file about the markers. */
@@ -710,10 +719,11 @@ final class LightFit {
     /** Noise of each side of a marker, grey levels: that of the photo, its own where it is far out of line. */
     double[] noiseOfSides(MarkerEdges marker) {
         double[] out = new double[4];
+        double factor = inBlocks ? NOISE_IN_BLOCKS : maskAmount > 0 ? NOISE_OF_SHARPENED : 1;
         for (int i = 0; i < 4; i++) {
             double own = ofSide(marker.side(i));
             double ofAll = noiseGrey * noiseGrey;
-            out[i] = (inBlocks ? NOISE_IN_BLOCKS : 1) * (own > OUT_OF_LINE * ofAll ? Math.sqrt(own) : noiseGrey);
+            out[i] = factor * (own > OUT_OF_LINE * ofAll ? Math.sqrt(own) : noiseGrey);
         }
         return out;
     }
@@ -800,7 +810,7 @@ final class LightFit {
         PhotoLight light = new PhotoLight(scale.curve(), estimated, blurPx, noiseGrey, degreesOfFreedom,
                 edgeShiftStdPx);
         double more = Math.hypot(inBlocks ? OUTLINE_STD_IN_BLOCKS_PX : 0,
-                overshoot > OVERSHOOT ? OUTLINE_STD_OF_SHARPENED_BY_BLUR * blurPx : 0);
+                overshoot > OVERSHOOT ? OUTLINE_STD_OF_SHARPENED_PX * blurInCells : 0);
         if (more > 0) {
             light = light.withOutlineStdPx(Math.hypot(light.outlineStdPx(), more));
         }

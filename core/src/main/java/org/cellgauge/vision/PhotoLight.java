@@ -9,7 +9,7 @@ public final class PhotoLight {
      * share of the blur, with which it grows, as what is left of a tone curve moves edges by a share of their blur.
      */
     private static final double LEAST_OUTLINE_STD_PX = 0.002;
-    private static final double OUTLINE_STD_BY_BLUR = 0.004;
+    private static final double OUTLINE_STD_BY_BLUR = 0.0055;
 
     private final ToneCurve toneCurve;
     private final boolean toneCurveEstimated;
