@@ -17,6 +17,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.cellgauge.android.state.LensKnowledge;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.internal.cell.CellWriter;
 import org.cellgauge.internal.overlay.CellOverlay;
@@ -114,8 +115,9 @@ public final class FolderArchive implements ResultArchive {
 
     private byte[] overlayPng(GreyImage photo, CheckResult result) throws IOException {
         OverlayStyle style = OverlayStyle.PHOTO.withLabels(words.labels()).withLegend(words.legend());
-        Bitmap picture = overlay.paint(photo, CellOverlay.of(result, style, words.headline(result.verdict()),
-                words.reason(result.finding())));
+        boolean measured = LensKnowledge.isMeasured(result);
+        Bitmap picture = overlay.paint(photo, CellOverlay.of(LensKnowledge.drawn(result, measured), style,
+                words.headline(result.verdict(), measured), words.reason(result.finding())));
         ByteArrayOutputStream out = new ByteArrayOutputStream(1 << 20);
         boolean written = picture.compress(Bitmap.CompressFormat.PNG, BEST, out);
         picture.recycle();

@@ -11,9 +11,10 @@ public interface PictureWords {
      * What the banner says first.
      *
      * @param verdict of the check
+     * @param lensMeasured whether the camera's lens was calibrated: nothing passes without
      * @return a few words
      */
-    String headline(Verdict verdict);
+    String headline(Verdict verdict, boolean lensMeasured);
 
     /**
      * Why.

@@ -113,8 +113,13 @@ enum Banner {
     }
 
     private static Banner of(Verdict verdict, CheckScreenState s) {
+        return of(verdict, s.lensMeasured());
+    }
+
+    /** The banner of a finished check through a lens that was measured, or was not. */
+    static Banner of(Verdict verdict, boolean lensMeasured) {
         Banner judged = of(verdict);
-        return judged == PASS && !s.lensMeasured() ? PASS_UNMEASURED : judged;
+        return judged == PASS && !lensMeasured ? PASS_UNMEASURED : judged;
     }
 
     /** The banner of a finished check. */

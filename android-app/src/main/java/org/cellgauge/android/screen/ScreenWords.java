@@ -25,8 +25,8 @@ public final class ScreenWords implements PictureWords {
     }
 
     @Override
-    public String headline(Verdict verdict) {
-        return words().get(Banner.of(verdict).headline());
+    public String headline(Verdict verdict, boolean lensMeasured) {
+        return words().get(Banner.of(verdict, lensMeasured).headline());
     }
 
     @Override

@@ -20,7 +20,7 @@ import org.cellgauge.settings.SettingTable;
  * wrong with them. So everything that a calibration would measure is estimated along, from what is known of handheld
  * devices' lenses beforehand, and stands in every deviation and in the kept result's settings.
  */
-final class LensKnowledge {
+public final class LensKnowledge {
     /**
      * A field of view by focal length and sensor size: the focal length is rounded, moves with the focus (at half a
      * metre by 1 %), and the stream may be cut for stabilisation. Three deviations are what a stream may be cut by.
@@ -32,6 +32,16 @@ final class LensKnowledge {
     static final double RADIAL_STD = 0.1;
 
     private LensKnowledge() {
+    }
+
+    /**
+     * Whether the lens that a check went through was measured: else all of it is estimated along.
+     *
+     * @param result of a check by this app
+     * @return whether it was
+     */
+    public static boolean isMeasured(CheckResult result) {
+        return result.settings().model().estimate() != Estimate.INTRINSICS;
     }
 
     /** Whether somebody measured the lens: a maker's values are of a type of device, and none say how sure they are. */
@@ -46,7 +56,7 @@ final class LensKnowledge {
      * @param measured whether the lens was
      * @return the same where it was
      */
-    static CheckResult drawn(CheckResult result, boolean measured) {
+    public static CheckResult drawn(CheckResult result, boolean measured) {
         if (result == null || measured) {
             return result;
         }

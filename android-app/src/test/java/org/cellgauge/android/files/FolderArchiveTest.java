@@ -27,8 +27,11 @@ import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
@@ -42,6 +45,7 @@ import org.cellgauge.internal.overlay.LegendWords;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.internal.overlay.Role;
 import org.cellgauge.internal.overlay.Shape;
+import org.cellgauge.internal.overlay.Status;
 import org.cellgauge.internal.overlay.TextShape;
 import org.cellgauge.live.LiveCheck;
 import org.cellgauge.live.LivePace;
@@ -55,6 +59,7 @@ import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.settings.ObjectNoise;
 import org.cellgauge.settings.SamplerKind;
 import org.cellgauge.vision.BoofMarkerDetector;
+import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
 import org.junit.Before;
 import org.junit.Rule;
@@ -87,8 +92,8 @@ public class FolderArchiveTest {
     /** Words that tell where they come from. */
     private static final class GermanWords implements PictureWords {
         @Override
-        public String headline(Verdict verdict) {
-            return "Urteil " + verdict;
+        public String headline(Verdict verdict, boolean lensMeasured) {
+            return "Urteil " + verdict + (lensMeasured ? "" : ", Linse unbekannt");
         }
 
         @Override
@@ -277,6 +282,35 @@ public class FolderArchiveTest {
 
     private static JsonObject json(byte[] bytes) {
         return JsonParser.parseString(new String(bytes, StandardCharsets.UTF_8)).getAsJsonObject();
+    }
+
+    /** A target so wide that it is met whatever the lens: the picture says so, and is not as green as a pass. */
+    @Test
+    public void thePictureOfAnUnmeasuredLensIsNoPass() throws IOException {
+        Photo photo = photo();
+        Cell cell = CellReader.read(Fixtures.path("lifted-4/cell.yaml")).withTarget(OptionalDouble.of(500));
+        Detections seen = BoofMarkerDetector.forCell(cell).detect(photo.luminance(), photo.name());
+        CheckResult measured = CellCheck.run(cell, seen, CheckSettings.builder().seed(3).build());
+        CheckResult estimated = CellCheck.run(cell, seen,
+                CheckSettings.builder().seed(3).estimate(Estimate.INTRINSICS).build());
+        assertEquals(Verdict.PASS, measured.verdict());
+        assertEquals(Verdict.PASS, estimated.verdict());
+        archive.save(photo, measured);
+        archive.save(photo, estimated);
+        assertEquals("Urteil PASS", texts(painted.get(0), Role.BANNER).get(0));
+        assertEquals("Urteil PASS, Linse unbekannt", texts(painted.get(1), Role.BANNER).get(0));
+        assertTrue("a pass is drawn as one", statuses(painted.get(0)).contains(Status.PASS));
+        assertFalse("and nothing else is", statuses(painted.get(1)).contains(Status.PASS));
+    }
+
+    private static Set<Status> statuses(Overlay overlay) {
+        Set<Status> statuses = EnumSet.noneOf(Status.class);
+        for (Role role : Role.values()) {
+            for (Shape shape : overlay.shapes(role)) {
+                statuses.add(shape.status());
+            }
+        }
+        return statuses;
     }
 
     @Test
