@@ -73,10 +73,7 @@ public final class ChainDiagnostics {
     private final double rHatFolded;
     private final double essBulk;
     private final double essTail;
-    private final double essMean;
-    private final double essSd;
     private final double essSquaredDeviation;
-    private final double mcseMean;
     private final double mcseSd;
 
     private ChainDiagnostics(double[][] chains) {
@@ -101,10 +98,7 @@ public final class ChainDiagnostics {
             this.rHatFolded = Double.NaN;
             this.essBulk = Double.NaN;
             this.essTail = Double.NaN;
-            this.essMean = Double.NaN;
-            this.essSd = Double.NaN;
             this.essSquaredDeviation = Double.NaN;
-            this.mcseMean = Double.NaN;
             this.mcseSd = Double.NaN;
             return;
         }
@@ -121,20 +115,12 @@ public final class ChainDiagnostics {
         this.essBulk = effectiveSize(bulk);
         this.rHatFolded = rHat(foldedScores(scores, ascending, orderOfHalves, median));
         this.essTail = Math.min(essBelow(0.05), essBelow(0.95));
-        // Sizes do not depend on shift and scale; taking both out keeps squares of extreme draws from overflowing
-        double scale = Math.max(sorted[sorted.length - 1] - mean, mean - sorted[0]);
-        double[] absolute = new double[halves.length];
-        double[] squares = new double[halves.length];
+        double scale = scale();
         for (int i = 0; i < halves.length; i++) {
             double d = (halves[i] - mean) / scale;
-            halves[i] = d;
-            absolute[i] = Math.abs(d);
-            squares[i] = d * d;
+            halves[i] = d * d;
         }
-        this.essMean = effectiveSize(halves);
-        this.essSd = effectiveSize(absolute);
-        this.essSquaredDeviation = effectiveSize(squares);
-        this.mcseMean = std / Math.sqrt(essMean);
+        this.essSquaredDeviation = effectiveSize(halves);
         double second = 0;
         double fourth = 0;
         for (double x : draws) {
@@ -146,6 +132,11 @@ public final class ChainDiagnostics {
         fourth /= draws.length;
         double varianceOfVariance = Math.max(0, fourth - second * second) / essSquaredDeviation;
         this.mcseSd = scale * Math.sqrt(varianceOfVariance / second / 4);
+    }
+
+    /** Sizes do not depend on shift and scale; taking both out keeps squares of extreme draws from overflowing. */
+    private double scale() {
+        return Math.max(sorted[sorted.length - 1] - mean, mean - sorted[0]);
     }
 
     /**
@@ -269,21 +260,38 @@ public final class ChainDiagnostics {
     }
 
     /**
-     * Effective sample size for the mean, from the draws as they are.
+     * Effective sample size for the mean, from the draws as they are. Computed at each call: few ask.
      *
      * @return the size in draws; NaN where it does not exist
      */
     public double essMean() {
-        return essMean;
+        return status == Status.OK ? effectiveSize(deviations()) : Double.NaN;
     }
 
     /**
-     * Effective sample size for the standard deviation, from the absolute deviations from the mean.
+     * Effective sample size for the standard deviation, from the absolute deviations from the mean. Computed at each
+     * call: few ask.
      *
      * @return the size in draws; NaN where it does not exist
      */
     public double essSd() {
-        return essSd;
+        if (status != Status.OK) {
+            return Double.NaN;
+        }
+        double[] absolute = deviations();
+        for (int i = 0; i < absolute.length; i++) {
+            absolute[i] = Math.abs(absolute[i]);
+        }
+        return effectiveSize(absolute);
+    }
+
+    private double[] deviations() {
+        double[] halves = halves();
+        double scale = scale();
+        for (int i = 0; i < halves.length; i++) {
+            halves[i] = (halves[i] - mean) / scale;
+        }
+        return halves;
     }
 
     /**
@@ -308,12 +316,12 @@ public final class ChainDiagnostics {
     }
 
     /**
-     * Monte Carlo standard error of the mean.
+     * Monte Carlo standard error of the mean. Computed at each call.
      *
      * @return the error, in the unit of the draws; NaN where it does not exist
      */
     public double mcseMean() {
-        return mcseMean;
+        return std / Math.sqrt(essMean());
     }
 
     /**
