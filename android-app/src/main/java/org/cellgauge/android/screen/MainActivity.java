@@ -53,6 +53,7 @@ public final class MainActivity extends Activity {
     private static final String TARGET_TEXT = "target-text";
     private static final String LICENCES_TOP = "licences-top";
     private static final String FIGURES = "figures";
+    private static final String FROZEN_FRAME = "frozen-frame";
     /** A finger may miss a marker by so much. */
     private static final float REACH_DP = 32;
     private static final int QUARTER_DEG = 90;
@@ -110,7 +111,9 @@ public final class MainActivity extends Activity {
             SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().sampling().seed())
                     : SessionMemory.read(saved);
             session = new CheckSession(parts.cellLibrary(), parts.resultArchive(),
-                    new FrozenFrameFile(parts.cacheFolder()), parts.settings(), parts.sessionThreads(), memory);
+                    new FrozenFrameFile(parts.cacheFolder(), saved == null ? FrozenFrameFile.newId()
+                            : saved.getString(FROZEN_FRAME, FrozenFrameFile.newId())),
+                    parts.settings(), parts.sessionThreads(), memory);
             feed = parts.cameraFeed(getApplicationContext());
         }
         displays = getSystemService(DisplayManager.class);
@@ -224,7 +227,9 @@ public final class MainActivity extends Activity {
         if (objectDialog != null) {
             objectDialog.dismiss();
         }
-        if (!isChangingConfigurations()) {
+        if (isFinishing()) {
+            session.end();
+        } else if (!isChangingConfigurations()) {
             session.close();
         }
         super.onDestroy();
@@ -260,6 +265,7 @@ public final class MainActivity extends Activity {
     protected void onSaveInstanceState(Bundle out) {
         super.onSaveInstanceState(out);
         session.memory().write(out);
+        out.putString(FROZEN_FRAME, session.frozenFrameId());
         out.putBoolean(FIGURES, figuresWanted);
         if (targetDialog != null && targetDialog.isShowing()) {
             out.putStringArray(TARGET_TEXT, targetDialog.texts());

@@ -106,6 +106,7 @@ public final class CheckSession {
         work.add(states.map(s -> s.source() == ImageSource.FROZEN).distinctUntilChanged().buffer(2, 1)
                 .filter(frozen -> frozen.size() == 2 && frozen.get(0)).onBackpressureLatest()
                 .observeOn(threads.files(), false, 1).subscribe(thawed -> frozenFrame.clear()));
+        files(() -> frozenFrame.clearLeftovers(System.currentTimeMillis()));
         if (memory.hasCell()) {
             restore();
         }
@@ -151,7 +152,22 @@ public final class CheckSession {
         return new Frames(cell);
     }
 
-    /** Ends the session: checks stop, no state comes any more. */
+    /**
+     * The id of the file that a frozen frame is kept in.
+     *
+     * @return to be kept with the session's memory
+     */
+    public String frozenFrameId() {
+        return frozenFrame.id();
+    }
+
+    /** Ends the session for good: nobody will come back to what was frozen. */
+    public void end() {
+        close();
+        frozenFrame.clear();
+    }
+
+    /** Ends the session: checks stop, no state comes any more. What was frozen can be taken up again. */
     public void close() {
         closed = true;
         stopRun();
