@@ -8,6 +8,7 @@ enum Action {
     CHOOSE_ANOTHER_CELL(R.string.choose_another_cell),
     TRY_EXAMPLE(R.string.try_example),
     KEEP_CELL(R.string.keep_cell),
+    GO_ON_WITHOUT(R.string.go_on_without),
     CHOOSE_CALIBRATION(R.string.choose_calibration),
     OPEN_PHOTO(R.string.open_photo),
     OPEN_ANOTHER_PHOTO(R.string.open_another_photo),

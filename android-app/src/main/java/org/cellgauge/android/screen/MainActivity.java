@@ -108,9 +108,9 @@ public final class MainActivity extends Activity {
             session = kept.session;
             feed = kept.feed;
         } else {
-            SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().sampling().seed())
-                    : SessionMemory.read(saved);
-            session = new CheckSession(parts.cellLibrary(), parts.resultArchive(),
+            SessionMemory memory = saved != null ? SessionMemory.read(saved)
+                    : SessionMemory.of(parts.settings().sampling().seed(), parts.memory().lastDocuments());
+            session = new CheckSession(parts.cellLibrary(), parts.resultArchive(), parts.memory(),
                     new FrozenFrameFile(parts.cacheFolder(), saved == null ? FrozenFrameFile.newId()
                             : saved.getString(FROZEN_FRAME, FrozenFrameFile.newId())),
                     parts.settings(), parts.sessionThreads(), memory);
@@ -394,6 +394,7 @@ public final class MainActivity extends Activity {
                 session.tryExample();
                 break;
             case KEEP_CELL:
+            case GO_ON_WITHOUT:
                 session.dismissCellProblem();
                 break;
             case CHOOSE_CALIBRATION:
@@ -448,10 +449,8 @@ public final class MainActivity extends Activity {
         if (uri == null) {
             return;
         }
-        try {
-            getContentResolver().takePersistableUriPermission(uri, Intent.FLAG_GRANT_READ_URI_PERMISSION);
-        } catch (SecurityException e) {
-            // a provider that grants for now only: the document can be read, if not after the app was ended
+        if (request != REQUEST_PHOTO) {
+            keepAccess(uri);
         }
         switch (request) {
             case REQUEST_CELL:
@@ -465,6 +464,19 @@ public final class MainActivity extends Activity {
                 break;
             default:
                 break;
+        }
+    }
+
+    /**
+     * A cell and its calibration are read again at the next start. A photo is not, and the system keeps access to some
+     * hundred documents alone: photos would push the cell out. A screen may read its photo as long as it is there.
+     */
+    private void keepAccess(Uri uri) {
+        try {
+            getContentResolver().takePersistableUriPermission(uri, Intent.FLAG_GRANT_READ_URI_PERMISSION);
+        } catch (SecurityException e) {
+            // a provider that grants for now only: the next start says that the document is to be chosen again
+            return;
         }
     }
 

@@ -157,6 +157,14 @@ final class ScreenContent {
     /** What stands over the picture, or null. */
     Message message(CheckScreenState s) {
         Problem cell = s.cellProblem();
+        if (cell != null && cell.kind() == Problem.Kind.LAST_CALIBRATION) {
+            return new Message(words.get(R.string.last_calibration), words.get(R.string.last_calibration_text,
+                    words.problem(cell)), Action.CHOOSE_CALIBRATION, Action.GO_ON_WITHOUT);
+        }
+        if (cell != null && cell.kind() == Problem.Kind.LAST_CELL) {
+            return new Message(words.get(R.string.last_cell), words.problem(cell), Action.CHOOSE_CELL,
+                    Action.TRY_EXAMPLE);
+        }
         if (cell != null) {
             return s.cell() == null
                     ? new Message(words.get(R.string.cell_refused), words.problem(cell), Action.CHOOSE_ANOTHER_CELL,

@@ -20,6 +20,7 @@ import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraFeed;
 import org.cellgauge.android.camera.CameraSetup;
 import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.FileRefusal;
@@ -55,6 +56,7 @@ public final class CheckSession {
 
     private final CellLibrary library;
     private final ResultArchive archive;
+    private final AppMemory appMemory;
     private final FrozenFrameFile frozenFrame;
     private final CheckSettings settings;
     private final SessionThreads threads;
@@ -80,15 +82,17 @@ public final class CheckSession {
      *
      * @param library where cells and photos come from
      * @param archive where results are kept
+     * @param appMemory is told which cell is in use, for the next start of the app
      * @param frozenFrame where a frozen frame outlives the process
      * @param settings how checks go about it; the seed is the memory's
      * @param threads where the session works
      * @param memory of the session before, which is taken up again, or of none
      */
-    public CheckSession(CellLibrary library, ResultArchive archive, FrozenFrameFile frozenFrame, CheckSettings settings,
-            SessionThreads threads, SessionMemory memory) {
+    public CheckSession(CellLibrary library, ResultArchive archive, AppMemory appMemory, FrozenFrameFile frozenFrame,
+            CheckSettings settings, SessionThreads threads, SessionMemory memory) {
         this.library = library;
         this.archive = archive;
+        this.appMemory = appMemory;
         this.frozenFrame = frozenFrame;
         this.settings = settings.toBuilder().seed(memory.seed()).build();
         this.threads = threads;
@@ -137,9 +141,11 @@ public final class CheckSession {
      */
     public SessionMemory memory() {
         CheckScreenState state = state();
-        // killed once more before what was remembered could be read again
-        return state.cell() == null && remembered.hasCell() && state.cellProblem() == null ? remembered
-                : state.memory(remembered.seed());
+        Problem problem = state.cellProblem();
+        // killed once more before what was remembered could be read again, or while its storage is away
+        boolean still = state.cell() == null && remembered.hasCell()
+                && (problem == null || problem.kind() == Problem.Kind.LAST_CELL);
+        return still ? remembered : state.memory(remembered.seed());
     }
 
     /**
@@ -225,9 +231,21 @@ public final class CheckSession {
         try {
             read = reading.get();
         } catch (RuntimeException e) {
-            change(s -> s.change().readingCell(false).cellProblem(problem(Problem.Kind.CELL_REFUSED, e)).build());
+            noCell(problem(Problem.Kind.CELL_REFUSED, e));
             return false;
         }
+        if (read.uri() != null) {
+            appMemory.keep(new AppMemory.Documents(read.uri(), calibrationUri));
+        }
+        take(read, calibrationUri, same);
+        return true;
+    }
+
+    private void noCell(Problem problem) {
+        change(s -> s.change().readingCell(false).cellProblem(problem).build());
+    }
+
+    private void take(CellDocument read, String calibrationUri, boolean same) {
         synchronized (runLock) {
             stopRun();
             document = read;
@@ -244,14 +262,50 @@ public final class CheckSession {
                         .setup(null).noCheck(OptionalInt.empty()).build();
             });
         }
-        return true;
+    }
+
+    /** The cell of the session before; without its calibration, and with a word on that, where only that is gone. */
+    private boolean takeAgain(SessionMemory m) {
+        if (m.cellUri() == null) {
+            return takeCell(library::example, null, false);
+        }
+        try {
+            take(library.cell(m.cellUri(), m.calibrationUri()), m.calibrationUri(), false);
+            return true;
+        } catch (RuntimeException e) {
+            return m.calibrationUri() == null ? lost(problem(Problem.Kind.LAST_CELL, e))
+                    : takeWithoutCalibration(m.cellUri(), problem(Problem.Kind.LAST_CALIBRATION, e));
+        }
+    }
+
+    private boolean takeWithoutCalibration(String cellUri, Problem ofCalibration) {
+        try {
+            take(library.cell(cellUri, null), null, false);
+            change(s -> s.change().cellProblem(ofCalibration).build());
+            return true;
+        } catch (RuntimeException e) {
+            return lost(problem(Problem.Kind.LAST_CELL, e));
+        }
+    }
+
+    private boolean lost(Problem problem) {
+        // stays remembered until another cell is chosen: a card may be back at the next start
+        noCell(problem);
+        return false;
     }
 
     /**
      * Goes on with the cell in use, or with none, after a file was refused.
      */
     public void dismissCellProblem() {
-        change(s -> s.change().cellProblem(null).build());
+        change(s -> {
+            Problem problem = s.cellProblem();
+            if (problem != null && problem.kind() == Problem.Kind.LAST_CALIBRATION) {
+                String cellUri = s.cell().uri();
+                files(() -> appMemory.keep(new AppMemory.Documents(cellUri, null)));
+            }
+            return s.change().cellProblem(null).build();
+        });
     }
 
     /**
@@ -684,9 +738,7 @@ public final class CheckSession {
         SessionMemory m = remembered;
         change(s -> s.change().readingCell(true).build());
         files(() -> {
-            Supplier<CellDocument> reading = m.cellUri() == null ? library::example
-                    : () -> library.cell(m.cellUri(), m.calibrationUri());
-            if (!takeCell(reading, m.calibrationUri(), false)) {
+            if (!takeAgain(m)) {
                 return;
             }
             if (m.targetChosen()) {

@@ -22,6 +22,7 @@ import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.android.camera.CameraSetup;
 import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.Photo;
@@ -37,8 +38,11 @@ import org.cellgauge.vision.GreyImage;
 public class TestApp extends CellGaugeApp implements AppParts {
     final FakeFeed feed = new FakeFeed();
     final FakeLibrary library = new FakeLibrary();
+    /** In place of {@link #library} where it is not null. */
+    CellLibrary documents;
     final FakeArchive archive = new FakeArchive();
     final BehaviorProcessor<ThermalLevel> levels = BehaviorProcessor.createDefault(ThermalLevel.NORMAL);
+    AppMemory memory = new NoMemory();
     CheckSettings settings = CheckSettings.builder().build();
     /** Where a session makes its states and reads its files; the check itself always has threads of its own. */
     Supplier<SessionThreads> threads = () -> new SessionThreads(Schedulers.trampoline(), Schedulers.trampoline(), null,
@@ -61,12 +65,17 @@ public class TestApp extends CellGaugeApp implements AppParts {
 
     @Override
     public CellLibrary cellLibrary() {
-        return library;
+        return documents != null ? documents : library;
     }
 
     @Override
     public ResultArchive resultArchive() {
         return archive;
+    }
+
+    @Override
+    public AppMemory memory() {
+        return memory;
     }
 
     @Override
@@ -82,6 +91,19 @@ public class TestApp extends CellGaugeApp implements AppParts {
     @Override
     public SessionThreads sessionThreads() {
         return threads.get();
+    }
+
+    /** Every start is a first one, however many a test has. */
+    static final class NoMemory implements AppMemory {
+        @Override
+        public Documents lastDocuments() {
+            return null;
+        }
+
+        @Override
+        public void keep(Documents documents) {
+            // forgotten
+        }
     }
 
     /** A camera whose frames are a test's. */

@@ -1,0 +1,34 @@
+package org.cellgauge.android.files;
+
+import android.content.Context;
+import android.content.SharedPreferences;
+
+/** A memory in the app's own storage, which is in no backup: addresses of documents mean nothing on another device. */
+public final class StoredMemory implements AppMemory {
+    private static final String FILE = "memory";
+    private static final String CELL = "cell";
+    private static final String CALIBRATION = "calibration";
+
+    private final SharedPreferences stored;
+
+    /**
+     * The memory of an app.
+     *
+     * @param context of the app
+     */
+    public StoredMemory(Context context) {
+        this.stored = context.getSharedPreferences(FILE, Context.MODE_PRIVATE);
+    }
+
+    @Override
+    public Documents lastDocuments() {
+        String cell = stored.getString(CELL, null);
+        return cell == null ? null : new Documents(cell, stored.getString(CALIBRATION, null));
+    }
+
+    @Override
+    public void keep(Documents documents) {
+        // at once, so that it holds even where the app is ended in the next moment; a null removes
+        stored.edit().putString(CELL, documents.cellUri()).putString(CALIBRATION, documents.calibrationUri()).commit();
+    }
+}
