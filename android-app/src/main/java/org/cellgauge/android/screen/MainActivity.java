@@ -3,7 +3,6 @@ package org.cellgauge.android.screen;
 import android.Manifest;
 import android.app.Activity;
 import android.content.ActivityNotFoundException;
-import android.content.ClipData;
 import android.content.Intent;
 import android.content.pm.PackageManager;
 import android.graphics.Color;
@@ -27,7 +26,6 @@ import android.widget.Toast;
 import io.reactivex.rxjava3.core.Scheduler;
 import io.reactivex.rxjava3.disposables.Disposable;
 import io.reactivex.rxjava3.schedulers.Schedulers;
-import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.android.AppParts;
 import org.cellgauge.android.AppVersion;
@@ -167,6 +165,7 @@ public final class MainActivity extends Activity {
         });
         findViewById(R.id.save).setOnClickListener(v -> session.save(shown));
         findViewById(R.id.share).setOnClickListener(v -> share());
+        findViewById(R.id.results).setOnClickListener(v -> start(new Intent(this, ResultsActivity.class)));
         findViewById(R.id.target).setOnClickListener(v -> targetDialog = new TargetDialog(this, session, null));
         findViewById(R.id.figures).setOnClickListener(v -> {
             figuresWanted = panel.getVisibility() != View.VISIBLE;
@@ -198,6 +197,7 @@ public final class MainActivity extends Activity {
         resumed = true;
         lookAtPermission();
         session.retryCamera();
+        session.lookAtSaved();
         runCamera();
     }
 
@@ -497,18 +497,7 @@ public final class MainActivity extends Activity {
         if (saved == null || saved.uris().isEmpty()) {
             return;
         }
-        ArrayList<Uri> uris = new ArrayList<>();
-        saved.uris().forEach(uri -> uris.add(Uri.parse(uri)));
-        // grants go by the clip: those of EXTRA_STREAM alone do not reach through the chooser on every version
-        ClipData clip = ClipData.newRawUri(saved.name(), uris.get(0));
-        for (Uri uri : uris.subList(1, uris.size())) {
-            clip.addItem(new ClipData.Item(uri));
-        }
-        Intent intent = new Intent(Intent.ACTION_SEND_MULTIPLE).setType("*/*")
-                .putParcelableArrayListExtra(Intent.EXTRA_STREAM, uris).putExtra(Intent.EXTRA_SUBJECT, saved.name())
-                .addFlags(Intent.FLAG_GRANT_READ_URI_PERMISSION);
-        intent.setClipData(clip);
-        start(Intent.createChooser(intent, getString(R.string.share_title)));
+        start(Sharing.of(this, saved));
     }
 
     // ---- what is shown

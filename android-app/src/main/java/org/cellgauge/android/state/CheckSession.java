@@ -10,9 +10,11 @@ import java.io.IOException;
 import java.text.SimpleDateFormat;
 import java.util.Date;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
@@ -477,14 +479,15 @@ public final class CheckSession {
             }
             CheckResult result = shown.shownResult();
             Photo photo = shown.shownPhoto();
-            files(() -> save(photo, result));
+            String cellName = shown.cell().name();
+            files(() -> save(photo, result, cellName));
             return s.change().saving(true).saveProblem(null).build();
         });
     }
 
-    private void save(Photo photo, CheckResult result) {
+    private void save(Photo photo, CheckResult result, String cellName) {
         try {
-            SavedResult saved = archive.save(photo, result);
+            SavedResult saved = archive.save(photo, result, cellName);
             change(s -> s.change().saving(false).saved(saved, result).build());
         } catch (StorageFullException e) {
             notSaved(problem(Problem.Kind.STORAGE_FULL, e));
@@ -495,6 +498,19 @@ public final class CheckSession {
 
     private void notSaved(Problem problem) {
         change(s -> s.change().saving(false).saveProblem(problem).build());
+    }
+
+    /** The screen came back: what was kept last may have been deleted meanwhile, here or in the Files app. */
+    public void lookAtSaved() {
+        if (state().saved() == null) {
+            return;
+        }
+        files(() -> {
+            Set<String> there = new HashSet<>();
+            archive.saved().forEach(result -> there.add(result.name()));
+            change(s -> s.saved() == null || there.contains(s.saved().name()) ? s
+                    : s.change().saved(null, null).build());
+        });
     }
 
     // ---- what the device does

@@ -195,7 +195,7 @@ public class AccessibilityTest {
         assertEquals(verdicts.length, signs.size());
         Map<ObjectRow.Mark, Integer> marks = new EnumMap<>(ObjectRow.Mark.class);
         for (ObjectRow.Mark mark : ObjectRow.Mark.values()) {
-            marks.put(mark, ScreenContent.drawable(mark));
+            marks.put(mark, ObjectRows.drawable(mark));
         }
         assertEquals(marks.size(), new HashSet<>(marks.values()).size());
     }

@@ -25,6 +25,7 @@ import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.CellLibrary;
+import org.cellgauge.android.files.KeptResult;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
@@ -42,6 +43,8 @@ public class TestApp extends CellGaugeApp implements AppParts {
     CellLibrary documents;
     final FakeArchive archive = new FakeArchive();
     final BehaviorProcessor<ThermalLevel> levels = BehaviorProcessor.createDefault(ThermalLevel.NORMAL);
+    /** In place of {@link #archive} where it is not null. */
+    ResultArchive folders;
     AppMemory memory = new NoMemory();
     CheckSettings settings = CheckSettings.builder().build();
     /** Where a session makes its states and reads its files; the check itself always has threads of its own. */
@@ -70,7 +73,7 @@ public class TestApp extends CellGaugeApp implements AppParts {
 
     @Override
     public ResultArchive resultArchive() {
-        return archive;
+        return folders != null ? folders : archive;
     }
 
     @Override
@@ -201,23 +204,41 @@ public class TestApp extends CellGaugeApp implements AppParts {
     static final class FakeArchive implements ResultArchive {
         final List<Photo> photos = new ArrayList<>();
         final List<CheckResult> results = new ArrayList<>();
+        final List<SavedResult> saved = new ArrayList<>();
         IOException fault;
 
         @Override
-        public SavedResult save(Photo photo, CheckResult result) throws IOException {
+        public SavedResult save(Photo photo, CheckResult result, String cellName) throws IOException {
             if (fault != null) {
                 throw fault;
             }
             photos.add(photo);
             results.add(result);
             String name = "lifted-4-" + photos.size();
-            return new SavedResult(name, Arrays.asList("content://results/" + name + ".png",
+            SavedResult kept = new SavedResult(name, Arrays.asList("content://results/" + name + ".png",
                     "content://results/" + name + ".result.json"));
+            saved.add(kept);
+            return kept;
         }
 
         @Override
         public List<SavedResult> saved() {
+            return new ArrayList<>(saved);
+        }
+
+        @Override
+        public List<KeptResult> kept() {
             return new ArrayList<>();
+        }
+
+        @Override
+        public byte[] picture(String name) throws IOException {
+            throw new IOException("no picture of " + name);
+        }
+
+        @Override
+        public boolean delete(String name) {
+            return saved.removeIf(result -> result.name().equals(name));
         }
     }
 }
