@@ -24,4 +24,14 @@ public interface AppMemory {
      * @param documents what is in use from now on
      */
     void keep(Documents documents);
+
+    /**
+     * Whether the pictures of the first start were shown.
+     *
+     * @return false before the first start
+     */
+    boolean guideShown();
+
+    /** They are being shown. */
+    void guideIsShown();
 }

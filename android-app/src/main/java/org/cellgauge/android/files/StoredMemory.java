@@ -8,6 +8,7 @@ public final class StoredMemory implements AppMemory {
     private static final String FILE = "memory";
     private static final String CELL = "cell";
     private static final String CALIBRATION = "calibration";
+    private static final String GUIDE = "guide-shown";
 
     private final SharedPreferences stored;
 
@@ -30,5 +31,15 @@ public final class StoredMemory implements AppMemory {
     public void keep(Documents documents) {
         // at once, so that it holds even where the app is ended in the next moment; a null removes
         stored.edit().putString(CELL, documents.cellUri()).putString(CALIBRATION, documents.calibrationUri()).commit();
+    }
+
+    @Override
+    public boolean guideShown() {
+        return stored.getBoolean(GUIDE, false);
+    }
+
+    @Override
+    public void guideIsShown() {
+        stored.edit().putBoolean(GUIDE, true).apply();
     }
 }

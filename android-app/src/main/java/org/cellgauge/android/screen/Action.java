@@ -17,6 +17,7 @@ enum Action {
     OPEN_SETTINGS(R.string.open_settings),
     TRY_AGAIN(R.string.try_again),
     SAVE_AGAIN(R.string.save_again),
+    GUIDE(R.string.guide_open),
     LICENCES(R.string.licences);
 
     private final int label;

@@ -130,6 +130,10 @@ public final class MainActivity extends Activity {
                 tellDisplay();
             }
         });
+        if (saved == null && !parts.memory().guideShown()) {
+            parts.memory().guideIsShown();
+            start(new Intent(this, GuideActivity.class));
+        }
         if (saved != null && saved.containsKey(TARGET_TEXT)) {
             targetDialog = new TargetDialog(this, session, saved.getStringArray(TARGET_TEXT));
         }
@@ -414,6 +418,9 @@ public final class MainActivity extends Activity {
             case OPEN_SETTINGS:
                 start(new Intent(Settings.ACTION_APPLICATION_DETAILS_SETTINGS,
                         Uri.fromParts("package", getPackageName(), null)));
+                break;
+            case GUIDE:
+                start(new Intent(this, GuideActivity.class));
                 break;
             case LICENCES:
                 if (licencesDialog == null || !licencesDialog.isShowing()) {

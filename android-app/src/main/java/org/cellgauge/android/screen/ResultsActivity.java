@@ -53,6 +53,7 @@ public final class ResultsActivity extends Activity {
     private boolean choosing;
     /** Name of the result whose picture is shown. */
     private String pictured;
+    private String headed = "";
 
     @Override
     protected void onCreate(Bundle saved) {
@@ -224,7 +225,13 @@ public final class ResultsActivity extends Activity {
                 : one != null && two != null ? compared(one, two)
                 : content.list(offered());
         ((RowList) findViewById(R.id.results_rows)).show(rows);
-        ((TextView) findViewById(R.id.heading_title)).setText(title(single ? one : null, two));
+        String heading = title(single ? one : null, two);
+        ((TextView) findViewById(R.id.heading_title)).setText(heading);
+        if (!heading.equals(headed)) {
+            // another page begins at its top
+            headed = heading;
+            findViewById(R.id.results_page).scrollTo(0, 0);
+        }
         TextView empty = findViewById(R.id.results_empty);
         empty.setText(results == null ? R.string.results_reading
                 : choosing ? R.string.results_no_other : R.string.results_none);

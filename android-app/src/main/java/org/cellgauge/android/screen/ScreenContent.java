@@ -261,6 +261,8 @@ final class ScreenContent {
     }
 
     private void about(List<Row> rows) {
+        rows.add(note(R.drawable.ic_guide, words.get(R.string.guide_title), words.get(R.string.guide_row_text),
+                Action.GUIDE));
         rows.add(note(R.drawable.ic_about, words.get(R.string.about, version), null, Action.LICENCES));
     }
 

@@ -1095,7 +1095,8 @@ public class MainActivityTest {
     @Test
     public void licencesAreReadFromTheLastRowWithAndWithoutACell() {
         try (Screen screen = Screen.start()) {
-            assertEquals("About CellGauge " + System.getProperty("cellgauge.version") + "\n", rows(screen));
+            assertEquals("Four steps to the first check\nPrint markers, measure, write the cell file, calibrate.\n"
+                    + "About CellGauge " + System.getProperty("cellgauge.version") + "\n", rows(screen));
             tapRow(screen, "Licences");
             AlertDialog dialog = licences(screen);
             TextView text = dialog.findViewById(R.id.licences_text);

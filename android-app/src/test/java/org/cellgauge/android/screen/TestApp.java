@@ -107,6 +107,16 @@ public class TestApp extends CellGaugeApp implements AppParts {
         public void keep(Documents documents) {
             // forgotten
         }
+
+        @Override
+        public boolean guideShown() {
+            return true;
+        }
+
+        @Override
+        public void guideIsShown() {
+            // no test but that of the guide asks for it
+        }
     }
 
     /** A camera whose frames are a test's. */
