@@ -44,7 +44,7 @@ final class MarkerSheet {
     }
 
     /**
-     * Draws the markers of a cell: references, then objects, each once.
+     * Draws the markers of a cell: the smallest first, references before objects, each once.
      *
      * @param cell which markers, of which family and size
      * @return a PDF file
@@ -53,13 +53,12 @@ final class MarkerSheet {
         Map<Integer, Double> sizes = new LinkedHashMap<>();
         cell.references().forEach(reference -> sizes.put(reference.id(), reference.sizeMm()));
         cell.objects().forEach(object -> sizes.put(object.id(), object.sizeMm()));
-        double largest = 0;
-        for (double size : sizes.values()) {
-            largest = Math.max(largest, size);
-        }
-        MarkerSheet sheet = new MarkerSheet(cell, largest);
+        // those of one size beside each other take the fewest pages
+        List<Integer> ids = new ArrayList<>(sizes.keySet());
+        ids.sort((a, b) -> Double.compare(sizes.get(a), sizes.get(b)));
+        MarkerSheet sheet = new MarkerSheet(cell, sizes.get(ids.get(ids.size() - 1)));
         sheet.newPage(cell.family().familyName());
-        sizes.forEach((id, size) -> sheet.add(id, size, cell.family().familyName()));
+        ids.forEach(id -> sheet.add(id, sizes.get(id), cell.family().familyName()));
         return sheet.pdf();
     }
 

@@ -59,7 +59,11 @@ public final class GuideActivity extends Activity {
                 row.setBaselineAligned(false);
                 page.addView(row);
             }
-            row.addView(card(step, row), new LinearLayout.LayoutParams(0, LinearLayout.LayoutParams.MATCH_PARENT, 1));
+            View card = card(step, row);
+            LinearLayout.LayoutParams size = (LinearLayout.LayoutParams) card.getLayoutParams();
+            size.width = 0;
+            size.weight = 1;
+            row.addView(card, size);
         }
         if (saved != null && saved.containsKey(HOW_TO)) {
             open(GuideStep.valueOf(saved.getString(HOW_TO)));

@@ -137,7 +137,7 @@ class MarkerSheetTest {
         Cell large = new Cell(cell.camera(), MarkerFamily.of("tag36h11"), List.of(reference(4)),
                 List.of(new ObjectMarker(1, 240, null), new ObjectMarker(2, 240, null), new ObjectMarker(3, 30, null)),
                 OptionalDouble.empty(), OptionalDouble.empty());
-        assertPrints(large, 2, 1, 2, 3, 4);
+        assertPrints(large, 3, 1, 2, 3, 4);
     }
 
     @Test
