@@ -8,7 +8,7 @@ public interface AppMemory {
      * @param cellUri of the cell file
      * @param calibrationUri of the calibration file chosen with it, or null
      */
-    record Documents(String cellUri, String calibrationUri) {
+    record Choice(String cellUri, String calibrationUri) {
     }
 
     /**
@@ -16,14 +16,14 @@ public interface AppMemory {
      *
      * @return null where none was yet
      */
-    Documents lastDocuments();
+    Choice lastChoice();
 
     /**
      * Remembers a cell in place of the one before.
      *
-     * @param documents what is in use from now on
+     * @param choice what is in use from now on
      */
-    void keep(Documents documents);
+    void keep(Choice choice);
 
     /**
      * Whether the pictures of the first start were shown.

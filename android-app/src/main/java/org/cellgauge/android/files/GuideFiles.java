@@ -61,7 +61,7 @@ public final class GuideFiles {
      * @return a PDF file, true to size
      */
     public byte[] markers(CellLibrary library, AppMemory memory) {
-        AppMemory.Documents last = memory.lastDocuments();
+        AppMemory.Choice last = memory.lastChoice();
         if (last != null) {
             try {
                 return MarkerSheet.of(library.cell(last.cellUri(), null).cell());

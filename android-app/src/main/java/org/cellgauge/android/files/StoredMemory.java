@@ -22,15 +22,15 @@ public final class StoredMemory implements AppMemory {
     }
 
     @Override
-    public Documents lastDocuments() {
+    public Choice lastChoice() {
         String cell = stored.getString(CELL, null);
-        return cell == null ? null : new Documents(cell, stored.getString(CALIBRATION, null));
+        return cell == null ? null : new Choice(cell, stored.getString(CALIBRATION, null));
     }
 
     @Override
-    public void keep(Documents documents) {
+    public void keep(Choice choice) {
         // at once, so that it holds even where the app is ended in the next moment; a null removes
-        stored.edit().putString(CELL, documents.cellUri()).putString(CALIBRATION, documents.calibrationUri()).commit();
+        stored.edit().putString(CELL, choice.cellUri()).putString(CALIBRATION, choice.calibrationUri()).commit();
     }
 
     @Override

@@ -107,7 +107,7 @@ public final class MainActivity extends Activity {
             feed = kept.feed;
         } else {
             SessionMemory memory = saved != null ? SessionMemory.read(saved)
-                    : SessionMemory.of(parts.settings().sampling().seed(), parts.memory().lastDocuments());
+                    : SessionMemory.of(parts.settings().sampling().seed(), parts.memory().lastChoice());
             session = new CheckSession(parts.cellLibrary(), parts.resultArchive(), parts.memory(),
                     new FrozenFrameFile(parts.cacheFolder(), saved == null ? FrozenFrameFile.newId()
                             : saved.getString(FROZEN_FRAME, FrozenFrameFile.newId())),

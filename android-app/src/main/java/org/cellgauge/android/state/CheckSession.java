@@ -237,7 +237,7 @@ public final class CheckSession {
             return false;
         }
         if (read.uri() != null) {
-            appMemory.keep(new AppMemory.Documents(read.uri(), calibrationUri));
+            appMemory.keep(new AppMemory.Choice(read.uri(), calibrationUri));
         }
         take(read, calibrationUri, same);
         return true;
@@ -304,7 +304,7 @@ public final class CheckSession {
             Problem problem = s.cellProblem();
             if (problem != null && problem.kind() == Problem.Kind.LAST_CALIBRATION) {
                 String cellUri = s.cell().uri();
-                files(() -> appMemory.keep(new AppMemory.Documents(cellUri, null)));
+                files(() -> appMemory.keep(new AppMemory.Choice(cellUri, null)));
             }
             return s.change().cellProblem(null).build();
         });

@@ -85,12 +85,12 @@ public final class SessionMemory {
      * The memory that a start of the app has of the last one.
      *
      * @param seed of the chains
-     * @param documents that were in use last, or null
+     * @param last cell and calibration that were in use, or null
      * @return their cell, live and with the cell file's target; without a cell where there are none
      */
-    public static SessionMemory of(long seed, AppMemory.Documents documents) {
-        return documents == null ? nothing(seed) : new SessionMemory(seed, documents.cellUri(),
-                documents.calibrationUri(), false, Target.NONE, ImageSource.LIVE, null, null, false);
+    public static SessionMemory of(long seed, AppMemory.Choice last) {
+        return last == null ? nothing(seed) : new SessionMemory(seed, last.cellUri(),
+                last.calibrationUri(), false, Target.NONE, ImageSource.LIVE, null, null, false);
     }
 
     /**

@@ -99,12 +99,12 @@ public class TestApp extends CellGaugeApp implements AppParts {
     /** Every start is a first one, however many a test has. */
     static final class NoMemory implements AppMemory {
         @Override
-        public Documents lastDocuments() {
+        public Choice lastChoice() {
             return null;
         }
 
         @Override
-        public void keep(Documents documents) {
+        public void keep(Choice choice) {
             // forgotten
         }
 
