@@ -13,7 +13,8 @@ import org.cellgauge.vision.FamilyPatterns;
 /**
  * The markers of a cell for a printer, true to size: a PDF file of A4 pages, larger ones where a marker needs it. Each
  * marker stands in a grey line to cut along, which leaves it the white margin that detection needs; its id and size
- * stand below it, so that the print says which way up it is. A line of 100 mm tells whether the printer scaled the page.
+ * stand below it, so that the print says which way up it is. A line of 100 mm tells whether the printer scaled the
+ * page.
  */
 final class MarkerSheet {
     /** White beside a marker, as a share of its side. */

@@ -124,7 +124,7 @@ enum Banner {
         return judged == PASS && !isLensMeasured(view) ? PASS_UNMEASURED : judged;
     }
 
-    /** Whether the lens of a stored result was calibrated, and not estimated along from what devices' lenses are like. */
+    /** Whether the lens of a stored result was calibrated, and not estimated along. */
     static boolean isLensMeasured(ResultView view) {
         return view.intrinsics().stream().allMatch(ResultView.Intrinsic::calibrated);
     }

@@ -27,8 +27,8 @@ import org.cellgauge.android.files.KeptResult;
 import org.cellgauge.android.files.ResultArchive;
 
 /**
- * Kept results: the list of all, one of them, and two side by side. <em>Back</em> leads from what was opened to where it
- * was opened from.
+ * Kept results: the list of all, one of them, and two side by side. <em>Back</em> leads from what was opened to where
+ * it was opened from.
  */
 public final class ResultsActivity extends Activity {
     private static final String OPENED = "opened";

@@ -98,7 +98,8 @@ public final class FrozenFrameFile {
      * @param nowMs the time, ms since 1970
      */
     void clearLeftovers(long nowMs) {
-        File[] others = folder.listFiles(f -> f.getName().startsWith(PREFIX) && !f.getName().startsWith(file.getName()));
+        File[] others = folder.listFiles(f -> f.getName().startsWith(PREFIX)
+                && !f.getName().startsWith(file.getName()));
         if (others == null) {
             return;
         }
