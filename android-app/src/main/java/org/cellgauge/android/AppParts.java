@@ -5,6 +5,7 @@ import io.reactivex.rxjava3.core.Flowable;
 import java.io.File;
 import org.cellgauge.android.camera.CameraFeed;
 import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.state.SessionThreads;
@@ -40,6 +41,13 @@ public interface AppParts {
      * @return the same one each time
      */
     ResultArchive resultArchive();
+
+    /**
+     * What is remembered from one start to the next.
+     *
+     * @return the same one each time
+     */
+    AppMemory memory();
 
     /**
      * Where the app may write what need not last.

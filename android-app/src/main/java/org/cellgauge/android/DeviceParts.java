@@ -8,10 +8,12 @@ import org.cellgauge.android.camera.Camera2Feed;
 import org.cellgauge.android.camera.CameraFeed;
 import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.device.ThermalWatch;
+import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.DocumentLibrary;
 import org.cellgauge.android.files.FolderArchive;
 import org.cellgauge.android.files.ResultArchive;
+import org.cellgauge.android.files.StoredMemory;
 import org.cellgauge.android.screen.OverlayPainter;
 import org.cellgauge.android.screen.ScreenWords;
 import org.cellgauge.android.state.SessionThreads;
@@ -23,6 +25,7 @@ final class DeviceParts implements AppParts {
     private final ThermalWatch thermal;
     private final CellLibrary library;
     private final ResultArchive archive;
+    private final AppMemory memory;
 
     /**
      * The parts of an app.
@@ -35,6 +38,7 @@ final class DeviceParts implements AppParts {
         this.library = new DocumentLibrary(context);
         this.archive = new FolderArchive(context, OverlayPainter::paint, new ScreenWords(context),
                 Clock.systemDefaultZone(), AppVersion.of(context));
+        this.memory = new StoredMemory(context);
     }
 
     @Override
@@ -55,6 +59,11 @@ final class DeviceParts implements AppParts {
     @Override
     public ResultArchive resultArchive() {
         return archive;
+    }
+
+    @Override
+    public AppMemory memory() {
+        return memory;
     }
 
     @Override

@@ -64,6 +64,10 @@ public enum FileRefusal implements RefusalKind {
     /** It does not get its name. */
     RESULT_NOT_NAMED("the result cannot be given its name"),
 
+    /** A kept result whose result file cannot be read. */
+    RESULT_NOT_READ("the result file is missing, damaged or of another version of the app; the other files can be "
+            + "shared all the same"),
+
     // ---- parts
 
     /** What a document should be. */

@@ -8,6 +8,7 @@ enum Action {
     CHOOSE_ANOTHER_CELL(R.string.choose_another_cell),
     TRY_EXAMPLE(R.string.try_example),
     KEEP_CELL(R.string.keep_cell),
+    GO_ON_WITHOUT(R.string.go_on_without),
     CHOOSE_CALIBRATION(R.string.choose_calibration),
     OPEN_PHOTO(R.string.open_photo),
     OPEN_ANOTHER_PHOTO(R.string.open_another_photo),
@@ -16,6 +17,7 @@ enum Action {
     OPEN_SETTINGS(R.string.open_settings),
     TRY_AGAIN(R.string.try_again),
     SAVE_AGAIN(R.string.save_again),
+    GUIDE(R.string.guide_open),
     LICENCES(R.string.licences);
 
     private final int label;

@@ -6,6 +6,7 @@ import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.Problem;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.live.LiveState;
+import org.cellgauge.output.ResultView;
 
 /** The verdict in a word, a sign and a colour, or what stands in its place. */
 enum Banner {
@@ -120,6 +121,17 @@ enum Banner {
     static Banner of(Verdict verdict, boolean lensMeasured) {
         Banner judged = of(verdict);
         return judged == PASS && !lensMeasured ? PASS_UNMEASURED : judged;
+    }
+
+    /** The banner of a stored result. */
+    static Banner of(ResultView view) {
+        Banner judged = of(view.verdict());
+        return judged == PASS && !isLensMeasured(view) ? PASS_UNMEASURED : judged;
+    }
+
+    /** Whether the lens of a stored result was calibrated, and not estimated along. */
+    static boolean isLensMeasured(ResultView view) {
+        return view.intrinsics().stream().allMatch(ResultView.Intrinsic::calibrated);
     }
 
     /** The banner of a finished check. */

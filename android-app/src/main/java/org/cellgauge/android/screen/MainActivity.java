@@ -3,7 +3,6 @@ package org.cellgauge.android.screen;
 import android.Manifest;
 import android.app.Activity;
 import android.content.ActivityNotFoundException;
-import android.content.ClipData;
 import android.content.Intent;
 import android.content.pm.PackageManager;
 import android.graphics.Color;
@@ -27,7 +26,6 @@ import android.widget.Toast;
 import io.reactivex.rxjava3.core.Scheduler;
 import io.reactivex.rxjava3.disposables.Disposable;
 import io.reactivex.rxjava3.schedulers.Schedulers;
-import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.android.AppParts;
 import org.cellgauge.android.AppVersion;
@@ -53,6 +51,7 @@ public final class MainActivity extends Activity {
     private static final String TARGET_TEXT = "target-text";
     private static final String LICENCES_TOP = "licences-top";
     private static final String FIGURES = "figures";
+    private static final String FROZEN_FRAME = "frozen-frame";
     /** A finger may miss a marker by so much. */
     private static final float REACH_DP = 32;
     private static final int QUARTER_DEG = 90;
@@ -107,10 +106,12 @@ public final class MainActivity extends Activity {
             session = kept.session;
             feed = kept.feed;
         } else {
-            SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().sampling().seed())
-                    : SessionMemory.read(saved);
-            session = new CheckSession(parts.cellLibrary(), parts.resultArchive(),
-                    new FrozenFrameFile(parts.cacheFolder()), parts.settings(), parts.sessionThreads(), memory);
+            SessionMemory memory = saved != null ? SessionMemory.read(saved)
+                    : SessionMemory.of(parts.settings().sampling().seed(), parts.memory().lastChoice());
+            session = new CheckSession(parts.cellLibrary(), parts.resultArchive(), parts.memory(),
+                    new FrozenFrameFile(parts.cacheFolder(), saved == null ? FrozenFrameFile.newId()
+                            : saved.getString(FROZEN_FRAME, FrozenFrameFile.newId())),
+                    parts.settings(), parts.sessionThreads(), memory);
             feed = parts.cameraFeed(getApplicationContext());
         }
         displays = getSystemService(DisplayManager.class);
@@ -129,6 +130,10 @@ public final class MainActivity extends Activity {
                 tellDisplay();
             }
         });
+        if (saved == null && !parts.memory().guideShown()) {
+            parts.memory().guideIsShown();
+            start(new Intent(this, GuideActivity.class));
+        }
         if (saved != null && saved.containsKey(TARGET_TEXT)) {
             targetDialog = new TargetDialog(this, session, saved.getStringArray(TARGET_TEXT));
         }
@@ -164,6 +169,7 @@ public final class MainActivity extends Activity {
         });
         findViewById(R.id.save).setOnClickListener(v -> session.save(shown));
         findViewById(R.id.share).setOnClickListener(v -> share());
+        findViewById(R.id.results).setOnClickListener(v -> start(new Intent(this, ResultsActivity.class)));
         findViewById(R.id.target).setOnClickListener(v -> targetDialog = new TargetDialog(this, session, null));
         findViewById(R.id.figures).setOnClickListener(v -> {
             figuresWanted = panel.getVisibility() != View.VISIBLE;
@@ -195,6 +201,7 @@ public final class MainActivity extends Activity {
         resumed = true;
         lookAtPermission();
         session.retryCamera();
+        session.lookAtSaved();
         runCamera();
     }
 
@@ -224,7 +231,9 @@ public final class MainActivity extends Activity {
         if (objectDialog != null) {
             objectDialog.dismiss();
         }
-        if (!isChangingConfigurations()) {
+        if (isFinishing()) {
+            session.end();
+        } else if (!isChangingConfigurations()) {
             session.close();
         }
         super.onDestroy();
@@ -260,6 +269,7 @@ public final class MainActivity extends Activity {
     protected void onSaveInstanceState(Bundle out) {
         super.onSaveInstanceState(out);
         session.memory().write(out);
+        out.putString(FROZEN_FRAME, session.frozenFrameId());
         out.putBoolean(FIGURES, figuresWanted);
         if (targetDialog != null && targetDialog.isShowing()) {
             out.putStringArray(TARGET_TEXT, targetDialog.texts());
@@ -388,6 +398,7 @@ public final class MainActivity extends Activity {
                 session.tryExample();
                 break;
             case KEEP_CELL:
+            case GO_ON_WITHOUT:
                 session.dismissCellProblem();
                 break;
             case CHOOSE_CALIBRATION:
@@ -407,6 +418,9 @@ public final class MainActivity extends Activity {
             case OPEN_SETTINGS:
                 start(new Intent(Settings.ACTION_APPLICATION_DETAILS_SETTINGS,
                         Uri.fromParts("package", getPackageName(), null)));
+                break;
+            case GUIDE:
+                start(new Intent(this, GuideActivity.class));
                 break;
             case LICENCES:
                 if (licencesDialog == null || !licencesDialog.isShowing()) {
@@ -442,10 +456,8 @@ public final class MainActivity extends Activity {
         if (uri == null) {
             return;
         }
-        try {
-            getContentResolver().takePersistableUriPermission(uri, Intent.FLAG_GRANT_READ_URI_PERMISSION);
-        } catch (SecurityException e) {
-            // a provider that grants for now only: the document can be read, if not after the app was ended
+        if (request != REQUEST_PHOTO) {
+            keepAccess(uri);
         }
         switch (request) {
             case REQUEST_CELL:
@@ -459,6 +471,19 @@ public final class MainActivity extends Activity {
                 break;
             default:
                 break;
+        }
+    }
+
+    /**
+     * A cell and its calibration are read again at the next start. A photo is not, and the system keeps access to some
+     * hundred documents alone: photos would push the cell out. A screen may read its photo as long as it is there.
+     */
+    private void keepAccess(Uri uri) {
+        try {
+            getContentResolver().takePersistableUriPermission(uri, Intent.FLAG_GRANT_READ_URI_PERMISSION);
+        } catch (SecurityException e) {
+            // a provider that grants for now only: the next start says that the document is to be chosen again
+            return;
         }
     }
 
@@ -479,18 +504,7 @@ public final class MainActivity extends Activity {
         if (saved == null || saved.uris().isEmpty()) {
             return;
         }
-        ArrayList<Uri> uris = new ArrayList<>();
-        saved.uris().forEach(uri -> uris.add(Uri.parse(uri)));
-        // grants go by the clip: those of EXTRA_STREAM alone do not reach through the chooser on every version
-        ClipData clip = ClipData.newRawUri(saved.name(), uris.get(0));
-        for (Uri uri : uris.subList(1, uris.size())) {
-            clip.addItem(new ClipData.Item(uri));
-        }
-        Intent intent = new Intent(Intent.ACTION_SEND_MULTIPLE).setType("*/*")
-                .putParcelableArrayListExtra(Intent.EXTRA_STREAM, uris).putExtra(Intent.EXTRA_SUBJECT, saved.name())
-                .addFlags(Intent.FLAG_GRANT_READ_URI_PERMISSION);
-        intent.setClipData(clip);
-        start(Intent.createChooser(intent, getString(R.string.share_title)));
+        start(Sharing.of(this, saved));
     }
 
     // ---- what is shown

@@ -468,6 +468,8 @@ final class RefusalStrings {
                 return R.string.refusal_file_no_folder_for_result;
             case RESULT_NOT_NAMED:
                 return R.string.refusal_file_result_not_named;
+            case RESULT_NOT_READ:
+                return R.string.refusal_file_result_not_read;
             case PHOTO:
                 return R.string.refusal_file_photo;
             case LICENCES:

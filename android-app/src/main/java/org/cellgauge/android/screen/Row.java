@@ -73,6 +73,14 @@ final class Row {
         return row;
     }
 
+    /** The same row with another text, or null, which leads nowhere. */
+    Row telling(String other) {
+        Row row = new Row(mark, colour, title, figures, other, action);
+        row.bar = bar;
+        row.barText = barText;
+        return row;
+    }
+
     OptionalInt objectId() {
         return objectId;
     }

@@ -12,7 +12,6 @@ import org.cellgauge.android.state.ImageSource;
 import org.cellgauge.android.state.ObjectRow;
 import org.cellgauge.android.state.Problem;
 import org.cellgauge.cell.Requirement;
-import org.cellgauge.cell.Target;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.internal.overlay.EllipseShape;
 import org.cellgauge.internal.overlay.Overlay;
@@ -24,8 +23,6 @@ import org.cellgauge.warning.Warning;
 /** What a state says, in the user's language: pure text, so that the activity only has to put it in its places. */
 final class ScreenContent {
     private static final String BULLET = "\u2022 ";
-    /** Deviations on either side of the mean that hold 95 % of a normal distribution. */
-    private static final double DEVIATIONS_95 = 1.96;
     private static final double MS_PER_S = 1000;
 
     private final Wording words;
@@ -147,7 +144,7 @@ final class ScreenContent {
         StringBuilder objects = new StringBuilder();
         for (ObjectRow row : s.objects()) {
             objects.append(objects.length() == 0 ? "" : " ")
-                    .append(words.get(R.string.spoken_object, row.id(), mark(row, s)));
+                    .append(words.get(R.string.spoken_object, row.id(), objects(s).mark(row)));
         }
         return words.get(R.string.spoken_overlay, headline(s), objects).trim();
     }
@@ -157,6 +154,14 @@ final class ScreenContent {
     /** What stands over the picture, or null. */
     Message message(CheckScreenState s) {
         Problem cell = s.cellProblem();
+        if (cell != null && cell.kind() == Problem.Kind.LAST_CALIBRATION) {
+            return new Message(words.get(R.string.last_calibration), words.get(R.string.last_calibration_text,
+                    words.problem(cell)), Action.CHOOSE_CALIBRATION, Action.GO_ON_WITHOUT);
+        }
+        if (cell != null && cell.kind() == Problem.Kind.LAST_CELL) {
+            return new Message(words.get(R.string.last_cell), words.problem(cell), Action.CHOOSE_CELL,
+                    Action.TRY_EXAMPLE);
+        }
         if (cell != null) {
             return s.cell() == null
                     ? new Message(words.get(R.string.cell_refused), words.problem(cell), Action.CHOOSE_ANOTHER_CELL,
@@ -240,7 +245,7 @@ final class ScreenContent {
         kept(s, rows);
         cameraFile(s, rows);
         for (ObjectRow object : s.objects()) {
-            rows.add(object(object, s));
+            rows.add(objects(s).row(object));
         }
         if (!s.missingReferences().isEmpty() && s.live().update() != null) {
             rows.add(note(R.drawable.mark_not_seen, words.plural(R.plurals.missing_references,
@@ -256,6 +261,8 @@ final class ScreenContent {
     }
 
     private void about(List<Row> rows) {
+        rows.add(note(R.drawable.ic_guide, words.get(R.string.guide_title), words.get(R.string.guide_row_text),
+                Action.GUIDE));
         rows.add(note(R.drawable.ic_about, words.get(R.string.about, version), null, Action.LICENCES));
     }
 
@@ -278,52 +285,17 @@ final class ScreenContent {
         }
     }
 
-    private Row object(ObjectRow object, CheckScreenState s) {
-        String figures = null;
-        String text = null;
-        if (object.stdMm() != null) {
-            figures = deviations(R.string.figures, object.stdMm()) + "\n" + coverage(object.stdMm());
-            if (object.gripStdMm() != null) {
-                figures += "\n" + deviations(R.string.figures_grip, object.gripStdMm());
-            }
-            if (object.mark() == ObjectRow.Mark.PRELIMINARY) {
-                figures += "\n" + words.get(R.string.figures_preliminary);
-            }
-            if (s.fused() != null && s.fused().count() > 1 && s.fused().stdMm(object.id()) != null) {
-                figures += "\n" + words.plural(R.plurals.figures_fused, s.fused().count(), s.fused().count(),
-                        deviations(R.string.figures, s.fused().stdMm(object.id())));
-            }
-            // what is said of all objects alike stands in the reason, once
-            text = words.cause(object.reason());
-            if (object.mark() == ObjectRow.Mark.NOT_OK && !isBeyond(object)) {
-                text = (text == null ? "" : text) + words.misfit(object.reason(), "\n")
-                        + words.misplacement(object.reason(), "\n");
-            }
-        } else if (object.mark() == ObjectRow.Mark.AMBIGUOUS) {
-            text = object.reason() == null ? words.get(R.string.no_figure_two_poses) : words.reason(object.reason());
-            if (object.poseShares().size() == 2) {
-                text += "\n" + words.get(R.string.pose_shares, words.percent(object.poseShares().get(0)),
-                        words.percent(object.poseShares().get(1)));
-            }
-        } else if (object.mark() == ObjectRow.Mark.NOT_CONVERGED) {
-            text = words.get(R.string.no_figure_not_converged);
-        }
-        boolean contradicted = s.shownResult() != null && s.shownResult().verdict() == Verdict.CONTRADICTED;
-        if (contradicted && object.mark() == ObjectRow.Mark.NO_FIGURE) {
-            text = words.get(R.string.no_figure_not_converged);
-        }
-        return new Row(drawable(object.mark()), !s.lensMeasured() && object.mark() == ObjectRow.Mark.OK
-                ? R.color.mark_neutral : colour(object.mark()),
-                words.get(R.string.object_title, object.id(), mark(object, s)), figures, text, null)
-                .withBar(object.use() == null ? Double.NaN : object.use().share(), words.use(object.use()))
-                .ofObject(object.id());
+    /** Rows of objects as this state has them. */
+    private ObjectRows objects(CheckScreenState s) {
+        return new ObjectRows(words, s.target(), s.shownResult() == null ? null : s.shownResult().verdict(),
+                s.lensMeasured(), s.fused());
     }
 
     /** The heading of what is said of one object. */
     String objectTitle(CheckScreenState s, int objectId) {
         for (ObjectRow object : s.objects()) {
             if (object.id() == objectId) {
-                return words.get(R.string.object_title, objectId, mark(object, s));
+                return words.get(R.string.object_title, objectId, objects(s).mark(object));
             }
         }
         return words.get(R.string.object_title, objectId, words.get(R.string.mark_not_seen));
@@ -336,7 +308,7 @@ final class ScreenContent {
             if (object.id() != objectId) {
                 continue;
             }
-            Row row = object(object, s);
+            Row row = objects(s).row(object);
             line(text, row.figures());
             line(text, row.barText());
             if (object.ellipse95Px() != null) {
@@ -361,87 +333,6 @@ final class ScreenContent {
     private static void line(StringBuilder text, String more) {
         if (more != null && !more.isEmpty()) {
             text.append(text.length() == 0 ? "" : "\n").append(more);
-        }
-    }
-
-    private String deviations(int id, double[] stdMm) {
-        return words.get(id, words.mm(stdMm[0]), words.mm(stdMm[1]), words.mm(stdMm[2]));
-    }
-
-    /** The same along every axis within 95 %: what the picture's ellipses hold. Draws are nearly normal where shown. */
-    private String coverage(double[] stdMm) {
-        double[] within = new double[stdMm.length];
-        for (int i = 0; i < within.length; i++) {
-            within[i] = DEVIATIONS_95 * stdMm[i];
-        }
-        return words.get(R.string.figures_95, words.mm(within[0]), words.mm(within[1]), words.mm(within[2]));
-    }
-
-    /** Whether its own figures are beyond what is asked, and not what else does not fit. */
-    private static boolean isBeyond(ObjectRow object) {
-        return object.use() != null && object.use().share() > 1;
-    }
-
-    private String mark(ObjectRow object, CheckScreenState s) {
-        Requirement asked = s.target().of(object.id());
-        switch (object.mark()) {
-            case OK:
-                return asked.isOneStd() ? words.get(R.string.mark_ok, words.plain(asked.stdMm().x()))
-                        : words.get(R.string.mark_target_met);
-            case NOT_OK:
-                return asked.isOneStd() && isBeyond(object)
-                        ? words.get(R.string.mark_not_ok, words.plain(asked.stdMm().x()))
-                        : words.get(R.string.mark_target_missed);
-            case PRELIMINARY:
-                return words.get(R.string.mark_preliminary);
-            case NOT_CONVERGED:
-                return words.get(R.string.mark_not_converged);
-            case AMBIGUOUS:
-                return words.get(R.string.mark_ambiguous);
-            case NOT_JUDGED:
-                return words.get(s.target().isAny() && !asked.isAny() ? R.string.mark_not_counted
-                        : R.string.mark_not_judged);
-            case NO_FIGURE:
-                return words.get(R.string.mark_no_figure);
-            default:
-                return words.get(R.string.mark_not_seen);
-        }
-    }
-
-    static int drawable(ObjectRow.Mark mark) {
-        switch (mark) {
-            case OK:
-                return R.drawable.mark_pass;
-            case NOT_OK:
-                return R.drawable.mark_fail;
-            case PRELIMINARY:
-                return R.drawable.mark_preliminary;
-            case NOT_CONVERGED:
-                return R.drawable.mark_not_converged;
-            case AMBIGUOUS:
-                return R.drawable.mark_ambiguous;
-            case NOT_JUDGED:
-                return R.drawable.mark_not_judged;
-            case NO_FIGURE:
-                return R.drawable.mark_no_figure;
-            default:
-                return R.drawable.mark_not_seen;
-        }
-    }
-
-    private static int colour(ObjectRow.Mark mark) {
-        switch (mark) {
-            case OK:
-                return R.color.mark_pass;
-            case NOT_OK:
-            case NOT_SEEN:
-                return R.color.mark_fail;
-            case NOT_CONVERGED:
-                return R.color.mark_not_converged;
-            case AMBIGUOUS:
-                return R.color.mark_ambiguous;
-            default:
-                return R.color.mark_neutral;
         }
     }
 
@@ -518,33 +409,17 @@ final class ScreenContent {
             return words.get(R.string.target_mm, words.plain(s.targetStdMm().getAsDouble()));
         }
         Requirement asked = s.target().general();
-        if (isTolerance(s.target())) {
+        if (Wording.isTolerance(s.target())) {
             return words.get(R.string.target_tolerance_mm, words.plain(asked.toleranceMm().x()),
                     words.tenthOfPercent(asked.probability()));
         }
         return words.get(s.target().isAny() ? R.string.target_stated : R.string.target_not_set);
     }
 
-    /** Whether one tolerance along every axis is asked for, and nothing else. */
-    private static boolean isTolerance(Target target) {
-        Requirement asked = target.general();
-        return target.own().isEmpty() && asked.toleranceMm().isUniform() && !asked.stdMm().isAny()
-                && asked.distanceMm() == Double.POSITIVE_INFINITY && asked.toleranceDeg() == Double.POSITIVE_INFINITY;
-    }
-
     private String target(CheckScreenState s) {
-        if (!s.target().isAny()) {
-            return words.get(R.string.target_none);
-        }
-        if (!s.targetStdMm().isPresent()) {
-            Requirement asked = s.target().general();
-            return isTolerance(s.target())
-                    ? words.get(R.string.target_tolerance_all, words.plain(asked.toleranceMm().x()),
-                    words.tenthOfPercent(asked.probability())) : words.get(R.string.target_of_cell);
-        }
-        boolean chosen = !s.target().equals(s.cell().cell().target());
-        return words.get(chosen ? R.string.target_in_use_chosen : R.string.target_in_use,
-                words.plain(s.targetStdMm().getAsDouble()));
+        boolean chosen = s.targetStdMm().isPresent() && !s.target().equals(s.cell().cell().target());
+        return chosen ? words.get(R.string.target_in_use_chosen, words.plain(s.targetStdMm().getAsDouble()))
+                : words.target(s.target());
     }
 
     private void warnings(CheckScreenState s, List<Row> rows) {

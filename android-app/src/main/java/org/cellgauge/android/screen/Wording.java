@@ -12,6 +12,8 @@ import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.android.state.Problem;
 import org.cellgauge.android.state.TargetUse;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
 import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Reason;
 import org.cellgauge.estimate.VarianceSource;
@@ -217,6 +219,26 @@ final class Wording {
                 reason.conformityObjectId());
         return before + get(c.isDecided() ? R.string.tolerance : R.string.tolerance_undecided, tolerance(c), of,
                 number(c.probability(), 4), plain(c.asked()), number(c.mcse(), 4));
+    }
+
+    /** Whether one tolerance along every axis is asked for, and nothing else. */
+    static boolean isTolerance(Target target) {
+        Requirement asked = target.general();
+        return target.own().isEmpty() && asked.toleranceMm().isUniform() && !asked.stdMm().isAny()
+                && asked.distanceMm() == Double.POSITIVE_INFINITY && asked.toleranceDeg() == Double.POSITIVE_INFINITY;
+    }
+
+    /** A target in a sentence. */
+    String target(Target target) {
+        if (!target.isAny()) {
+            return get(R.string.target_none);
+        }
+        if (target.oneStdMm().isPresent()) {
+            return get(R.string.target_in_use, plain(target.oneStdMm().getAsDouble()));
+        }
+        Requirement asked = target.general();
+        return isTolerance(target) ? get(R.string.target_tolerance_all, plain(asked.toleranceMm().x()),
+                tenthOfPercent(asked.probability())) : get(R.string.target_of_cell);
     }
 
     /** How much of what is asked an object takes, as its bar shows it; null where nothing is asked. */

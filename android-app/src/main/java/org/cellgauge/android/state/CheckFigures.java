@@ -9,6 +9,7 @@ import org.cellgauge.cell.Target;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Reason;
+import org.cellgauge.check.Verdict;
 import org.cellgauge.internal.overlay.CellOverlay;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.internal.overlay.OverlayStyle;
@@ -19,7 +20,7 @@ import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 
 /** What the screen shows of a check: rows of the list, and the overlay. Every judgement is core's. */
-final class CheckFigures {
+public final class CheckFigures {
     private CheckFigures() {
     }
 
@@ -64,6 +65,31 @@ final class CheckFigures {
             default:
                 return none(id, ObjectRow.Mark.NOT_CONVERGED);
         }
+    }
+
+    /**
+     * What a stored result says of each of its objects.
+     *
+     * @param view of the result file
+     * @return in the order of the cell, without reasons, which result files have in English alone
+     */
+    public static List<ObjectRow> rows(ResultView view) {
+        List<ObjectRow> rows = new ArrayList<>();
+        for (ResultRow object : view.objects()) {
+            int id = object.id().getAsInt();
+            if (!object.seen()) {
+                rows.add(none(id, ObjectRow.Mark.NOT_SEEN));
+            } else if (view.verdict() == Verdict.AMBIGUOUS) {
+                rows.add(ambiguous(id, view, null));
+            } else if (!view.trusted()) {
+                rows.add(none(id, view.showsFigures() ? ObjectRow.Mark.NOT_CONVERGED : ObjectRow.Mark.NO_FIGURE));
+            } else {
+                Boolean within = object.withinTarget();
+                rows.add(figures(id, view.target(), view, within == null ? ObjectRow.Mark.NOT_JUDGED
+                        : within ? ObjectRow.Mark.OK : ObjectRow.Mark.NOT_OK, null));
+            }
+        }
+        return rows;
     }
 
     private static ObjectRow none(int id, ObjectRow.Mark mark) {

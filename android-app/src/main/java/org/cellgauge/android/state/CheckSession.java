@@ -10,9 +10,11 @@ import java.io.IOException;
 import java.text.SimpleDateFormat;
 import java.util.Date;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
@@ -20,6 +22,7 @@ import org.cellgauge.android.camera.CameraFault;
 import org.cellgauge.android.camera.CameraFeed;
 import org.cellgauge.android.camera.CameraSetup;
 import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.FileRefusal;
@@ -55,6 +58,7 @@ public final class CheckSession {
 
     private final CellLibrary library;
     private final ResultArchive archive;
+    private final AppMemory appMemory;
     private final FrozenFrameFile frozenFrame;
     private final CheckSettings settings;
     private final SessionThreads threads;
@@ -80,15 +84,17 @@ public final class CheckSession {
      *
      * @param library where cells and photos come from
      * @param archive where results are kept
+     * @param appMemory is told which cell is in use, for the next start of the app
      * @param frozenFrame where a frozen frame outlives the process
      * @param settings how checks go about it; the seed is the memory's
      * @param threads where the session works
      * @param memory of the session before, which is taken up again, or of none
      */
-    public CheckSession(CellLibrary library, ResultArchive archive, FrozenFrameFile frozenFrame, CheckSettings settings,
-            SessionThreads threads, SessionMemory memory) {
+    public CheckSession(CellLibrary library, ResultArchive archive, AppMemory appMemory, FrozenFrameFile frozenFrame,
+            CheckSettings settings, SessionThreads threads, SessionMemory memory) {
         this.library = library;
         this.archive = archive;
+        this.appMemory = appMemory;
         this.frozenFrame = frozenFrame;
         this.settings = settings.toBuilder().seed(memory.seed()).build();
         this.threads = threads;
@@ -106,6 +112,7 @@ public final class CheckSession {
         work.add(states.map(s -> s.source() == ImageSource.FROZEN).distinctUntilChanged().buffer(2, 1)
                 .filter(frozen -> frozen.size() == 2 && frozen.get(0)).onBackpressureLatest()
                 .observeOn(threads.files(), false, 1).subscribe(thawed -> frozenFrame.clear()));
+        files(() -> frozenFrame.clearLeftovers(System.currentTimeMillis()));
         if (memory.hasCell()) {
             restore();
         }
@@ -136,9 +143,11 @@ public final class CheckSession {
      */
     public SessionMemory memory() {
         CheckScreenState state = state();
-        // killed once more before what was remembered could be read again
-        return state.cell() == null && remembered.hasCell() && state.cellProblem() == null ? remembered
-                : state.memory(remembered.seed());
+        Problem problem = state.cellProblem();
+        // killed once more before what was remembered could be read again, or while its storage is away
+        boolean still = state.cell() == null && remembered.hasCell()
+                && (problem == null || problem.kind() == Problem.Kind.LAST_CELL);
+        return still ? remembered : state.memory(remembered.seed());
     }
 
     /**
@@ -151,7 +160,22 @@ public final class CheckSession {
         return new Frames(cell);
     }
 
-    /** Ends the session: checks stop, no state comes any more. */
+    /**
+     * The id of the file that a frozen frame is kept in.
+     *
+     * @return to be kept with the session's memory
+     */
+    public String frozenFrameId() {
+        return frozenFrame.id();
+    }
+
+    /** Ends the session for good: nobody will come back to what was frozen. */
+    public void end() {
+        close();
+        frozenFrame.clear();
+    }
+
+    /** Ends the session: checks stop, no state comes any more. What was frozen can be taken up again. */
     public void close() {
         closed = true;
         stopRun();
@@ -209,9 +233,21 @@ public final class CheckSession {
         try {
             read = reading.get();
         } catch (RuntimeException e) {
-            change(s -> s.change().readingCell(false).cellProblem(problem(Problem.Kind.CELL_REFUSED, e)).build());
+            noCell(problem(Problem.Kind.CELL_REFUSED, e));
             return false;
         }
+        if (read.uri() != null) {
+            appMemory.keep(new AppMemory.Choice(read.uri(), calibrationUri));
+        }
+        take(read, calibrationUri, same);
+        return true;
+    }
+
+    private void noCell(Problem problem) {
+        change(s -> s.change().readingCell(false).cellProblem(problem).build());
+    }
+
+    private void take(CellDocument read, String calibrationUri, boolean same) {
         synchronized (runLock) {
             stopRun();
             document = read;
@@ -228,14 +264,50 @@ public final class CheckSession {
                         .setup(null).noCheck(OptionalInt.empty()).build();
             });
         }
-        return true;
+    }
+
+    /** The cell of the session before; without its calibration, and with a word on that, where only that is gone. */
+    private boolean takeAgain(SessionMemory m) {
+        if (m.cellUri() == null) {
+            return takeCell(library::example, null, false);
+        }
+        try {
+            take(library.cell(m.cellUri(), m.calibrationUri()), m.calibrationUri(), false);
+            return true;
+        } catch (RuntimeException e) {
+            return m.calibrationUri() == null ? lost(problem(Problem.Kind.LAST_CELL, e))
+                    : takeWithoutCalibration(m.cellUri(), problem(Problem.Kind.LAST_CALIBRATION, e));
+        }
+    }
+
+    private boolean takeWithoutCalibration(String cellUri, Problem ofCalibration) {
+        try {
+            take(library.cell(cellUri, null), null, false);
+            change(s -> s.change().cellProblem(ofCalibration).build());
+            return true;
+        } catch (RuntimeException e) {
+            return lost(problem(Problem.Kind.LAST_CELL, e));
+        }
+    }
+
+    private boolean lost(Problem problem) {
+        // stays remembered until another cell is chosen: a card may be back at the next start
+        noCell(problem);
+        return false;
     }
 
     /**
      * Goes on with the cell in use, or with none, after a file was refused.
      */
     public void dismissCellProblem() {
-        change(s -> s.change().cellProblem(null).build());
+        change(s -> {
+            Problem problem = s.cellProblem();
+            if (problem != null && problem.kind() == Problem.Kind.LAST_CALIBRATION) {
+                String cellUri = s.cell().uri();
+                files(() -> appMemory.keep(new AppMemory.Choice(cellUri, null)));
+            }
+            return s.change().cellProblem(null).build();
+        });
     }
 
     /**
@@ -407,14 +479,15 @@ public final class CheckSession {
             }
             CheckResult result = shown.shownResult();
             Photo photo = shown.shownPhoto();
-            files(() -> save(photo, result));
+            String cellName = shown.cell().name();
+            files(() -> save(photo, result, cellName));
             return s.change().saving(true).saveProblem(null).build();
         });
     }
 
-    private void save(Photo photo, CheckResult result) {
+    private void save(Photo photo, CheckResult result, String cellName) {
         try {
-            SavedResult saved = archive.save(photo, result);
+            SavedResult saved = archive.save(photo, result, cellName);
             change(s -> s.change().saving(false).saved(saved, result).build());
         } catch (StorageFullException e) {
             notSaved(problem(Problem.Kind.STORAGE_FULL, e));
@@ -425,6 +498,19 @@ public final class CheckSession {
 
     private void notSaved(Problem problem) {
         change(s -> s.change().saving(false).saveProblem(problem).build());
+    }
+
+    /** The screen came back: what was kept last may have been deleted meanwhile, here or in the Files app. */
+    public void lookAtSaved() {
+        if (state().saved() == null) {
+            return;
+        }
+        files(() -> {
+            Set<String> there = new HashSet<>();
+            archive.saved().forEach(result -> there.add(result.name()));
+            change(s -> s.saved() == null || there.contains(s.saved().name()) ? s
+                    : s.change().saved(null, null).build());
+        });
     }
 
     // ---- what the device does
@@ -668,9 +754,7 @@ public final class CheckSession {
         SessionMemory m = remembered;
         change(s -> s.change().readingCell(true).build());
         files(() -> {
-            Supplier<CellDocument> reading = m.cellUri() == null ? library::example
-                    : () -> library.cell(m.cellUri(), m.calibrationUri());
-            if (!takeCell(reading, m.calibrationUri(), false)) {
+            if (!takeAgain(m)) {
                 return;
             }
             if (m.targetChosen()) {

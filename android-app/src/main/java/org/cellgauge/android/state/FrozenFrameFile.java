@@ -8,18 +8,31 @@ import java.io.File;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.internal.overlay.ImageOrientation;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.GreyImage;
 
 /**
- * The frozen frame in a file of its own, so that its check comes back when the system has ended the app meanwhile. The
- * file is written whole or not at all; one that is damaged counts as none.
+ * The frozen frame of one screen in a file of its own, so that its check comes back when the system has ended the app
+ * meanwhile. Two screens of the app that are open at a time have two files. A file is written whole or not at all; one
+ * that is damaged counts as none.
  */
 public final class FrozenFrameFile {
     private static final int MAGIC = 0x43474632;
     private static final int MOST_PIXELS = 100_000_000;
+    private static final String PREFIX = "frozen-frame";
+    private static final Pattern ID = Pattern.compile("[0-9a-f-]{1,64}");
+    /** What nobody has come back to for so long is of a screen that was swept away. */
+    private static final long LONGEST_KEPT_MS = TimeUnit.DAYS.toMillis(7);
+    /** Frames take megabytes; nobody has so many screens of the app open. */
+    private static final int MOST_KEPT = 8;
 
     /** What was frozen, and how it was held. */
     static final class Frame {
@@ -40,15 +53,67 @@ public final class FrozenFrameFile {
         }
     }
 
+    private final File folder;
+    private final String id;
     private final File file;
 
     /**
      * A place for one frame.
      *
      * @param folder where the app may write what need not last
+     * @param id of the screen whose frame it is, as {@link #newId()} made it once
+     * @throws IllegalArgumentException if the id is none
      */
-    public FrozenFrameFile(File folder) {
-        this.file = new File(folder, "frozen-frame");
+    public FrozenFrameFile(File folder, String id) {
+        if (!ID.matcher(id).matches()) {
+            throw new IllegalArgumentException("no id of a frozen frame: " + id);
+        }
+        this.folder = folder;
+        this.id = id;
+        this.file = new File(folder, PREFIX + "-" + id);
+    }
+
+    /**
+     * An id that no screen has.
+     *
+     * @return to be kept with what the system keeps of the screen
+     */
+    public static String newId() {
+        return UUID.randomUUID().toString();
+    }
+
+    /**
+     * The id of the screen whose frame this is.
+     *
+     * @return as it was given
+     */
+    public String id() {
+        return id;
+    }
+
+    /**
+     * Removes frames that no screen will ask for again: those that are a week old, and the oldest where there are more
+     * than eight. A screen that ends by itself removes its own; what the user sweeps away with its task is not told.
+     *
+     * @param nowMs the time, ms since 1970
+     */
+    void clearLeftovers(long nowMs) {
+        File[] others = folder.listFiles(f -> f.getName().startsWith(PREFIX)
+                && !f.getName().startsWith(file.getName()));
+        if (others == null) {
+            return;
+        }
+        // read once, since a time that changes meanwhile would leave no order
+        Map<File, Long> times = new HashMap<>();
+        for (File other : others) {
+            times.put(other, other.lastModified());
+        }
+        Arrays.sort(others, (a, b) -> Long.compare(times.get(b), times.get(a)));
+        for (int i = 0; i < others.length; i++) {
+            if (i >= MOST_KEPT || nowMs - times.get(others[i]) > LONGEST_KEPT_MS) {
+                remove(others[i]);
+            }
+        }
     }
 
     /**
@@ -117,10 +182,13 @@ public final class FrozenFrameFile {
 
     /** Removes the frame; what was frozen is not kept longer than it is of use. */
     synchronized void clear() {
-        for (File f : new File[] {file, new File(file.getPath() + ".part")}) {
-            if (f.exists() && !f.delete()) {
-                f.deleteOnExit();
-            }
+        remove(file);
+        remove(new File(file.getPath() + ".part"));
+    }
+
+    private static void remove(File f) {
+        if (f.exists() && !f.delete()) {
+            f.deleteOnExit();
         }
     }
 }

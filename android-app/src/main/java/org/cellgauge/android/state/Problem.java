@@ -8,6 +8,10 @@ public final class Problem {
     public enum Kind {
         /** The cell file, or a calibration file chosen with it, was refused: {@link Problem#refusal()}. */
         CELL_REFUSED,
+        /** The cell file of the last time cannot be read again: {@link Problem#refusal()}. */
+        LAST_CELL,
+        /** The calibration file of the last time cannot be read again, but the cell: {@link Problem#refusal()}. */
+        LAST_CALIBRATION,
         /** The photo cannot be read or checked: {@link Problem#refusal()}. */
         PHOTO_REFUSED,
         /** The photo is of another size than the camera's calibration: {@link Problem#refusal()}. */

@@ -1,6 +1,7 @@
 package org.cellgauge.android.state;
 
 import android.os.Bundle;
+import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.cell.Target;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Lenses;
@@ -78,6 +79,18 @@ public final class SessionMemory {
     public static SessionMemory nothing(long seed) {
         return new SessionMemory(seed, false, null, null, false, Target.NONE, ImageSource.LIVE, null, null,
                 false);
+    }
+
+    /**
+     * The memory that a start of the app has of the last one.
+     *
+     * @param seed of the chains
+     * @param last cell and calibration that were in use, or null
+     * @return their cell, live and with the cell file's target; without a cell where there are none
+     */
+    public static SessionMemory of(long seed, AppMemory.Choice last) {
+        return last == null ? nothing(seed) : new SessionMemory(seed, last.cellUri(),
+                last.calibrationUri(), false, Target.NONE, ImageSource.LIVE, null, null, false);
     }
 
     /**

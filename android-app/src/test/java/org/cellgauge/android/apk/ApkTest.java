@@ -92,6 +92,15 @@ class ApkTest {
         assertTrue(text.contains("Verified using v2 scheme (APK Signature Scheme v2): true"), text);
     }
 
+    /** With another key the next install is no update: Android asks to remove the app and all that it keeps. */
+    @Test
+    void keyForDebuggingOutlastsAClean() throws IOException {
+        Path key = Path.of(System.getProperty("cellgauge.debug.keystore")).toRealPath();
+        Path project = Path.of(System.getProperty("cellgauge.root")).toRealPath();
+        assertFalse(key.startsWith(project), key + " is in a folder that clean, git or a new copy leave without it");
+        assertTrue(Files.size(key) > 0);
+    }
+
     /** The tool does notice: one byte of a file inside is changed. */
     @Test
     void changedApkIsNotAccepted() throws Exception {

@@ -3,6 +3,7 @@ package org.cellgauge.android.files;
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
@@ -23,6 +24,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.time.Clock;
 import java.time.Instant;
+import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -52,6 +54,7 @@ import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.output.ResultJson;
 import org.cellgauge.output.ResultRecord;
+import org.cellgauge.output.ResultView;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
 import org.cellgauge.settings.InitialEstimate;
@@ -166,7 +169,7 @@ public class FolderArchiveTest {
     public void allFourFilesAreKeptUnderTheTimesName() throws IOException {
         Photo photo = photo();
         CheckResult result = check(photo, quick());
-        SavedResult saved = archive.save(photo, result);
+        SavedResult saved = archive.save(photo, result, "kitchen.yaml");
         assertEquals(NAME, saved.name());
         assertEquals(4, saved.uris().size());
 
@@ -244,7 +247,7 @@ public class FolderArchiveTest {
     }
 
     private void assertMadeAgain(Photo photo, CheckResult result, String verdict) throws IOException {
-        SavedResult saved = archive.save(photo, result);
+        SavedResult saved = archive.save(photo, result, "kitchen.yaml");
         File copies = folder.newFolder();
         for (String uri : saved.uris()) {
             String name = Uri.parse(uri).getLastPathSegment();
@@ -317,16 +320,51 @@ public class FolderArchiveTest {
     public void resultsOfOneSecondKeepApart() throws IOException {
         Photo photo = photo();
         CheckResult result = check(photo, quick());
-        assertEquals(NAME, archive.save(photo, result).name());
-        SavedResult second = archive.save(photo, result);
+        assertEquals(NAME, archive.save(photo, result, "kitchen.yaml").name());
+        SavedResult second = archive.save(photo, result, "kitchen.yaml");
         assertEquals(NAME + "-2", second.name());
-        assertEquals(NAME + "-3", archive.save(photo, result).name());
+        assertEquals(NAME + "-3", archive.save(photo, result, "kitchen.yaml").name());
         assertTrue(second.uris().stream().allMatch(uri -> uri.contains(NAME + "-2")));
         assertEquals(3, archive.saved().size());
         String cell = new String(content(second, ".cell.yaml"), StandardCharsets.UTF_8);
         assertTrue(cell, cell.contains(NAME + "-2.png"));
         assertEquals(NAME + "-2.png", json(content(second, ".result.json")).getAsJsonObject("input").get("name")
                 .getAsString());
+    }
+
+    @Test
+    public void keptResultsAreReadAgainWithTimeCellAndFigures() throws IOException {
+        Photo photo = photo();
+        CheckResult result = check(photo, quick());
+        archive.save(photo, result, "kitchen\n.yaml");
+        KeptResult kept = archive.kept().get(0);
+        assertEquals(NAME, kept.saved().name());
+        assertEquals(4, kept.saved().uris().size());
+        assertEquals(LocalDateTime.of(2024, 5, 17, 14, 30, 5), kept.time());
+        assertEquals("kitchen .yaml", kept.cellName());
+        assertNull(kept.refusal());
+        assertEquals(ResultView.of(result), kept.view());
+        Bitmap picture = BitmapFactory.decodeStream(new ByteArrayInputStream(archive.picture(NAME)));
+        assertEquals(photo.luminance().widthPx(), picture.getWidth());
+        assertTrue(archive.delete(NAME));
+        assertFalse("only once", archive.delete(NAME));
+        assertEquals(Collections.emptyList(), archive.kept());
+        assertThrows(IOException.class, () -> archive.picture(NAME));
+        assertFalse("nothing outside of the folder", archive.delete("../results"));
+    }
+
+    @Test
+    public void damagedResultIsAmongThemAndSaysSo() throws IOException {
+        Photo photo = photo();
+        archive.save(photo, check(photo, quick()), "kitchen.yaml");
+        File stored = new File(context.getFilesDir(), "results/" + NAME + "/" + NAME + ".result.json");
+        Files.write(stored.toPath(), Arrays.copyOf(Files.readAllBytes(stored.toPath()), 1000));
+        KeptResult kept = archive.kept().get(0);
+        assertNull(kept.view());
+        assertEquals(FileRefusal.RESULT_NOT_READ, kept.refusal().kind());
+        assertTrue(stored.delete());
+        assertEquals(FileRefusal.RESULT_NOT_READ, archive.kept().get(0).refusal().kind());
+        assertTrue(archive.delete(NAME));
     }
 
     @Test
@@ -341,7 +379,7 @@ public class FolderArchiveTest {
         FolderArchive failing = new FolderArchive(context, (p, o) -> {
             throw new OutOfMemoryError("no room for a bitmap");
         }, new GermanWords(), CLOCK, VERSION);
-        IOException e = assertThrows(IOException.class, () -> failing.save(photo, result));
+        IOException e = assertThrows(IOException.class, () -> failing.save(photo, result, "kitchen.yaml"));
         assertFalse(e instanceof StorageFullException);
         assertEquals(Collections.emptyList(), failing.saved());
     }

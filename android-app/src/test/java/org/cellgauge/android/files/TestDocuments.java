@@ -18,7 +18,7 @@ import org.robolectric.RuntimeEnvironment;
 import org.robolectric.shadows.ShadowContentResolver;
 
 /** An app that holds documents, and fails as a test tells it. */
-final class TestDocuments extends ContentProvider {
+public final class TestDocuments extends ContentProvider {
     private static final String AUTHORITY = "org.example.documents";
 
     private final Map<String, File> files = new HashMap<>();
@@ -36,7 +36,13 @@ final class TestDocuments extends ContentProvider {
         this.folder = folder;
     }
 
-    static TestDocuments registered(File folder) {
+    /**
+     * An app without documents yet.
+     *
+     * @param folder where it keeps them
+     * @return known to the system
+     */
+    public static TestDocuments registered(File folder) {
         TestDocuments documents = new TestDocuments(folder);
         ProviderInfo info = new ProviderInfo();
         info.authority = AUTHORITY;
@@ -46,13 +52,38 @@ final class TestDocuments extends ContentProvider {
         return documents;
     }
 
-    /** Adds a document and gives its address. */
-    String add(String name, byte[] content) throws IOException {
+    /**
+     * Adds a document.
+     *
+     * @param name its file name
+     * @param content its bytes
+     * @return its address
+     * @throws IOException if it cannot be written
+     */
+    public String add(String name, byte[] content) throws IOException {
         File file = new File(folder, "document-" + files.size());
         Files.write(file.toPath(), content);
         String id = "id" + files.size() + "/" + name;
         files.put(id, file);
         return uri(id);
+    }
+
+    /**
+     * Removes a document.
+     *
+     * @param uri its address
+     */
+    public void remove(String uri) {
+        files.remove(Uri.parse(uri).getLastPathSegment());
+    }
+
+    /**
+     * Lets the system refuse every document from now on, or not any more.
+     *
+     * @param ended whether it does
+     */
+    public void permissionEnded(boolean ended) {
+        openFault = ended ? new SecurityException("Permission Denial") : null;
     }
 
     static String uri(String id) {

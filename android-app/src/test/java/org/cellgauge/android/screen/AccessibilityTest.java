@@ -3,6 +3,7 @@ package org.cellgauge.android.screen;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import android.app.Activity;
 import android.app.AlertDialog;
 import android.content.res.Resources;
 import android.graphics.Color;
@@ -49,9 +50,15 @@ public class AccessibilityTest {
     }
 
     private static void assertTouchable(Screen screen, String where) {
-        float density = screen.activity().getResources().getDisplayMetrics().density;
+        int clickable = assertTouchable(screen.activity(), where);
+        assertTrue(where + ": " + clickable, clickable >= 7);
+    }
+
+    /** Whatever can be tapped has a label and room for a finger; how many there are. */
+    static int assertTouchable(Activity activity, String where) {
+        float density = activity.getResources().getDisplayMetrics().density;
         int clickable = 0;
-        for (View view : all(screen.activity().getWindow().getDecorView())) {
+        for (View view : all(activity.getWindow().getDecorView())) {
             // selectable texts take clicks, too, but do nothing on them
             boolean text = view instanceof TextView && ((TextView) view).isTextSelectable();
             if (!view.isClickable() || !view.isShown() || text) {
@@ -65,7 +72,23 @@ public class AccessibilityTest {
             assertTrue(name + " is " + view.getWidth() / density + " dp wide", view.getWidth() >= TOUCH_DP * density);
             assertTrue(name + " is " + view.getHeight() / density + " dp high", view.getHeight() >= TOUCH_DP * density);
         }
-        assertTrue(where + ": " + clickable, clickable >= 7);
+        return clickable;
+    }
+
+    /** Nothing is cut off: what is too long can be scrolled to. */
+    static void assertWhole(Activity activity, String where) {
+        for (View view : all(activity.getWindow().getDecorView())) {
+            if (!(view instanceof TextView) || !view.isShown() || ((TextView) view).getLayout() == null) {
+                continue;
+            }
+            TextView text = (TextView) view;
+            String name = where + ": " + text.getText();
+            int room = text.getHeight() - text.getCompoundPaddingTop() - text.getCompoundPaddingBottom();
+            assertTrue(name, text.getLayout().getHeight() <= room + 1);
+            for (int line = 0; line < text.getLineCount(); line++) {
+                assertEquals(name, 0, text.getLayout().getEllipsisCount(line));
+            }
+        }
     }
 
     @Test
@@ -104,18 +127,7 @@ public class AccessibilityTest {
             Screen.turnDisplay(qualifiers.contains("-land") ? Surface.ROTATION_90 : Surface.ROTATION_0);
             try (Screen screen = Screen.live(Fixture.LIFTED.document(), 90, false)) {
                 screen.holdStillUntilResult(Fixture.LIFTED);
-                for (View view : all(screen.activity().getWindow().getDecorView())) {
-                    if (!(view instanceof TextView) || !view.isShown() || ((TextView) view).getLayout() == null) {
-                        continue;
-                    }
-                    TextView text = (TextView) view;
-                    String name = qualifiers + ": " + text.getText();
-                    int room = text.getHeight() - text.getCompoundPaddingTop() - text.getCompoundPaddingBottom();
-                    assertTrue(name, text.getLayout().getHeight() <= room + 1);
-                    for (int line = 0; line < text.getLineCount(); line++) {
-                        assertEquals(name, 0, text.getLayout().getEllipsisCount(line));
-                    }
-                }
+                assertWhole(screen.activity(), qualifiers);
                 View picture = screen.find(R.id.viewport);
                 assertTrue(qualifiers + ": the picture is " + picture.getHeight() + " px high",
                         picture.getHeight() > 100 && picture.getWidth() > 100);
@@ -195,7 +207,7 @@ public class AccessibilityTest {
         assertEquals(verdicts.length, signs.size());
         Map<ObjectRow.Mark, Integer> marks = new EnumMap<>(ObjectRow.Mark.class);
         for (ObjectRow.Mark mark : ObjectRow.Mark.values()) {
-            marks.put(mark, ScreenContent.drawable(mark));
+            marks.put(mark, ObjectRows.drawable(mark));
         }
         assertEquals(marks.size(), new HashSet<>(marks.values()).size());
     }

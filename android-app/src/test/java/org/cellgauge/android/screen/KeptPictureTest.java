@@ -80,7 +80,7 @@ public class KeptPictureTest {
         CheckResult failed = check(FIXTURE.doubtful().withTarget(OptionalDouble.of(0.3)));
         RuntimeEnvironment.setQualifiers("de");
         name = "kept-picture-german";
-        archive.save(FIXTURE.photo(), failed);
+        archive.save(FIXTURE.photo(), failed, "kitchen.yaml");
         Overlay german = painted.get(0);
         Wording words = new Wording(context.getResources());
         assertEquals("Ziel verfehlt " + words.reason(failed.finding()), texts(german, Role.BANNER));
@@ -101,7 +101,7 @@ public class KeptPictureTest {
         // the language is changed while the app runs
         RuntimeEnvironment.setQualifiers("en");
         name = "kept-picture-english";
-        archive.save(FIXTURE.photo(), failed);
+        archive.save(FIXTURE.photo(), failed, "kitchen.yaml");
         Overlay english = painted.get(1);
         assertEquals("Target missed " + new Wording(context.getResources()).reason(failed.finding()),
                 texts(english, Role.BANNER));

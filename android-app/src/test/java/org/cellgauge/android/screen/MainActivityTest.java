@@ -28,7 +28,6 @@ import android.widget.TextView;
 import io.reactivex.rxjava3.schedulers.Schedulers;
 import io.reactivex.rxjava3.schedulers.TestScheduler;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -125,8 +124,8 @@ public class MainActivityTest {
         throw new AssertionError("no row offers " + label + ":\n" + rows(screen));
     }
 
-    private static File frozenFrame() {
-        return new File(Screen.app().cacheFolder(), "frozen-frame");
+    private static int frozenFrames() {
+        return Screen.app().cacheFolder().listFiles(file -> file.getName().startsWith("frozen-frame")).length;
     }
 
     private static boolean messageShown(Screen screen) {
@@ -425,9 +424,9 @@ public class MainActivityTest {
             screen.tap(R.id.freeze);
             screen.until("result", () -> screen.state().verdict() != null);
             assertEquals(ImageSource.FROZEN, screen.state().source());
-            assertTrue("kept in case the system ends the app", frozenFrame().exists());
+            assertEquals("kept in case the system ends the app", 1, frozenFrames());
             screen.tap(R.id.freeze);
-            assertFalse("and no longer than that", frozenFrame().exists());
+            assertEquals("and no longer than that", 0, frozenFrames());
             assertEquals(ImageSource.LIVE, screen.state().source());
             assertNull(screen.state().result());
             screen.holdStillUntilResult(FIXTURE);
@@ -944,6 +943,39 @@ public class MainActivityTest {
         }
     }
 
+    /** Two screens of the app, as a split screen has them: each comes back to what was frozen on it. */
+    @Test
+    public void twoScreensFreezeTwoFrames() {
+        GreyImage first = FIXTURE.image();
+        byte[] grey = first.luminance().clone();
+        grey[0] ^= 1;
+        GreyImage second = GreyImage.packed(grey, first.widthPx(), first.heightPx());
+        Bundle ofFirst = killedWithFrozen(first);
+        Bundle ofSecond = killedWithFrozen(second);
+        assertEquals(2, frozenFrames());
+        assertComesBack(ofFirst, first);
+        assertComesBack(ofSecond, second);
+    }
+
+    private static Bundle killedWithFrozen(GreyImage frame) {
+        try (Screen screen = live()) {
+            feed().frame(frame);
+            screen.until("figures", () -> screen.state().canFreeze());
+            screen.tap(R.id.freeze);
+            return throughAParcel(screen.killed());
+        }
+    }
+
+    private static void assertComesBack(Bundle kept, GreyImage frame) {
+        int before = frozenFrames();
+        try (Screen screen = Screen.start(kept)) {
+            screen.until("frame", () -> screen.state().still() != null);
+            assertArrayEquals(frame.luminance(), screen.state().still().luminance().luminance());
+            screen.activity().finish();
+        }
+        assertEquals("nobody comes back to a screen that has ended", before - 1, frozenFrames());
+    }
+
     @Test
     public void photoCheckStartsAgainAfterTheProcessWasEnded() {
         Bundle kept;
@@ -1063,7 +1095,8 @@ public class MainActivityTest {
     @Test
     public void licencesAreReadFromTheLastRowWithAndWithoutACell() {
         try (Screen screen = Screen.start()) {
-            assertEquals("About CellGauge " + System.getProperty("cellgauge.version") + "\n", rows(screen));
+            assertEquals("Four steps to the first check\nPrint markers, measure, write the cell file, calibrate.\n"
+                    + "About CellGauge " + System.getProperty("cellgauge.version") + "\n", rows(screen));
             tapRow(screen, "Licences");
             AlertDialog dialog = licences(screen);
             TextView text = dialog.findViewById(R.id.licences_text);

@@ -22,8 +22,10 @@ import org.cellgauge.android.camera.CameraModelSource;
 import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.android.camera.CameraSetup;
 import org.cellgauge.android.device.ThermalLevel;
+import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.CellLibrary;
+import org.cellgauge.android.files.KeptResult;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
@@ -37,8 +39,13 @@ import org.cellgauge.vision.GreyImage;
 public class TestApp extends CellGaugeApp implements AppParts {
     final FakeFeed feed = new FakeFeed();
     final FakeLibrary library = new FakeLibrary();
+    /** In place of {@link #library} where it is not null. */
+    CellLibrary documents;
     final FakeArchive archive = new FakeArchive();
     final BehaviorProcessor<ThermalLevel> levels = BehaviorProcessor.createDefault(ThermalLevel.NORMAL);
+    /** In place of {@link #archive} where it is not null. */
+    ResultArchive folders;
+    AppMemory memory = new NoMemory();
     CheckSettings settings = CheckSettings.builder().build();
     /** Where a session makes its states and reads its files; the check itself always has threads of its own. */
     Supplier<SessionThreads> threads = () -> new SessionThreads(Schedulers.trampoline(), Schedulers.trampoline(), null,
@@ -61,12 +68,17 @@ public class TestApp extends CellGaugeApp implements AppParts {
 
     @Override
     public CellLibrary cellLibrary() {
-        return library;
+        return documents != null ? documents : library;
     }
 
     @Override
     public ResultArchive resultArchive() {
-        return archive;
+        return folders != null ? folders : archive;
+    }
+
+    @Override
+    public AppMemory memory() {
+        return memory;
     }
 
     @Override
@@ -82,6 +94,29 @@ public class TestApp extends CellGaugeApp implements AppParts {
     @Override
     public SessionThreads sessionThreads() {
         return threads.get();
+    }
+
+    /** Every start is a first one, however many a test has. */
+    static final class NoMemory implements AppMemory {
+        @Override
+        public Choice lastChoice() {
+            return null;
+        }
+
+        @Override
+        public void keep(Choice choice) {
+            // forgotten
+        }
+
+        @Override
+        public boolean guideShown() {
+            return true;
+        }
+
+        @Override
+        public void guideIsShown() {
+            // no test but that of the guide asks for it
+        }
     }
 
     /** A camera whose frames are a test's. */
@@ -179,23 +214,41 @@ public class TestApp extends CellGaugeApp implements AppParts {
     static final class FakeArchive implements ResultArchive {
         final List<Photo> photos = new ArrayList<>();
         final List<CheckResult> results = new ArrayList<>();
+        final List<SavedResult> saved = new ArrayList<>();
         IOException fault;
 
         @Override
-        public SavedResult save(Photo photo, CheckResult result) throws IOException {
+        public SavedResult save(Photo photo, CheckResult result, String cellName) throws IOException {
             if (fault != null) {
                 throw fault;
             }
             photos.add(photo);
             results.add(result);
             String name = "lifted-4-" + photos.size();
-            return new SavedResult(name, Arrays.asList("content://results/" + name + ".png",
+            SavedResult kept = new SavedResult(name, Arrays.asList("content://results/" + name + ".png",
                     "content://results/" + name + ".result.json"));
+            saved.add(kept);
+            return kept;
         }
 
         @Override
         public List<SavedResult> saved() {
+            return new ArrayList<>(saved);
+        }
+
+        @Override
+        public List<KeptResult> kept() {
             return new ArrayList<>();
+        }
+
+        @Override
+        public byte[] picture(String name) throws IOException {
+            throw new IOException("no picture of " + name);
+        }
+
+        @Override
+        public boolean delete(String name) {
+            return saved.removeIf(result -> result.name().equals(name));
         }
     }
 }
