@@ -87,7 +87,7 @@ final class LiveSession {
         this.chainScheduler = chainScheduler;
         worker = watch.createWorker();
         newest = new Frame(new Detections("", cell.camera().widthPx(), cell.camera().heightPx(), List.of()), 0);
-        gate = new StateGate(worker, emitter::onNext);
+        gate = new StateGate(worker, state -> guarded(() -> emitter.onNext(state)).run());
         gate.setIntervalMs(pace.updateIntervalMs());
         resources.add(chains);
         resources.add(worker);
@@ -139,10 +139,24 @@ final class LiveSession {
         return () -> {
             try {
                 action.run();
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | OutOfMemoryError e) {
                 fail(e);
             }
         };
+    }
+
+    /**
+     * The same stream, with memory that does not suffice as an error of it. RxJava throws that on, to the thread, and
+     * Android ends a program for it.
+     */
+    static <T> Flowable<T> guarded(Flowable<T> source) {
+        return Flowable.fromPublisher(subscriber -> {
+            try {
+                source.subscribe(subscriber);
+            } catch (OutOfMemoryError e) {
+                subscriber.onError(e);
+            }
+        });
     }
 
     /** Ends the stream; what goes wrong after it was cancelled is nobody's concern. */
@@ -358,8 +372,8 @@ final class LiveSession {
         running = run;
         chains.set(run);
         // from the initial estimate and not from where the quick look began: the figures are those of this frame alone
-        Flowable.defer(() -> CellCheck.quickLook(cell, frame, settings, null)
-                .chains(() -> Math.min(settings.sampling().threads(), pace.chainThreads())))
+        guarded(Flowable.defer(() -> CellCheck.quickLook(cell, frame, settings, null)
+                .chains(() -> Math.min(settings.sampling().threads(), pace.chainThreads()))))
                 .subscribeOn(chainScheduler).subscribe(run);
     }
 

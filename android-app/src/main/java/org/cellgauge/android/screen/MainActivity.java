@@ -110,7 +110,8 @@ public final class MainActivity extends Activity {
             SessionMemory memory = saved == null ? SessionMemory.nothing(parts.settings().sampling().seed())
                     : SessionMemory.read(saved);
             session = new CheckSession(parts.cellLibrary(), parts.resultArchive(),
-                    new FrozenFrameFile(parts.cacheFolder()), parts.settings(), parts.sessionThreads(), memory);
+                    new FrozenFrameFile(parts.cacheFolder()), parts.settings(), parts.sessionThreads(),
+                    parts.detectors(), memory);
             feed = parts.cameraFeed(getApplicationContext());
         }
         displays = getSystemService(DisplayManager.class);

@@ -27,6 +27,7 @@ import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
+import org.cellgauge.android.state.Detectors;
 import org.cellgauge.android.state.SessionThreads;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.geometry.PinholeCamera;
@@ -40,6 +41,7 @@ public class TestApp extends CellGaugeApp implements AppParts {
     final FakeArchive archive = new FakeArchive();
     final BehaviorProcessor<ThermalLevel> levels = BehaviorProcessor.createDefault(ThermalLevel.NORMAL);
     CheckSettings settings = CheckSettings.builder().build();
+    Detectors detectors = Detectors.OF_LIBRARY;
     /** Where a session makes its states and reads its files; the check itself always has threads of its own. */
     Supplier<SessionThreads> threads = () -> new SessionThreads(Schedulers.trampoline(), Schedulers.trampoline(), null,
             null);
@@ -82,6 +84,11 @@ public class TestApp extends CellGaugeApp implements AppParts {
     @Override
     public SessionThreads sessionThreads() {
         return threads.get();
+    }
+
+    @Override
+    public Detectors detectors() {
+        return detectors;
     }
 
     /** A camera whose frames are a test's. */
