@@ -85,6 +85,10 @@ final class MarkerEdges {
     private final double[] before = new double[2 * CORNERS];
     private final double[] line = new double[3 * CORNERS];
     private final double[] homography = new double[8];
+    private final double[] normal = new double[9];
+    private final double[] gradient = new double[3];
+    private final double[] factorInverse = new double[9];
+    private final double[] inverse = new double[9];
     private final double[] point = new double[2];
     private final double[] ray = new double[3];
     private boolean[] white = new boolean[0];
@@ -800,8 +804,8 @@ final class MarkerEdges {
         double bright = firstWhite;
         double ground = firstGround;
         double edge = firstEdge;
-        double[] n = new double[9];
-        double[] g = new double[3];
+        double[] n = normal;
+        double[] g = gradient;
         for (int round = 0; round < PAPER_ROUNDS; round++) {
             Arrays.fill(n, 0);
             Arrays.fill(g, 0);
@@ -1029,8 +1033,10 @@ final class MarkerEdges {
     }
 
     private void stepShift(GreyImage image, GreyScale scale) {
-        double[] n = new double[9];
-        double[] g = new double[3];
+        double[] n = normal;
+        double[] g = gradient;
+        Arrays.fill(n, 0);
+        Arrays.fill(g, 0);
         double[] row = new double[3];
         double[][] byOwn = new double[CORNERS][3];
         double[][] byOwnAlong = new double[CORNERS][3];
@@ -1117,8 +1123,7 @@ final class MarkerEdges {
         for (int a = 0; a < 3; a++) {
             n[4 * a] += 1e-9;
         }
-        double[] inverse = Cholesky.inverse(n, 3);
-        if (inverse == null || !(inverse[0] > 0)) {
+        if (!Cholesky.inverse(n, 3, factorInverse, inverse) || !(inverse[0] > 0)) {
             return;
         }
         double step = inverse[0] * g[0] + inverse[1] * g[1] + inverse[2] * g[2];

@@ -86,6 +86,9 @@ final class SideFit {
     private final double[] normal = new double[UNKNOWNS * UNKNOWNS];
     private final double[] gradient = new double[UNKNOWNS];
     private final double[] gathered = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] factor = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] factorInverse = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] inverted = new double[UNKNOWNS * UNKNOWNS];
     private final double[] row = new double[COLUMNS];
     private final double[] leverage = new double[UNKNOWNS * UNKNOWNS];
     private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
@@ -500,7 +503,7 @@ final class SideFit {
                 normal[b * UNKNOWNS + a] = normal[a * UNKNOWNS + b];
             }
         }
-        double[] inverse = Cholesky.inverse(normal, UNKNOWNS);
+        double[] inverse = inverse(normal);
         if (inverse == null || !(weights > 0)) {
             return false;
         }
@@ -650,7 +653,13 @@ final class SideFit {
                 gathered[b * UNKNOWNS + a] = gathered[a * UNKNOWNS + b];
             }
         }
-        return Cholesky.inverse(gathered, UNKNOWNS);
+        return inverse(gathered);
+    }
+
+    /** Inverse of a matrix of the unknowns, in an array that the next call writes over; null where it has none. */
+    private double @Nullable [] inverse(double[] matrix) {
+        System.arraycopy(matrix, 0, factor, 0, factor.length);
+        return Cholesky.inverse(factor, UNKNOWNS, factorInverse, inverted) ? inverted : null;
     }
 
     /** Projects the side's own unknowns out of score and information of the shape. */

@@ -1,8 +1,5 @@
 package org.cellgauge.internal.overlay;
 
-import java.util.Collections;
-import java.util.List;
-
 /** A line of straight pieces, closed or open; immutable. */
 public final class Polyline extends Shape {
     private final double[] pointsPx;
@@ -41,7 +38,10 @@ public final class Polyline extends Shape {
     }
 
     @Override
-    public List<double[]> strokes() {
-        return Collections.singletonList(pointsPx.clone());
+    public void draw(Pen pen) {
+        pen.moveTo(pointsPx[0], pointsPx[1]);
+        for (int i = 2; i < pointsPx.length; i += 2) {
+            pen.lineTo(pointsPx[i], pointsPx[i + 1]);
+        }
     }
 }
