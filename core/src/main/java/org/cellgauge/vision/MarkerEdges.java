@@ -87,6 +87,10 @@ final class MarkerEdges {
     private final double[] homography = new double[8];
     private final double[] normal = new double[9];
     private final double[] gradient = new double[3];
+    private final double[] shiftRow = new double[3];
+    private final double[][] byOwn = new double[CORNERS][3];
+    private final double[][] byOwnAlong = new double[CORNERS][3];
+    private final double[][] byOwnBlur = new double[CORNERS][3];
     private final double[] factorInverse = new double[9];
     private final double[] inverse = new double[9];
     private final double[] point = new double[2];
@@ -1037,11 +1041,10 @@ final class MarkerEdges {
         double[] g = gradient;
         Arrays.fill(n, 0);
         Arrays.fill(g, 0);
-        double[] row = new double[3];
-        double[][] byOwn = new double[CORNERS][3];
-        double[][] byOwnAlong = new double[CORNERS][3];
-        double[][] byOwnBlur = new double[CORNERS][3];
         for (int i = 0; i < CORNERS; i++) {
+            Arrays.fill(byOwn[i], 0);
+            Arrays.fill(byOwnAlong[i], 0);
+            Arrays.fill(byOwnBlur[i], 0);
             SideFit side = sides[i];
             double blur = side.unknowns[SideFit.BLUR];
             double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
@@ -1104,16 +1107,16 @@ final class MarkerEdges {
                     }
                     double byLight = scale.byLight * lamp;
                     double byShare = byLight * contrast;
-                    row[0] = byShare * byShift;
-                    row[1] = byLight * darkSlope * (1 - share);
-                    row[2] = byLight * brightSlope * share;
+                    shiftRow[0] = byShare * byShift;
+                    shiftRow[1] = byLight * darkSlope * (1 - share);
+                    shiftRow[2] = byLight * brightSlope * share;
                     for (int a = 0; a < 3; a++) {
-                        g[a] -= row[a] * residual;
-                        byOwn[i][a] += row[a] * byShare * bySlide;
-                        byOwnAlong[i][a] += row[a] * byShare * bySlide * t;
-                        byOwnBlur[i][a] += row[a] * byShare * ofBlur;
+                        g[a] -= shiftRow[a] * residual;
+                        byOwn[i][a] += shiftRow[a] * byShare * bySlide;
+                        byOwnAlong[i][a] += shiftRow[a] * byShare * bySlide * t;
+                        byOwnBlur[i][a] += shiftRow[a] * byShare * ofBlur;
                         for (int b = 0; b < 3; b++) {
-                            n[3 * a + b] += row[a] * row[b];
+                            n[3 * a + b] += shiftRow[a] * shiftRow[b];
                         }
                     }
                 }

@@ -89,6 +89,8 @@ final class SideFit {
     private final double[] factor = new double[UNKNOWNS * UNKNOWNS];
     private final double[] factorInverse = new double[UNKNOWNS * UNKNOWNS];
     private final double[] inverted = new double[UNKNOWNS * UNKNOWNS];
+    /** For the scale and the profile of the fit before, which are mostly those of the next; null before the first. */
+    private @Nullable Line line;
     private final double[] row = new double[COLUMNS];
     private final double[] leverage = new double[UNKNOWNS * UNKNOWNS];
     private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
@@ -245,7 +247,13 @@ final class SideFit {
         }
         // clipped noise makes the darkest pixel 0, and another curve may have left less
         unknowns[DARK] = Math.max(scale.leastLevel(), unknowns[DARK]);
-        solver.minimise(new Line(scale, profile));
+        Line problem = line;
+        if (problem == null || problem.scale != scale || problem.profile != profile) {
+            problem = new Line(scale, profile);
+            line = problem;
+        }
+        problem.evaluated = false;
+        solver.minimise(problem);
         return !solver.isSingular() && unknowns[BRIGHT] > unknowns[DARK] + 1;
     }
 

@@ -79,7 +79,14 @@ final class CheckRun {
         CheckSettings settings = LensKnowledge.settings(general, cell.camera(), !lensEstimated);
         Flowable<Detections> input = photo == null ? frames
                 : Flowable.just(detector.detect(this, photo.luminance(), photo.name()));
-        subscription.set(threads.check(input, cell, settings, pace).subscribe(states, faults));
+        subscription.set(threads.check(input, cell, settings, pace).subscribe(state -> {
+            try {
+                states.accept(state);
+            } catch (OutOfMemoryError e) {
+                // RxJava would throw it on, to the thread, and Android end the app
+                faults.accept(e);
+            }
+        }, faults));
     }
 
     /**

@@ -15,6 +15,10 @@ public final class Polyline extends Shape {
      * @throws IllegalArgumentException if there are fewer than two points or one is not finite
      */
     public Polyline(Role role, Status status, double strokePx, boolean dashed, double... pointsPx) {
+        this(pointsPx.clone(), role, status, strokePx, dashed);
+    }
+
+    private Polyline(double[] pointsPx, Role role, Status status, double strokePx, boolean dashed) {
         super(role, status, strokePx, dashed);
         if (pointsPx.length < 4 || pointsPx.length % 2 != 0) {
             throw new IllegalArgumentException("a polyline takes at least two points, not " + pointsPx.length
@@ -25,7 +29,12 @@ public final class Polyline extends Shape {
                 throw new IllegalArgumentException("a point of a polyline is not finite");
             }
         }
-        this.pointsPx = pointsPx.clone();
+        this.pointsPx = pointsPx;
+    }
+
+    /** The same without a copy, of points that nobody changes any more. */
+    static Polyline ofOwn(Role role, Status status, double strokePx, boolean dashed, double[] pointsPx) {
+        return new Polyline(pointsPx, role, status, strokePx, dashed);
     }
 
     /**
