@@ -8,6 +8,7 @@ import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.android.files.CellLibrary;
 import org.cellgauge.android.files.ResultArchive;
+import org.cellgauge.android.state.Detectors;
 import org.cellgauge.android.state.SessionThreads;
 import org.cellgauge.settings.CheckSettings;
 
@@ -69,4 +70,13 @@ public interface AppParts {
      * @return a new set, ended by the session
      */
     SessionThreads sessionThreads();
+
+    /**
+     * What finds markers.
+     *
+     * @return the library's, but in a test
+     */
+    default Detectors detectors() {
+        return Detectors.OF_LIBRARY;
+    }
 }

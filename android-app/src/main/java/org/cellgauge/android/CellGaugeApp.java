@@ -1,10 +1,18 @@
 package org.cellgauge.android;
 
 import android.app.Application;
+import org.cellgauge.internal.vision.BoofThreads;
 
 /** The app: puts its parts together. */
 public class CellGaugeApp extends Application {
     private AppParts parts;
+
+    @Override
+    public void onCreate() {
+        super.onCreate();
+        // frames are searched on the camera's thread: more of them at a time would only heat the device
+        BoofThreads.useOne();
+    }
 
     /**
      * What the screen works with.

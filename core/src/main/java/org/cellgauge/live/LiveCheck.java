@@ -14,7 +14,8 @@ import org.cellgauge.vision.Detections;
  * <p>One frame at a time is the <em>key frame</em>. It is estimated at once: mode and Laplace's approximation. When a
  * second frame shows that the camera is held still, chains run on the key frame's corners; later frames only test
  * whether it still is. When it moves, the newest frame becomes the key frame, old chains end, and the search for the
- * mode starts at the last one. While it moves from frame to frame there are quick looks and nothing else.
+ * mode starts at the last one. While it moves from frame to frame there are quick looks and nothing else, no more often
+ * than states are shown ({@link LivePace#updateIntervalMs()}); between them the last one's figures stay.
  *
  * <p>The figures are those of the key frame alone. Corners of successive frames are not averaged: a camera held still
  * sees the same pixels again, so that most of what is wrong with a corner (how pixels fall on its edges, defocus,

@@ -60,6 +60,7 @@ final class LiveSession {
     private Frame newest;
     private @Nullable Refusal refusal;
     private @Nullable KeyFrame key;
+    private long keyMs;
     private @Nullable RigidTransform lastWorldFromCamera;
     private int framesWithoutReference;
     private Set<Integer> newcomers = new HashSet<>();
@@ -139,10 +140,25 @@ final class LiveSession {
         return () -> {
             try {
                 action.run();
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | OutOfMemoryError e) {
                 fail(e);
             }
         };
+    }
+
+    /**
+     * The same stream on a scheduler, with memory that does not suffice as an error of it. RxJava throws that on, to
+     * the thread, and Android ends a program for it.
+     */
+    static <T> Flowable<T> guarded(Flowable<T> source, Scheduler scheduler) {
+        Flowable<T> caught = Flowable.fromPublisher(subscriber -> {
+            try {
+                source.subscribe(subscriber);
+            } catch (OutOfMemoryError e) {
+                subscriber.onError(e);
+            }
+        });
+        return caught.subscribeOn(scheduler);
     }
 
     /** Ends the stream; what goes wrong after it was cancelled is nobody's concern. */
@@ -183,9 +199,12 @@ final class LiveSession {
             withoutReference();
         } else {
             framesWithoutReference = 0;
-            if (held == null || held.refusal != null || moved(held) || markersChanged(held, frame.detections)
+            boolean moved = held != null && held.refusal == null && moved(held);
+            if (held == null || held.refusal != null || moved || markersChanged(held, frame.detections)
                     || !held.settled && held.isBlurredAgainst(frame.detections)) {
-                takeAsKeyFrame(frame);
+                if (!moved || held.settled || Double.isNaN(displacementPx) || isNextLookDue()) {
+                    takeAsKeyFrame(frame);
+                }
             } else {
                 settle(held);
             }
@@ -265,6 +284,17 @@ final class LiveSession {
                 || seen.besidesPx > share * Stillness.besidesPx(held.tolerancePx, seen.wholePx);
     }
 
+    /**
+     * Whether a view that goes on moving is worth another look: nobody reads figures that change with every frame, and
+     * each costs as much memory as the frame has pixels. Until then the figures shown are those of the last look, and
+     * go with the picture.
+     */
+    private boolean isNextLookDue() {
+        long sinceMs = worker.now(TimeUnit.MILLISECONDS) - keyMs;
+        // a clock that was set back says nothing
+        return sinceMs < 0 || sinceMs >= pace.updateIntervalMs();
+    }
+
     /** Whether a marker has come that the key frame lacks, twice in a row, or one has been gone for long. */
     private boolean markersChanged(KeyFrame held, Detections frame) {
         Set<Integer> now = new HashSet<>();
@@ -307,6 +337,7 @@ final class LiveSession {
             KeyFrame taken = new KeyFrame(cell, frame.detections, frame.number,
                     CellCheck.quickLook(cell, frame.detections, settings, lastWorldFromCamera));
             key = taken;
+            keyMs = worker.now(TimeUnit.MILLISECONDS);
             lastWorldFromCamera = taken.update.estimate().camera().meanTransform();
             displacementPx = 0;
         } catch (InputRefusedException e) {
@@ -358,9 +389,9 @@ final class LiveSession {
         running = run;
         chains.set(run);
         // from the initial estimate and not from where the quick look began: the figures are those of this frame alone
-        Flowable.defer(() -> CellCheck.quickLook(cell, frame, settings, null)
-                .chains(() -> Math.min(settings.sampling().threads(), pace.chainThreads())))
-                .subscribeOn(chainScheduler).subscribe(run);
+        guarded(Flowable.defer(() -> CellCheck.quickLook(cell, frame, settings, null)
+                .chains(() -> Math.min(settings.sampling().threads(), pace.chainThreads()))), chainScheduler)
+                .subscribe(run);
     }
 
     private void stopChains() {

@@ -85,6 +85,14 @@ final class MarkerEdges {
     private final double[] before = new double[2 * CORNERS];
     private final double[] line = new double[3 * CORNERS];
     private final double[] homography = new double[8];
+    private final double[] normal = new double[9];
+    private final double[] gradient = new double[3];
+    private final double[] shiftRow = new double[3];
+    private final double[][] byOwn = new double[CORNERS][3];
+    private final double[][] byOwnAlong = new double[CORNERS][3];
+    private final double[][] byOwnBlur = new double[CORNERS][3];
+    private final double[] factorInverse = new double[9];
+    private final double[] inverse = new double[9];
     private final double[] point = new double[2];
     private final double[] ray = new double[3];
     private boolean[] white = new boolean[0];
@@ -800,8 +808,8 @@ final class MarkerEdges {
         double bright = firstWhite;
         double ground = firstGround;
         double edge = firstEdge;
-        double[] n = new double[9];
-        double[] g = new double[3];
+        double[] n = normal;
+        double[] g = gradient;
         for (int round = 0; round < PAPER_ROUNDS; round++) {
             Arrays.fill(n, 0);
             Arrays.fill(g, 0);
@@ -1029,13 +1037,14 @@ final class MarkerEdges {
     }
 
     private void stepShift(GreyImage image, GreyScale scale) {
-        double[] n = new double[9];
-        double[] g = new double[3];
-        double[] row = new double[3];
-        double[][] byOwn = new double[CORNERS][3];
-        double[][] byOwnAlong = new double[CORNERS][3];
-        double[][] byOwnBlur = new double[CORNERS][3];
+        double[] n = normal;
+        double[] g = gradient;
+        Arrays.fill(n, 0);
+        Arrays.fill(g, 0);
         for (int i = 0; i < CORNERS; i++) {
+            Arrays.fill(byOwn[i], 0);
+            Arrays.fill(byOwnAlong[i], 0);
+            Arrays.fill(byOwnBlur[i], 0);
             SideFit side = sides[i];
             double blur = side.unknowns[SideFit.BLUR];
             double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
@@ -1098,16 +1107,16 @@ final class MarkerEdges {
                     }
                     double byLight = scale.byLight * lamp;
                     double byShare = byLight * contrast;
-                    row[0] = byShare * byShift;
-                    row[1] = byLight * darkSlope * (1 - share);
-                    row[2] = byLight * brightSlope * share;
+                    shiftRow[0] = byShare * byShift;
+                    shiftRow[1] = byLight * darkSlope * (1 - share);
+                    shiftRow[2] = byLight * brightSlope * share;
                     for (int a = 0; a < 3; a++) {
-                        g[a] -= row[a] * residual;
-                        byOwn[i][a] += row[a] * byShare * bySlide;
-                        byOwnAlong[i][a] += row[a] * byShare * bySlide * t;
-                        byOwnBlur[i][a] += row[a] * byShare * ofBlur;
+                        g[a] -= shiftRow[a] * residual;
+                        byOwn[i][a] += shiftRow[a] * byShare * bySlide;
+                        byOwnAlong[i][a] += shiftRow[a] * byShare * bySlide * t;
+                        byOwnBlur[i][a] += shiftRow[a] * byShare * ofBlur;
                         for (int b = 0; b < 3; b++) {
-                            n[3 * a + b] += row[a] * row[b];
+                            n[3 * a + b] += shiftRow[a] * shiftRow[b];
                         }
                     }
                 }
@@ -1117,8 +1126,7 @@ final class MarkerEdges {
         for (int a = 0; a < 3; a++) {
             n[4 * a] += 1e-9;
         }
-        double[] inverse = Cholesky.inverse(n, 3);
-        if (inverse == null || !(inverse[0] > 0)) {
+        if (!Cholesky.inverse(n, 3, factorInverse, inverse) || !(inverse[0] > 0)) {
             return;
         }
         double step = inverse[0] * g[0] + inverse[1] * g[1] + inverse[2] * g[2];

@@ -86,6 +86,11 @@ final class SideFit {
     private final double[] normal = new double[UNKNOWNS * UNKNOWNS];
     private final double[] gradient = new double[UNKNOWNS];
     private final double[] gathered = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] factor = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] factorInverse = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] inverted = new double[UNKNOWNS * UNKNOWNS];
+    /** For the scale and the profile of the fit before, which are mostly those of the next; null before the first. */
+    private @Nullable Line line;
     private final double[] row = new double[COLUMNS];
     private final double[] leverage = new double[UNKNOWNS * UNKNOWNS];
     private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
@@ -242,7 +247,13 @@ final class SideFit {
         }
         // clipped noise makes the darkest pixel 0, and another curve may have left less
         unknowns[DARK] = Math.max(scale.leastLevel(), unknowns[DARK]);
-        solver.minimise(new Line(scale, profile));
+        Line problem = line;
+        if (problem == null || problem.scale != scale || problem.profile != profile) {
+            problem = new Line(scale, profile);
+            line = problem;
+        }
+        problem.evaluated = false;
+        solver.minimise(problem);
         return !solver.isSingular() && unknowns[BRIGHT] > unknowns[DARK] + 1;
     }
 
@@ -500,7 +511,7 @@ final class SideFit {
                 normal[b * UNKNOWNS + a] = normal[a * UNKNOWNS + b];
             }
         }
-        double[] inverse = Cholesky.inverse(normal, UNKNOWNS);
+        double[] inverse = inverse(normal);
         if (inverse == null || !(weights > 0)) {
             return false;
         }
@@ -650,7 +661,13 @@ final class SideFit {
                 gathered[b * UNKNOWNS + a] = gathered[a * UNKNOWNS + b];
             }
         }
-        return Cholesky.inverse(gathered, UNKNOWNS);
+        return inverse(gathered);
+    }
+
+    /** Inverse of a matrix of the unknowns, in an array that the next call writes over; null where it has none. */
+    private double @Nullable [] inverse(double[] matrix) {
+        System.arraycopy(matrix, 0, factor, 0, factor.length);
+        return Cholesky.inverse(factor, UNKNOWNS, factorInverse, inverted) ? inverted : null;
     }
 
     /** Projects the side's own unknowns out of score and information of the shape. */

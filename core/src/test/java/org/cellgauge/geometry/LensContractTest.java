@@ -8,13 +8,13 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.stream.Stream;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
+import org.cellgauge.Allocated;
 import org.cellgauge.internal.geometry.Lenses;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
@@ -226,17 +226,12 @@ class LensContractTest {
     @ParameterizedTest
     @MethodSource("lenses")
     void allocatesNothing(Case c) {
-        com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         double[] uv = new double[2];
         double[] ray = new double[3];
         double[] byPoint = new double[6];
         double[] byParameters = new double[2 * c.lens.parameterCount()];
         double[] p = c.point(new Well19937c(5));
-        long id = Thread.currentThread().getId();
-        long least = Long.MAX_VALUE;
-        // what the first rounds load is not the lens's; the least of several rounds has it alone
-        for (int round = 0; round < 5; round++) {
-            long before = threads.getThreadAllocatedBytes(id);
+        long least = Allocated.leastBytes(5, () -> {
             for (int k = 0; k < 100; k++) {
                 c.lens.project(c.values, p[0], p[1], p[2], uv, 0);
                 c.lens.projectWithDerivatives(c.values, p[0], p[1], p[2], uv, byPoint, byParameters);
@@ -244,8 +239,7 @@ class LensContractTest {
                 c.lens.isDistorting(c.values);
                 c.lens.reachRad(c.values);
             }
-            least = Math.min(least, threads.getThreadAllocatedBytes(id) - before);
-        }
+        });
         assertTrue(least < 1000, "100 rounds allocated " + least + " bytes");
     }
 

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import io.reactivex.rxjava3.core.Flowable;
 import io.reactivex.rxjava3.core.Scheduler;
 import io.reactivex.rxjava3.plugins.RxJavaPlugins;
 import io.reactivex.rxjava3.processors.BehaviorProcessor;
@@ -180,6 +181,42 @@ class LiveCheckTest {
             assertEquals(i, last(states).frameNumber());
         }
         assertEquals(1, countedChains.workers);
+    }
+
+    @Test
+    void whileTheViewMovesItIsLookedAtNoMoreOftenThanStatesAreShown() {
+        TestSubscriber<LiveState> states = start();
+        pace.onNext(LivePace.of(200, 0, 1, true));
+        int frame = 0;
+        for (; frame < 30; frame++) {
+            // from one of eleven places to another that is far from it, and from those of the frames before
+            send(noisy(30 * (7 * frame % 11 - 5), 20 + frame));
+            watch.advanceTimeBy(33, TimeUnit.MILLISECONDS);
+        }
+        long keyFrames = states.values().stream().mapToLong(LiveState::keyFrameNumber).distinct().count();
+        assertTrue(keyFrames >= 4 && keyFrames <= 5, "key frames in a second: " + keyFrames);
+        assertEquals(0, countedChains.workers);
+        // between two looks figures stay those of the last one, and it is known by how much the view has moved since
+        double most = states.values().stream().mapToDouble(LiveState::displacementPx).max().orElse(0);
+        assertTrue(most > 20, "displacement " + most);
+        // where it comes to rest it is looked at, and sampled
+        watch.advanceTimeBy(200, TimeUnit.MILLISECONDS);
+        Detections rest = noisy(200, 90);
+        send(rest);
+        send(noisy(200, 91));
+        assertSame(rest, last(states).keyFrame());
+        assertEquals(1, countedChains.workers);
+    }
+
+    @Test
+    void memoryThatDoesNotSufficeForChainsEndsTheStreamAndNotTheThread() {
+        OutOfMemoryError full = new OutOfMemoryError();
+        // RxJava by itself throws such an error on
+        TestSubscriber<Object> chain = LiveSession.guarded(Flowable.defer(() -> {
+            throw full;
+        }), chains).test();
+        chains.triggerActions();
+        chain.assertError(full);
     }
 
     @Test

@@ -402,8 +402,8 @@ final class CameraRun {
             frame = luminance.read(plane.getBuffer(), plane.getRowStride(), plane.getPixelStride(), image.getWidth(),
                     image.getHeight());
             timestampNs = image.getTimestamp();
-        } catch (RuntimeException e) {
-            // no such plane, or a device that delivers in another format than it was asked for
+        } catch (RuntimeException | OutOfMemoryError e) {
+            // no such plane, a device that delivers in another format than it was asked for, or no room for a copy
             brokenFrame(e);
             return;
         }
@@ -421,7 +421,7 @@ final class CameraRun {
     }
 
     /** A frame that cannot be read: one may happen, but where all are like that the user must hear of it. */
-    private void brokenFrame(RuntimeException e) {
+    private void brokenFrame(Throwable e) {
         brokenFrames++;
         if (brokenFrames > BROKEN_FRAMES_ALLOWED) {
             fault(CameraFault.FAILED, e);
@@ -430,7 +430,7 @@ final class CameraRun {
 
     // ---- the end
 
-    private void fault(CameraFault fault, Exception cause) {
+    private void fault(CameraFault fault, Throwable cause) {
         if (!closed.compareAndSet(false, true)) {
             return;
         }

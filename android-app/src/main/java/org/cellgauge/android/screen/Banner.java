@@ -20,6 +20,7 @@ enum Banner {
     SEARCHING(R.string.head_searching, R.drawable.mark_not_seen, R.color.banner_idle),
     REFUSED(R.string.head_refused, R.drawable.mark_not_judged, R.color.banner_idle),
     INTERNAL(R.string.head_internal, R.drawable.mark_not_converged, R.color.banner_idle),
+    MEMORY(R.string.head_memory, R.drawable.mark_not_converged, R.color.banner_idle),
     QUICK_LOOK(R.string.head_quick_look, R.drawable.mark_preliminary, R.color.banner_neutral),
     SAMPLING(R.string.head_sampling, R.drawable.mark_preliminary, R.color.banner_neutral),
     PASS(R.string.head_pass, R.drawable.mark_pass, R.color.banner_pass),
@@ -72,7 +73,7 @@ enum Banner {
             return PHOTO_REFUSED;
         }
         if (s.checkProblem() != null) {
-            return INTERNAL;
+            return s.checkProblem().kind() == Problem.Kind.MEMORY ? MEMORY : INTERNAL;
         }
         if (s.source() == ImageSource.LIVE && !cameraMayRun(s)) {
             return CAMERA_OFF;

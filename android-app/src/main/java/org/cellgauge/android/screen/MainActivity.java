@@ -111,7 +111,7 @@ public final class MainActivity extends Activity {
             session = new CheckSession(parts.cellLibrary(), parts.resultArchive(), parts.memory(),
                     new FrozenFrameFile(parts.cacheFolder(), saved == null ? FrozenFrameFile.newId()
                             : saved.getString(FROZEN_FRAME, FrozenFrameFile.newId())),
-                    parts.settings(), parts.sessionThreads(), memory);
+                    parts.settings(), parts.sessionThreads(), parts.detectors(), memory);
             feed = parts.cameraFeed(getApplicationContext());
         }
         displays = getSystemService(DisplayManager.class);

@@ -11,6 +11,7 @@ import java.util.List;
 import org.cellgauge.internal.overlay.Box;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.internal.overlay.PanelShape;
+import org.cellgauge.internal.overlay.Pen;
 import org.cellgauge.internal.overlay.Shape;
 import org.cellgauge.internal.overlay.ShapePaint;
 import org.cellgauge.vision.GreyImage;
@@ -31,11 +32,21 @@ public final class OverlayPainter {
     private PathEffect dashes;
     private double dashesUnitPx = Double.NaN;
 
-    /** One shape as it is drawn; used again for the next overlay. */
-    private static final class Item {
+    /** One shape as it is drawn, in a path that is used again for the next overlay. */
+    private static final class Item implements Pen {
         private final Path path = new Path();
         private ShapePaint paint;
         private boolean dashed;
+
+        @Override
+        public void moveTo(double u, double v) {
+            path.moveTo((float) u, (float) v);
+        }
+
+        @Override
+        public void lineTo(double u, double v) {
+            path.lineTo((float) u, (float) v);
+        }
     }
 
     /** A painter without an overlay. */
@@ -122,12 +133,7 @@ public final class OverlayPainter {
                     radius, Path.Direction.CW);
             return;
         }
-        for (double[] s : shape.strokes()) {
-            item.path.moveTo((float) s[0], (float) s[1]);
-            for (int i = 2; i < s.length; i += 2) {
-                item.path.lineTo((float) s[i], (float) s[i + 1]);
-            }
-        }
+        shape.draw(item);
     }
 
     /**

@@ -68,6 +68,8 @@ final class ScreenContent {
                 return words.refusal(s.live().refusal());
             case INTERNAL:
                 return words.get(R.string.reason_internal, words.problem(s.checkProblem()));
+            case MEMORY:
+                return words.problem(s.checkProblem());
             case PASS:
             case PASS_UNMEASURED:
             case FAIL:
@@ -91,6 +93,7 @@ final class ScreenContent {
             case SEARCHING:
             case REFUSED:
             case INTERNAL:
+            case MEMORY:
                 return reason(s);
             case QUICK_LOOK:
                 return s.allowsSampling() ? new NextStep(words).of(s) : reason(s);

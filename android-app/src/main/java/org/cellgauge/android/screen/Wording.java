@@ -123,6 +123,9 @@ final class Wording {
 
     /** Why something was not done; what the system says of it in its own words. */
     String problem(Problem problem) {
+        if (problem.kind() == Problem.Kind.MEMORY) {
+            return get(R.string.reason_memory);
+        }
         return problem.refusal() == null ? problem.message() : refusal(problem.refusal());
     }
 

@@ -13,10 +13,8 @@ import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
-import org.cellgauge.vision.MarkerDetector;
 
 /** One check: a cell with its camera, over the frames of that camera or over one photo. */
 final class CheckRun {
@@ -28,7 +26,7 @@ final class CheckRun {
     private final Cell cell;
     private final boolean lensEstimated;
     private final Photo photo;
-    private final MarkerDetector detector;
+    private final OneDetector detector;
     private FusedViews fused;
     private long lastJudged;
     private final RecentFrames recent = new RecentFrames(RECENT_FRAMES);
@@ -37,21 +35,23 @@ final class CheckRun {
     private final SerialDisposable subscription = new SerialDisposable();
 
     /**
-     * A check that has not begun. Takes some tenths of a second where the lens distorts.
+     * A check that has not begun.
      *
      * @param number tells it from others of its session
      * @param document the cell
      * @param camera the camera of the frames to come
      * @param lensEstimated whether its lens was not measured and is estimated along, see {@link LensKnowledge}
      * @param photo the one photo that is checked, or null: frames come
+     * @param detector looks for markers
      */
-    CheckRun(int number, CellDocument document, PinholeCamera camera, boolean lensEstimated, Photo photo) {
+    CheckRun(int number, CellDocument document, PinholeCamera camera, boolean lensEstimated, Photo photo,
+            OneDetector detector) {
         this.number = number;
         this.document = document;
         this.cell = seenBy(document, camera);
         this.lensEstimated = lensEstimated;
         this.photo = photo;
-        this.detector = photo != null ? BoofMarkerDetector.forCell(cell) : BoofMarkerDetector.forFrames(cell);
+        this.detector = detector;
     }
 
     /** The cell with a camera: how well a calibration is known goes along where the camera is of it, and scales. */
@@ -78,13 +78,26 @@ final class CheckRun {
             Consumer<Throwable> faults) {
         CheckSettings settings = LensKnowledge.settings(general, cell.camera(), !lensEstimated);
         Flowable<Detections> input = photo == null ? frames
-                : Flowable.just(detector.detect(photo.luminance(), photo.name()));
-        subscription.set(threads.check(input, cell, settings, pace).subscribe(states, faults));
+                : Flowable.just(detector.detect(this, photo.luminance(), photo.name()));
+        subscription.set(threads.check(input, cell, settings, pace).subscribe(state -> {
+            try {
+                states.accept(state);
+            } catch (OutOfMemoryError e) {
+                // RxJava would throw it on, to the thread, and Android end the app
+                faults.accept(e);
+            }
+        }, faults));
     }
 
-    /** Looks for markers in a frame and hands them on; the frame may change afterwards. */
+    /**
+     * Looks for markers in a frame and hands them on; the frame may change afterwards. One that comes after the end is
+     * not looked at.
+     */
     void frame(GreyImage image, String name) {
-        Detections found = detector.detect(image, name);
+        if (isStopped()) {
+            return;
+        }
+        Detections found = detector.detect(this, image, name);
         recent.keep(found, image);
         frames.onNext(found);
     }
@@ -117,13 +130,28 @@ final class CheckRun {
         return newly;
     }
 
-    /** The pixels that figures belong to, or null where there are none. */
+    /** Says which frame the figures belong to, or that there are none: its pixels stay until it is another. */
+    void choose(Detections keyFrame) {
+        recent.choose(keyFrame);
+    }
+
+    /** Takes the pixels that figures belong to; null where there are none. */
     Photo photoOf(Detections keyFrame) {
-        return keyFrame == null ? null : photo != null ? photo : recent.choose(keyFrame);
+        return keyFrame == null ? null : photo != null ? photo : recent.take(keyFrame);
     }
 
     void stop() {
         subscription.dispose();
+        detector.release(this);
+    }
+
+    boolean isStopped() {
+        return subscription.isDisposed();
+    }
+
+    /** Whether frames of a camera are checked, and not one photo. */
+    boolean isOfFrames() {
+        return photo == null;
     }
 
     int number() {

@@ -455,7 +455,7 @@ public final class CheckScreenState {
      * @return true while live with figures
      */
     public boolean canFreeze() {
-        return v.source == ImageSource.LIVE && v.checked != null;
+        return v.source == ImageSource.LIVE && v.live != null && v.live.keyFrame() != null;
     }
 
     /**

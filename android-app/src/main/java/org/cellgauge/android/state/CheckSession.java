@@ -62,6 +62,7 @@ public final class CheckSession {
     private final FrozenFrameFile frozenFrame;
     private final CheckSettings settings;
     private final SessionThreads threads;
+    private final OneDetector detector;
     private final SessionMemory remembered;
     private final FlowableProcessor<UnaryOperator<CheckScreenState>> changes =
             UnicastProcessor.<UnaryOperator<CheckScreenState>>create().toSerialized();
@@ -88,22 +89,24 @@ public final class CheckSession {
      * @param frozenFrame where a frozen frame outlives the process
      * @param settings how checks go about it; the seed is the memory's
      * @param threads where the session works
+     * @param detectors what finds markers
      * @param memory of the session before, which is taken up again, or of none
      */
     public CheckSession(CellLibrary library, ResultArchive archive, AppMemory appMemory, FrozenFrameFile frozenFrame,
-            CheckSettings settings, SessionThreads threads, SessionMemory memory) {
+            CheckSettings settings, SessionThreads threads, Detectors detectors, SessionMemory memory) {
         this.library = library;
         this.archive = archive;
         this.appMemory = appMemory;
         this.frozenFrame = frozenFrame;
         this.settings = settings.toBuilder().seed(memory.seed()).build();
         this.threads = threads;
+        this.detector = new OneDetector(detectors);
         this.remembered = memory;
         // a worker, unlike a task scheduled by itself, does not hold what is done: photos and draws of every save
         fileWork = threads.files().createWorker();
         work.add(fileWork);
         changes.observeOn(threads.states())
-                .scan(CheckScreenState.EMPTY, (state, change) -> change.apply(state))
+                .scan(CheckScreenState.EMPTY, CheckSession::changed)
                 .subscribe(states);
         work.add(states.filter(s -> s.source() == ImageSource.FROZEN && s.still() != null)
                 .distinctUntilChanged(CheckScreenState::still)
@@ -232,7 +235,7 @@ public final class CheckSession {
         CellDocument read;
         try {
             read = reading.get();
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | OutOfMemoryError e) {
             noCell(problem(Problem.Kind.CELL_REFUSED, e));
             return false;
         }
@@ -373,7 +376,9 @@ public final class CheckSession {
         }
         live = false;
         current.endFrames();
-        return s.change().still(s.checkedPhoto(), s.orientation()).source(ImageSource.FROZEN)
+        // where this is null the frame has been given up meanwhile: the next state brings that in its place
+        Photo frame = current.photoOf(s.live().keyFrame());
+        return s.change().live(s.live(), frame).still(frame, s.orientation()).source(ImageSource.FROZEN)
                 .photo(null, current.cell().camera(), current.lensEstimated()).build();
     }
 
@@ -440,6 +445,9 @@ public final class CheckSession {
         } catch (RuntimeException e) {
             photoRefused(problem(Problem.Kind.PHOTO_REFUSED, e));
             return;
+        } catch (OutOfMemoryError e) {
+            photoRefused(new Problem(Problem.Kind.PHOTO_REFUSED, Refusal.of(FileRefusal.MEMORY)));
+            return;
         }
         change(s -> s.change().source(source).still(photo, orientation).readingPhoto(false).build());
         if (camera == null) {
@@ -493,6 +501,8 @@ public final class CheckSession {
             notSaved(problem(Problem.Kind.STORAGE_FULL, e));
         } catch (IOException | RuntimeException e) {
             notSaved(problem(Problem.Kind.NOT_SAVED, e));
+        } catch (OutOfMemoryError e) {
+            notSaved(new Problem(Problem.Kind.NOT_SAVED, Refusal.of(FileRefusal.RESULT_MEMORY)));
         }
     }
 
@@ -580,7 +590,7 @@ public final class CheckSession {
      * @return null where the user has gone on to another cell or picture meanwhile
      */
     private CheckRun begin(CellDocument cell, PinholeCamera camera, boolean estimated, Photo photo) {
-        CheckRun begun = new CheckRun(runs.incrementAndGet(), cell, camera, estimated, photo);
+        CheckRun begun = new CheckRun(runs.incrementAndGet(), cell, camera, estimated, photo, detector);
         synchronized (runLock) {
             if (closed || document != cell || live != (photo == null)) {
                 return null;
@@ -610,7 +620,10 @@ public final class CheckSession {
     }
 
     private void checked(CheckRun from, LiveState state) {
-        Photo photo = from.photoOf(state.keyFrame());
+        boolean verdict = state.update() != null && state.update().result() != null;
+        from.choose(state.keyFrame());
+        // the pixels of a moving camera's frames are nobody's: their arrays are used again
+        Photo photo = verdict || !from.isOfFrames() || !live ? from.photoOf(state.keyFrame()) : null;
         if (from.isNewlyJudged(state)) {
             files(() -> {
                 FusedViews fused = from.fuse(state.keyFrame(), settings);
@@ -621,7 +634,6 @@ public final class CheckSession {
             if (!belongs(s, from)) {
                 return s;
             }
-            boolean verdict = state.update() != null && state.update().result() != null;
             CheckScreenState.Builder next = s.change().hold(verdict, System.nanoTime() / NS_PER_MS).live(state, photo);
             if (s.source() == ImageSource.FROZEN && photo != null) {
                 // a frame that was under way when the picture was frozen
@@ -794,11 +806,30 @@ public final class CheckSession {
 
     private void files(Runnable task) {
         if (!closed) {
-            fileWork.schedule(task);
+            fileWork.schedule(() -> {
+                try {
+                    task.run();
+                } catch (OutOfMemoryError e) {
+                    // nobody else would hear of it, and Android would end the app
+                    change(s -> s.change().readingCell(false).readingPhoto(false).saving(false)
+                            .checkProblem(problem(Problem.Kind.INTERNAL, e)).build());
+                }
+            });
+        }
+    }
+
+    private static CheckScreenState changed(CheckScreenState state, UnaryOperator<CheckScreenState> change) {
+        try {
+            return change.apply(state);
+        } catch (OutOfMemoryError e) {
+            return state.change().checkProblem(problem(Problem.Kind.INTERNAL, e)).build();
         }
     }
 
     private static Problem problem(Problem.Kind kind, Throwable cause) {
+        if (cause instanceof OutOfMemoryError) {
+            return new Problem(Problem.Kind.MEMORY, "");
+        }
         String message = cause.getMessage();
         if (cause instanceof InputRefusedException) {
             return new Problem(kind, ((InputRefusedException) cause).refusal());

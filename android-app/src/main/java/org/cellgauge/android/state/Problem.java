@@ -22,6 +22,8 @@ public final class Problem {
         STORAGE_FULL,
         /** The result could not be written: {@link Problem#refusal()} or {@link Problem#message()}. */
         NOT_SAVED,
+        /** The memory of the device does not suffice for the check. */
+        MEMORY,
         /** A fault of the program: {@link Problem#message()}. */
         INTERNAL
     }

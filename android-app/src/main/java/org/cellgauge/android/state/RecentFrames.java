@@ -7,7 +7,9 @@ import org.cellgauge.vision.GreyImage;
 
 /**
  * Pixels of the newest frames, until it is known which of them the figures belong to: the camera uses its arrays again,
- * and a check chooses its key frame a little after it came. Arrays of frames that were not chosen are used again.
+ * and a check chooses its key frame a little after it came. The chosen one stays until another is chosen, so that its
+ * pixels can be taken when they are wanted; arrays that nobody took are used again, and while the camera moves none is
+ * made.
  */
 final class RecentFrames {
     /** Large frames are kept in smaller number: the whole app may have no more than 200 MB. */
@@ -18,31 +20,35 @@ final class RecentFrames {
     private final byte[][] luminance;
     private final ToneCurve[] toneCurves;
     private int next;
-    private Photo key;
-    private Detections keyDetections;
+    private Detections chosen;
+    private Photo taken;
+    private Detections takenDetections;
 
     /**
      * Room for some frames.
      *
-     * @param count how many frames may come between a frame and its choice
+     * @param count how many frames may come between a frame and its choice, besides the one that was chosen last
      */
     RecentFrames(int count) {
-        this.detections = new Detections[count];
-        this.luminance = new byte[count][];
-        this.toneCurves = new ToneCurve[count];
+        this.detections = new Detections[count + 1];
+        this.luminance = new byte[count + 1][];
+        this.toneCurves = new ToneCurve[count + 1];
     }
 
     /**
-     * Keeps a frame in place of the oldest.
+     * Keeps a frame in place of the oldest that was not chosen.
      *
      * @param found its markers
      * @param image its pixels; copied
      */
     synchronized void keep(Detections found, GreyImage image) {
         int size = image.widthPx() * image.heightPx();
-        int room = (int) Math.max(FEWEST, Math.min(detections.length, MOST_BYTES / size));
+        int room = (int) Math.max(FEWEST, Math.min(detections.length - 1, MOST_BYTES / size)) + 1;
         if (next >= room) {
             next = 0;
+        }
+        if (detections[next] != null && detections[next] == chosen) {
+            next = (next + 1) % room;
         }
         byte[] copy = luminance[next];
         if (copy == null || copy.length != size) {
@@ -59,26 +65,36 @@ final class RecentFrames {
     }
 
     /**
-     * The frame that was chosen; its pixels are not used again.
+     * Chooses a frame, whose pixels stay until another is chosen; the one before is given up.
      *
-     * @param chosen markers of the frame, the same object as was kept; null for none
-     * @return its pixels under the name of its markers, or null where it is too old or none was chosen
+     * @param keyFrame markers of the frame, the same object as was kept; null for none
      */
-    synchronized Photo choose(Detections chosen) {
-        if (chosen == null || chosen == keyDetections) {
-            return chosen == null ? null : key;
+    synchronized void choose(Detections keyFrame) {
+        chosen = keyFrame;
+    }
+
+    /**
+     * Takes the pixels of a frame, which are not used again.
+     *
+     * @param keyFrame markers of the frame, the same object as was kept; null for none
+     * @return its pixels under the name of its markers, the same each time for the one taken last; null where it is too
+     *     old or none
+     */
+    synchronized Photo take(Detections keyFrame) {
+        if (keyFrame == null || keyFrame == takenDetections) {
+            return keyFrame == null ? null : taken;
         }
-        keyDetections = chosen;
-        key = null;
         for (int i = 0; i < detections.length; i++) {
-            if (detections[i] == chosen) {
-                key = new Photo(chosen.imageName(),
-                        GreyImage.packed(luminance[i], chosen.widthPx(), chosen.heightPx())
+            if (detections[i] == keyFrame) {
+                takenDetections = keyFrame;
+                taken = new Photo(keyFrame.imageName(),
+                        GreyImage.packed(luminance[i], keyFrame.widthPx(), keyFrame.heightPx())
                                 .withToneCurve(toneCurves[i]));
                 detections[i] = null;
                 luminance[i] = null;
+                return taken;
             }
         }
-        return key;
+        return null;
     }
 }

@@ -29,6 +29,7 @@ import org.cellgauge.android.files.KeptResult;
 import org.cellgauge.android.files.Photo;
 import org.cellgauge.android.files.ResultArchive;
 import org.cellgauge.android.files.SavedResult;
+import org.cellgauge.android.state.Detectors;
 import org.cellgauge.android.state.SessionThreads;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.geometry.PinholeCamera;
@@ -47,6 +48,7 @@ public class TestApp extends CellGaugeApp implements AppParts {
     ResultArchive folders;
     AppMemory memory = new NoMemory();
     CheckSettings settings = CheckSettings.builder().build();
+    Detectors detectors = Detectors.OF_LIBRARY;
     /** Where a session makes its states and reads its files; the check itself always has threads of its own. */
     Supplier<SessionThreads> threads = () -> new SessionThreads(Schedulers.trampoline(), Schedulers.trampoline(), null,
             null);
@@ -94,6 +96,11 @@ public class TestApp extends CellGaugeApp implements AppParts {
     @Override
     public SessionThreads sessionThreads() {
         return threads.get();
+    }
+
+    @Override
+    public Detectors detectors() {
+        return detectors;
     }
 
     /** Every start is a first one, however many a test has. */

@@ -21,7 +21,7 @@ public class CheckRunTest {
                 "cell.yaml", CAMERA).withCalibration(new CameraCalibration(Arrays.asList("fx", "k1"),
                         new double[] {4, 1e-3, 1e-3, 1e-6}, 20));
         CellDocument document = new CellDocument("cell.yaml", null, cell, calibrated ? CAMERA : null);
-        return new CheckRun(1, document, camera, false, null).cell();
+        return new CheckRun(1, document, camera, false, null, new OneDetector(Detectors.OF_LIBRARY)).cell();
     }
 
     @Test

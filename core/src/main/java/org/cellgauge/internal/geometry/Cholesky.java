@@ -108,13 +108,24 @@ public final class Cholesky {
      * @return a new array with the inverse, or null if the matrix is not positive definite
      */
     public static double @Nullable [] inverse(double[] a, int n) {
-        double[] l = a.clone();
-        if (!factor(l, n)) {
-            return null;
-        }
-        double[] k = new double[n * n];
-        invertLower(l, n, k);
         double[] out = new double[n * n];
+        return inverse(a.clone(), n, new double[n * n], out) ? out : null;
+    }
+
+    /**
+     * Inverse of a symmetric positive definite matrix, in arrays of the caller's.
+     *
+     * @param l n x n values row by row; receives the lower factor
+     * @param n rows
+     * @param k work space, n x n; receives the inverse of the factor
+     * @param out receives the inverse, n x n
+     * @return false if the matrix is not positive definite; {@code out} is then left as it is
+     */
+    public static boolean inverse(double[] l, int n, double[] k, double[] out) {
+        if (!factor(l, n)) {
+            return false;
+        }
+        invertLower(l, n, k);
         for (int i = 0; i < n; i++) {
             for (int j = 0; j <= i; j++) {
                 double s = 0;
@@ -125,7 +136,7 @@ public final class Cholesky {
                 out[j * n + i] = s;
             }
         }
-        return out;
+        return true;
     }
 
     /**

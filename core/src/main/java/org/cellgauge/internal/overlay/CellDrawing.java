@@ -240,7 +240,7 @@ final class CellDrawing {
 
     private void worldLine(Role role, double strokeU, double[] fromMm, double[] toMm) {
         for (double[] part : view().line(fromMm, toMm)) {
-            shapes.add(new Polyline(role, Status.NEUTRAL, strokeU * unit, false, part));
+            shapes.add(Polyline.ofOwn(role, Status.NEUTRAL, strokeU * unit, false, part));
         }
     }
 
@@ -313,7 +313,7 @@ final class CellDrawing {
             corners[k] = Arrays.copyOfRange(c, from, from + 3);
         }
         for (double[] part : view().path(OUTLINE_PIECES, corners)) {
-            shapes.add(new Polyline(role, status, strokeU * unit, dashed, part));
+            shapes.add(Polyline.ofOwn(role, status, strokeU * unit, dashed, part));
         }
     }
 
@@ -443,7 +443,7 @@ final class CellDrawing {
             double[] gripMm = figure(gripRow.mean());
             double[] grip = view().project(gripMm);
             for (double[] part : view().line(pose.translationMm(), gripMm)) {
-                shapes.add(new Polyline(Role.GRIP_LINE, status, 1.2 * unit, unsure, part));
+                shapes.add(Polyline.ofOwn(Role.GRIP_LINE, status, 1.2 * unit, unsure, part));
                 placer.avoid(Box.around(Collections.singletonList(part)).grown(2 * unit));
             }
             ellipse(Role.GRIP_ELLIPSE, status, unsure, upright(gripRow.ellipse95Px()));
@@ -462,7 +462,7 @@ final class CellDrawing {
         outline(Role.OBJECT_MODE, Status.AMBIGUOUS, THIN_U + 0.3, second, pose, sizeMm);
         double[] tip = pose.apply(0, 0, 3 * sizeMm);
         for (double[] part : view().line(pose.translationMm(), tip)) {
-            shapes.add(new Polyline(Role.OBJECT_MODE, Status.AMBIGUOUS, (THIN_U + 0.6) * unit, second, part));
+            shapes.add(Polyline.ofOwn(Role.OBJECT_MODE, Status.AMBIGUOUS, (THIN_U + 0.6) * unit, second, part));
             placer.avoid(Box.around(Collections.singletonList(part)).grown(2 * unit));
         }
     }
@@ -482,7 +482,7 @@ final class CellDrawing {
 
     private void line(Role role, Status status, double strokeU, boolean dashed, double... pointsPx) {
         for (double[] part : WorldView.clip(pointsPx, width, height)) {
-            shapes.add(new Polyline(role, status, strokeU * unit, dashed, part));
+            shapes.add(Polyline.ofOwn(role, status, strokeU * unit, dashed, part));
         }
     }
 
@@ -833,7 +833,7 @@ final class CellDrawing {
             double[] points = {lu, lv, Math.min(Math.max(lu, target.left()), target.right()),
                 Math.min(Math.max(lv, target.top()), target.bottom())};
             for (double[] part : WorldView.clip(points, width, height)) {
-                shapes.add(belowPanels, new Polyline(Role.LEADER, status, THIN_U * unit, false, part));
+                shapes.add(belowPanels, Polyline.ofOwn(Role.LEADER, status, THIN_U * unit, false, part));
             }
         }
     }

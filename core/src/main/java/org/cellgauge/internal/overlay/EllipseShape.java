@@ -1,7 +1,5 @@
 package org.cellgauge.internal.overlay;
 
-import java.util.Collections;
-import java.util.List;
 import org.cellgauge.statistics.Ellipse;
 
 /** An ellipse; it may reach beyond the image. Immutable. */
@@ -33,12 +31,20 @@ public final class EllipseShape extends Shape {
     }
 
     @Override
-    public List<double[]> strokes() {
-        double[][] boundary = ellipse.boundary(POINTS);
-        double[] points = new double[2 * POINTS + 2];
+    public void draw(Pen pen) {
+        double cos = Math.cos(ellipse.angleRad());
+        double sin = Math.sin(ellipse.angleRad());
         for (int i = 0; i <= POINTS; i++) {
-            System.arraycopy(boundary[i % POINTS], 0, points, 2 * i, 2);
+            double t = 2 * Math.PI * (i % POINTS) / POINTS;
+            double along = ellipse.semiMajor() * Math.cos(t);
+            double across = ellipse.semiMinor() * Math.sin(t);
+            double u = ellipse.centreX() + cos * along - sin * across;
+            double v = ellipse.centreY() + sin * along + cos * across;
+            if (i == 0) {
+                pen.moveTo(u, v);
+            } else {
+                pen.lineTo(u, v);
+            }
         }
-        return Collections.singletonList(points);
     }
 }

@@ -119,6 +119,15 @@ public final class ImageOrientation {
      * @return u, v in the upright image, px
      */
     public double[] map(double u, double v, int widthPx, int heightPx) {
+        double[] uv = {u, v};
+        map(uv, 0, widthPx, heightPx);
+        return uv;
+    }
+
+    /** The same in place: u and v at an index of an array. */
+    void map(double[] uv, int at, int widthPx, int heightPx) {
+        double u = uv[at];
+        double v = uv[at + 1];
         double x;
         double y;
         switch (quarterTurns) {
@@ -139,7 +148,8 @@ public final class ImageOrientation {
                 y = v;
                 break;
         }
-        return new double[] {mirrored ? uprightWidthPx(widthPx, heightPx) - x : x, y};
+        uv[at] = mirrored ? uprightWidthPx(widthPx, heightPx) - x : x;
+        uv[at + 1] = y;
     }
 
     /**
@@ -151,9 +161,9 @@ public final class ImageOrientation {
      * @return as many values, in the upright image
      */
     public double[] map(double[] pointsPx, int widthPx, int heightPx) {
-        double[] out = new double[pointsPx.length];
+        double[] out = pointsPx.clone();
         for (int i = 0; i + 1 < out.length; i += 2) {
-            System.arraycopy(map(pointsPx[i], pointsPx[i + 1], widthPx, heightPx), 0, out, i, 2);
+            map(out, i, widthPx, heightPx);
         }
         return out;
     }

@@ -1,8 +1,5 @@
 package org.cellgauge.internal.overlay;
 
-import java.util.ArrayList;
-import java.util.List;
-
 /** A {@link Mark} at a place; immutable. */
 public final class MarkShape extends Shape {
     private final Mark mark;
@@ -49,16 +46,12 @@ public final class MarkShape extends Shape {
     }
 
     @Override
-    public List<double[]> strokes() {
-        List<double[]> strokes = new ArrayList<>();
+    public void draw(Pen pen) {
         for (double[] line : mark.lines()) {
-            double[] points = new double[line.length];
-            for (int i = 0; i < line.length; i += 2) {
-                points[i] = centreU + radiusPx * line[i];
-                points[i + 1] = centreV + radiusPx * line[i + 1];
+            pen.moveTo(centreU + radiusPx * line[0], centreV + radiusPx * line[1]);
+            for (int i = 2; i < line.length; i += 2) {
+                pen.lineTo(centreU + radiusPx * line[i], centreV + radiusPx * line[i + 1]);
             }
-            strokes.add(points);
         }
-        return strokes;
     }
 }

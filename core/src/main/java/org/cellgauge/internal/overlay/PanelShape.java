@@ -1,8 +1,5 @@
 package org.cellgauge.internal.overlay;
 
-import java.util.Collections;
-import java.util.List;
-
 /** A box behind texts, to be filled so that they stand out; immutable. */
 public final class PanelShape extends Shape {
     private final Box box;
@@ -26,8 +23,11 @@ public final class PanelShape extends Shape {
     }
 
     @Override
-    public List<double[]> strokes() {
-        return Collections.singletonList(new double[] {box.left(), box.top(), box.right(), box.top(), box.right(),
-            box.bottom(), box.left(), box.bottom(), box.left(), box.top()});
+    public void draw(Pen pen) {
+        pen.moveTo(box.left(), box.top());
+        pen.lineTo(box.right(), box.top());
+        pen.lineTo(box.right(), box.bottom());
+        pen.lineTo(box.left(), box.bottom());
+        pen.lineTo(box.left(), box.top());
     }
 }

@@ -1,8 +1,5 @@
 package org.cellgauge.internal.overlay;
 
-import java.util.Collections;
-import java.util.List;
-
 /** A line of straight pieces, closed or open; immutable. */
 public final class Polyline extends Shape {
     private final double[] pointsPx;
@@ -18,6 +15,10 @@ public final class Polyline extends Shape {
      * @throws IllegalArgumentException if there are fewer than two points or one is not finite
      */
     public Polyline(Role role, Status status, double strokePx, boolean dashed, double... pointsPx) {
+        this(pointsPx.clone(), role, status, strokePx, dashed);
+    }
+
+    private Polyline(double[] pointsPx, Role role, Status status, double strokePx, boolean dashed) {
         super(role, status, strokePx, dashed);
         if (pointsPx.length < 4 || pointsPx.length % 2 != 0) {
             throw new IllegalArgumentException("a polyline takes at least two points, not " + pointsPx.length
@@ -28,7 +29,12 @@ public final class Polyline extends Shape {
                 throw new IllegalArgumentException("a point of a polyline is not finite");
             }
         }
-        this.pointsPx = pointsPx.clone();
+        this.pointsPx = pointsPx;
+    }
+
+    /** The same without a copy, of points that nobody changes any more. */
+    static Polyline ofOwn(Role role, Status status, double strokePx, boolean dashed, double[] pointsPx) {
+        return new Polyline(pointsPx, role, status, strokePx, dashed);
     }
 
     /**
@@ -41,7 +47,10 @@ public final class Polyline extends Shape {
     }
 
     @Override
-    public List<double[]> strokes() {
-        return Collections.singletonList(pointsPx.clone());
+    public void draw(Pen pen) {
+        pen.moveTo(pointsPx[0], pointsPx[1]);
+        for (int i = 2; i < pointsPx.length; i += 2) {
+            pen.lineTo(pointsPx[i], pointsPx[i + 1]);
+        }
     }
 }

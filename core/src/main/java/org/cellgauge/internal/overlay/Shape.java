@@ -1,11 +1,12 @@
 package org.cellgauge.internal.overlay;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
  * One thing to draw, in image px (pixel centres at +0.5, u right, v down); immutable.
  *
- * <p>Whatever a shape is, {@link #strokes()} has it as lines, so that a painter needs to know nothing else.
+ * <p>Whatever a shape is, {@link #draw(Pen)} has it as lines, so that a painter needs to know nothing else.
  */
 public abstract sealed class Shape permits EllipseShape, MarkShape, PanelShape, Polyline, TextShape {
     private final Role role;
@@ -60,12 +61,36 @@ public abstract sealed class Shape permits EllipseShape, MarkShape, PanelShape, 
     }
 
     /**
+     * Draws the shape as lines.
+     *
+     * @param pen gets polylines of at least two points; a closed one ends where it begins
+     */
+    public abstract void draw(Pen pen);
+
+    /**
      * The shape as lines.
      *
      * @return polylines, each an array u0, v0, u1, v1, … of at least two points; a closed one ends where
      *     it begins
      */
-    public abstract List<double[]> strokes();
+    public List<double[]> strokes() {
+        List<double[]> strokes = new ArrayList<>();
+        PointRun run = new PointRun();
+        draw(new Pen() {
+            @Override
+            public void moveTo(double u, double v) {
+                run.flush(strokes);
+                run.add(u, v);
+            }
+
+            @Override
+            public void lineTo(double u, double v) {
+                run.add(u, v);
+            }
+        });
+        run.flush(strokes);
+        return strokes;
+    }
 
     /**
      * The smallest box around the shape's strokes.
@@ -73,6 +98,28 @@ public abstract sealed class Shape permits EllipseShape, MarkShape, PanelShape, 
      * @return the box, without the width of the lines
      */
     public Box bounds() {
-        return Box.around(strokes());
+        Extent extent = new Extent();
+        draw(extent);
+        return new Box(extent.left, extent.top, extent.right, extent.bottom);
+    }
+
+    private static final class Extent implements Pen {
+        private double left = Double.POSITIVE_INFINITY;
+        private double top = Double.POSITIVE_INFINITY;
+        private double right = Double.NEGATIVE_INFINITY;
+        private double bottom = Double.NEGATIVE_INFINITY;
+
+        @Override
+        public void moveTo(double u, double v) {
+            lineTo(u, v);
+        }
+
+        @Override
+        public void lineTo(double u, double v) {
+            left = Math.min(left, u);
+            right = Math.max(right, u);
+            top = Math.min(top, v);
+            bottom = Math.max(bottom, v);
+        }
     }
 }

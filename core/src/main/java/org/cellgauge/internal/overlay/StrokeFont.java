@@ -59,33 +59,29 @@ public final class StrokeFont {
     }
 
     /**
-     * A line of text as strokes.
+     * Draws a line of text.
      *
      * @param text one line
      * @param leftPx u of its left end
      * @param baselinePx v of the baseline
      * @param capHeightPx height of a capital
-     * @return polylines u0, v0, u1, v1, …, v down
+     * @param pen gets the lines, v down
      */
-    public static List<double[]> strokes(String text, double leftPx, double baselinePx, double capHeightPx) {
-        List<double[]> strokes = new ArrayList<>();
+    public static void draw(String text, double leftPx, double baselinePx, double capHeightPx, Pen pen) {
         double scale = capHeightPx / CAP;
         double x = 0;
         for (int i = 0; i < text.length(); i++) {
             char c = text.charAt(i);
             if (!isSpace(c)) {
                 for (double[] line : glyph(c).lines) {
-                    double[] points = new double[line.length];
-                    for (int k = 0; k < line.length; k += 2) {
-                        points[k] = leftPx + scale * (x + line[k]);
-                        points[k + 1] = baselinePx - scale * line[k + 1];
+                    pen.moveTo(leftPx + scale * (x + line[0]), baselinePx - scale * line[1]);
+                    for (int k = 2; k < line.length; k += 2) {
+                        pen.lineTo(leftPx + scale * (x + line[k]), baselinePx - scale * line[k + 1]);
                     }
-                    strokes.add(points);
                 }
             }
             x += advance(c);
         }
-        return strokes;
     }
 
     /**

@@ -1,7 +1,5 @@
 package org.cellgauge.internal.overlay;
 
-import java.util.List;
-
 /** One line of text in the letters of {@link StrokeFont}; immutable. */
 public final class TextShape extends Shape {
     private final double leftPx;
@@ -79,7 +77,7 @@ public final class TextShape extends Shape {
     }
 
     @Override
-    public List<double[]> strokes() {
-        return StrokeFont.strokes(text, leftPx, baselinePx, capHeightPx);
+    public void draw(Pen pen) {
+        StrokeFont.draw(text, leftPx, baselinePx, capHeightPx, pen);
     }
 }

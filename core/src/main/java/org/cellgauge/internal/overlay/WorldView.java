@@ -17,31 +17,48 @@ final class WorldView {
     private static final int PIECES = 64;
 
     private final PinholeCamera camera;
-    private final RigidTransform cameraFromWorld;
+    private final double[] intrinsics;
+    private final double[] rotation;
+    private final double[] translationMm;
     private final double reachRad;
     private final ImageOrientation orientation;
     private final double width;
     private final double height;
+    // work space: a grid has thousands of points
+    private final double[] px = new double[2];
+    private final PointRun run = new PointRun();
+    private final PointRun part = new PointRun();
 
     WorldView(PinholeCamera camera, RigidTransform worldFromCamera, ImageOrientation orientation) {
         this.camera = camera;
         this.orientation = orientation;
         this.width = orientation.uprightWidthPx(camera.widthPx(), camera.heightPx());
         this.height = orientation.uprightHeightPx(camera.widthPx(), camera.heightPx());
-        this.cameraFromWorld = worldFromCamera.inverse();
-        this.reachRad = camera.lens().reachRad(camera.intrinsics());
+        RigidTransform cameraFromWorld = worldFromCamera.inverse();
+        this.rotation = cameraFromWorld.rotation();
+        this.translationMm = cameraFromWorld.translationMm();
+        this.intrinsics = camera.intrinsics();
+        this.reachRad = camera.lens().reachRad(intrinsics);
     }
 
     /** The pixel position of a point of the world, perhaps outside the image; null where the camera cannot see it. */
     double @Nullable [] project(double[] worldMm) {
-        double[] p = cameraFromWorld.apply(worldMm);
-        double across = Math.hypot(p[0], p[1]);
-        double near = camera.lens().isWide() ? Math.hypot(across, p[2]) : p[2];
-        if (!(near > NEAR_MM) || !(Math.atan2(across, p[2]) < reachRad)) {
-            return null;
+        return project(worldMm[0], worldMm[1], worldMm[2]) ? px.clone() : null;
+    }
+
+    /** The same into {@link #px}; false where the camera cannot see it. */
+    private boolean project(double worldX, double worldY, double worldZ) {
+        double x = rotation[0] * worldX + rotation[1] * worldY + rotation[2] * worldZ + translationMm[0];
+        double y = rotation[3] * worldX + rotation[4] * worldY + rotation[5] * worldZ + translationMm[1];
+        double z = rotation[6] * worldX + rotation[7] * worldY + rotation[8] * worldZ + translationMm[2];
+        double across = Math.hypot(x, y);
+        double near = camera.lens().isWide() ? Math.hypot(across, z) : z;
+        if (!(near > NEAR_MM) || !(Math.atan2(across, z) < reachRad)
+                || !camera.lens().project(intrinsics, x, y, z, px, 0)) {
+            return false;
         }
-        double[] uv = camera.project(p[0], p[1], p[2]);
-        return uv == null ? null : orientation.map(uv[0], uv[1], camera.widthPx(), camera.heightPx());
+        orientation.map(px, 0, camera.widthPx(), camera.heightPx());
+        return true;
     }
 
     /** Whether a pixel position lies in the image. */
@@ -57,31 +74,26 @@ final class WorldView {
     /** The visible parts of straight lines of the world through corners, each cut into pieces. */
     List<double[]> path(int pieces, double[]... cornersMm) {
         List<double[]> visible = new ArrayList<>();
-        List<Double> run = new ArrayList<>();
+        run.clear();
         for (int c = 0; c + 1 < cornersMm.length; c++) {
+            double[] from = cornersMm[c];
+            double[] to = cornersMm[c + 1];
             for (int i = c == 0 ? 0 : 1; i <= pieces; i++) {
                 double t = (double) i / pieces;
-                double[] p = new double[3];
-                for (int k = 0; k < 3; k++) {
-                    p[k] = (1 - t) * cornersMm[c][k] + t * cornersMm[c + 1][k];
-                }
-                double[] px = project(p);
-                if (px == null) {
-                    finish(run, visible);
+                if (project((1 - t) * from[0] + t * to[0], (1 - t) * from[1] + t * to[1],
+                        (1 - t) * from[2] + t * to[2])) {
+                    run.add(px[0], px[1]);
                 } else {
-                    run.add(px[0]);
-                    run.add(px[1]);
+                    finish(visible);
                 }
             }
         }
-        finish(run, visible);
+        finish(visible);
         return visible;
     }
 
-    private void finish(List<Double> run, List<double[]> visible) {
-        if (run.size() >= 4) {
-            visible.addAll(clip(run.stream().mapToDouble(Double::doubleValue).toArray(), width, height));
-        }
+    private void finish(List<double[]> visible) {
+        clip(run, part, width, height, visible);
         run.clear();
     }
 
@@ -94,55 +106,56 @@ final class WorldView {
      * @return polylines within [0, width] x [0, height]
      */
     static List<double[]> clip(double[] points, double width, double height) {
+        PointRun line = new PointRun();
+        for (int i = 0; i + 1 < points.length; i += 2) {
+            line.add(points[i], points[i + 1]);
+        }
         List<double[]> parts = new ArrayList<>();
-        List<Double> part = new ArrayList<>();
-        for (int i = 0; i + 3 < points.length; i += 2) {
-            double u = points[i];
-            double v = points[i + 1];
-            double du = points[i + 2] - u;
-            double dv = points[i + 3] - v;
-            double from = 0;
-            double to = 1;
-            double[] steps = {-du, du, -dv, dv};
-            double[] rooms = {u, width - u, v, height - v};
-            for (int k = 0; k < 4; k++) {
-                if (steps[k] < 0) {
-                    from = Math.max(from, rooms[k] / steps[k]);
-                } else if (steps[k] > 0) {
-                    to = Math.min(to, rooms[k] / steps[k]);
-                } else if (rooms[k] < 0) {
-                    to = -1;
-                }
-            }
+        clip(line, new PointRun(), width, height, parts);
+        return parts;
+    }
+
+    /** Adds the parts of a polyline within an image to a list, by means of a run of points for each part. */
+    private static void clip(PointRun points, PointRun part, double width, double height, List<double[]> parts) {
+        for (int i = 0; i + 3 < points.size(); i += 2) {
+            double u = points.get(i);
+            double v = points.get(i + 1);
+            double du = points.get(i + 2) - u;
+            double dv = points.get(i + 3) - v;
+            double from = Math.max(Math.max(0, entry(-du, u)), Math.max(entry(du, width - u),
+                    Math.max(entry(-dv, v), entry(dv, height - v))));
+            double to = Math.min(Math.min(1, exit(-du, u)), Math.min(exit(du, width - u),
+                    Math.min(exit(-dv, v), exit(dv, height - v))));
             if (!(from <= to)) {
-                flush(part, parts);
+                part.flush(parts);
                 continue;
             }
             if (from > 0) {
-                flush(part, parts);
+                part.flush(parts);
             }
             if (part.isEmpty()) {
                 add(part, u + from * du, v + from * dv, width, height);
             }
             add(part, u + to * du, v + to * dv, width, height);
             if (to < 1) {
-                flush(part, parts);
+                part.flush(parts);
             }
         }
-        flush(part, parts);
-        return parts;
+        part.flush(parts);
+    }
+
+    /** Where along a piece it comes in over an edge, as a share of it, that it steps towards by less than its room. */
+    private static double entry(double step, double room) {
+        return step < 0 ? room / step : 0;
+    }
+
+    /** Where along a piece it goes out over an edge; before its beginning where it runs outside, beside the edge. */
+    private static double exit(double step, double room) {
+        return step > 0 ? room / step : step == 0 && room < 0 ? -1 : 1;
     }
 
     /** Adds a point, rounding that carried it beyond the edge taken off. */
-    private static void add(List<Double> part, double u, double v, double width, double height) {
-        part.add(Math.min(Math.max(u, 0), width));
-        part.add(Math.min(Math.max(v, 0), height));
-    }
-
-    private static void flush(List<Double> part, List<double[]> parts) {
-        if (part.size() >= 4) {
-            parts.add(part.stream().mapToDouble(Double::doubleValue).toArray());
-        }
-        part.clear();
+    private static void add(PointRun part, double u, double v, double width, double height) {
+        part.add(Math.min(Math.max(u, 0), width), Math.min(Math.max(v, 0), height));
     }
 }

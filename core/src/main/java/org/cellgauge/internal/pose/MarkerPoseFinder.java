@@ -39,7 +39,7 @@ public final class MarkerPoseFinder {
                 best = mode;
             }
         }
-        return best == null ? null : best.state().cameraFromSet();
+        return best == null ? null : best.cameraFromSet();
     }
 
     /**
@@ -92,14 +92,15 @@ public final class MarkerPoseFinder {
             if (mode == null) {
                 break;
             }
+            pose = mode.cameraFromSet();
             boolean known = false;
             for (PoseMode other : modes) {
-                known |= mode.state().cameraFromSet().angleRadTo(other.state().cameraFromSet()) < SAME_MODE_RAD;
+                known |= pose.angleRadTo(other.cameraFromSet()) < SAME_MODE_RAD;
             }
             if (!known) {
                 modes.add(mode);
             }
-            pose = mirrored(mode.state().cameraFromSet());
+            pose = mirrored(pose);
         }
         modes.sort((a, b) -> Double.compare(b.logWeight(), a.logWeight()));
         return modes.size() > 2 ? modes.subList(0, 2) : modes;

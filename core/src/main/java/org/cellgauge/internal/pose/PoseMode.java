@@ -1,6 +1,7 @@
 package org.cellgauge.internal.pose;
 
 import java.util.Arrays;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.jspecify.annotations.Nullable;
 
@@ -76,6 +77,15 @@ public final class PoseMode {
      */
     public CameraState state() {
         return state.copy();
+    }
+
+    /**
+     * The pose of the mode, in the only view.
+     *
+     * @return cameraFromSet, points relative to the centre of their set
+     */
+    RigidTransform cameraFromSet() {
+        return state.cameraFromSet();
     }
 
     /**

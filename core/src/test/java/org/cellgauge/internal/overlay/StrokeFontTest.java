@@ -8,6 +8,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class StrokeFontTest {
+    private static List<double[]> strokes(String text, double leftPx, double baselinePx, double capHeightPx) {
+        return new TextShape(Role.LABEL, Status.NEUTRAL, 0.1, leftPx, baselinePx, capHeightPx, text).strokes();
+    }
+
     private static final String BEYOND_ASCII = "\u03c3\u00b1\u00d7\u00b0\u00b2"
             + "\u2013\u2014\u2026\u2019\u2264\u2265\u2248\u00b5\u2212"
             + "\u00e4\u00f6\u00fc\u00c4\u00d6\u00dc\u00df";
@@ -30,7 +34,7 @@ class StrokeFontTest {
         }
         for (char c : all.toCharArray()) {
             String text = String.valueOf(c);
-            Box box = Box.around(StrokeFont.strokes(text, 100, 200, 14));
+            Box box = Box.around(strokes(text, 100, 200, 14));
             // a quarter of the gap between letters may be taken by a serif or a bow
             assertTrue(box.left() > 100 - 0.9 && box.right() < 100 + 14 * StrokeFont.widthInCapHeights(text) + 0.9,
                     c + " sticks out sideways: " + box);
@@ -43,7 +47,7 @@ class StrokeFontTest {
     @Test
     void capitalsAreAsHighAsStated() {
         for (char c : "ABDEFHIKLMNPRTUVWXYZ".toCharArray()) {
-            Box box = Box.around(StrokeFont.strokes(String.valueOf(c), 0, 0, 30));
+            Box box = Box.around(strokes(String.valueOf(c), 0, 0, 30));
             assertEquals(-30, box.top(), 1e-9, "top of " + c);
             assertEquals(0, box.bottom(), 1e-9, "foot of " + c);
         }
@@ -53,8 +57,8 @@ class StrokeFontTest {
     void noTwoCharactersLookTheSame() {
         for (char a = '!'; a <= '~'; a++) {
             for (char b = '!'; b < a; b++) {
-                assertFalse(same(StrokeFont.strokes(String.valueOf(a), 0, 0, 1),
-                        StrokeFont.strokes(String.valueOf(b), 0, 0, 1)), a + " and " + b);
+                assertFalse(same(strokes(String.valueOf(a), 0, 0, 1),
+                        strokes(String.valueOf(b), 0, 0, 1)), a + " and " + b);
             }
         }
     }
@@ -65,8 +69,8 @@ class StrokeFontTest {
         String dotted = "\u00e4\u00f6\u00fc\u00c4\u00d6\u00dc";
         String plain = "aouAOU";
         for (int i = 0; i < dotted.length(); i++) {
-            List<double[]> letter = StrokeFont.strokes(dotted.substring(i, i + 1), 0, 0, 14);
-            List<double[]> without = StrokeFont.strokes(plain.substring(i, i + 1), 0, 0, 14);
+            List<double[]> letter = strokes(dotted.substring(i, i + 1), 0, 0, 14);
+            List<double[]> without = strokes(plain.substring(i, i + 1), 0, 0, 14);
             int body = without.size();
             assertEquals(body + 2, letter.size(), dotted.substring(i, i + 1));
             Box left = Box.around(letter.subList(body, body + 1));
@@ -80,7 +84,7 @@ class StrokeFontTest {
                     StrokeFont.widthInCapHeights(dotted.substring(i, i + 1)));
             assertEquals(i < 3, same(without, letter.subList(0, body)), "capitals are lower");
         }
-        assertFalse(same(StrokeFont.strokes("B", 0, 0, 14), StrokeFont.strokes("\u00df", 0, 0, 14)));
+        assertFalse(same(strokes("B", 0, 0, 14), strokes("\u00df", 0, 0, 14)));
     }
 
     @Test
@@ -88,8 +92,8 @@ class StrokeFontTest {
         for (char space : "\u00a0\u202f".toCharArray()) {
             assertTrue(StrokeFont.has(space));
             assertEquals(StrokeFont.widthInCapHeights("2 mm"), StrokeFont.widthInCapHeights("2" + space + "mm"));
-            assertEquals(StrokeFont.strokes("2 mm", 0, 0, 14).size(),
-                    StrokeFont.strokes("2" + space + "mm", 0, 0, 14).size());
+            assertEquals(strokes("2 mm", 0, 0, 14).size(),
+                    strokes("2" + space + "mm", 0, 0, 14).size());
             String bound = "2" + space + "mm";
             assertEquals(List.of("about", bound, "off"),
                     StrokeFont.wrap("about " + bound + " off", StrokeFont.widthInCapHeights("about 2")));
@@ -110,7 +114,7 @@ class StrokeFontTest {
 
     @Test
     void aCharacterItLacksIsDrawnAsABox() {
-        List<double[]> strokes = StrokeFont.strokes("\u4e2d", 0, 0, 14);
+        List<double[]> strokes = strokes("\u4e2d", 0, 0, 14);
         assertEquals(1, strokes.size());
         assertEquals(10, strokes.get(0).length);
         assertFalse(StrokeFont.has('\u4e2d'));
@@ -118,8 +122,8 @@ class StrokeFontTest {
 
     @Test
     void textMovesAndScalesWithItsAnchorAndHeight() {
-        List<double[]> small = StrokeFont.strokes("Gap 5", 0, 0, 10);
-        List<double[]> large = StrokeFont.strokes("Gap 5", 7, 9, 25);
+        List<double[]> small = strokes("Gap 5", 0, 0, 10);
+        List<double[]> large = strokes("Gap 5", 7, 9, 25);
         for (int i = 0; i < small.size(); i++) {
             for (int k = 0; k < small.get(i).length; k += 2) {
                 assertEquals(7 + 2.5 * small.get(i)[k], large.get(i)[k], 1e-9);
