@@ -131,7 +131,7 @@ class ApkTest {
         assertEquals(Set.of(System.getProperty("cellgauge.version")),
                 found("^package: .* versionName='([^']*)'", text));
         assertEquals(Set.of("26"), found("^sdkVersion:'([^']*)'", text));
-        assertEquals(Set.of("34"), found("^targetSdkVersion:'([^']*)'", text));
+        assertEquals(Set.of("36"), found("^targetSdkVersion:'([^']*)'", text));
         assertEquals(Set.of("CellGauge"), found("^application-label:'([^']*)'", text));
         assertEquals(Set.of(PACKAGE + ".screen.MainActivity"), found("^launchable-activity: name='([^']*)'", text));
         assertEquals(variant.equals("debug"), text.contains("\napplication-debuggable\n"), text);

@@ -252,7 +252,7 @@ final class Screen implements AutoCloseable {
 
     static void write(String name, Bitmap bitmap) {
         File folder = new File(System.getProperty("cellgauge.root"), "android-app/build/screenshots/"
-                + (Build.VERSION.SDK_INT < Build.VERSION_CODES.O_MR1 ? "android-8" : "android-14"));
+                + (Build.VERSION.SDK_INT < Build.VERSION_CODES.O_MR1 ? "android-8" : "android-15"));
         folder.mkdirs();
         try (OutputStream out = new FileOutputStream(new File(folder, name + ".png"))) {
             bitmap.compress(Bitmap.CompressFormat.PNG, 100, out);
