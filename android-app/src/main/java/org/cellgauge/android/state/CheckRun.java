@@ -82,11 +82,12 @@ final class CheckRun {
         subscription.set(threads.check(input, cell, settings, pace).subscribe(states, faults));
     }
 
-    /** Looks for markers in a frame and hands them on; the frame may change afterwards. */
-    void frame(GreyImage image, String name) {
+    /** Looks for markers in a frame, hands them on and returns them; the frame may change afterwards. */
+    Detections frame(GreyImage image, String name) {
         Detections found = detector.detect(image, name);
         recent.keep(found, image);
         frames.onNext(found);
+        return found;
     }
 
     /** No frame comes any more: the one that figures belong to is checked to its end. */

@@ -158,6 +158,15 @@ class ApkTest {
         assertFalse(found(":dataExtractionRules\\(0x[0-9a-f]+\\)=(\\S+)", text).isEmpty(), text);
     }
 
+    /** What newer Androids ask an app for: a language of its own, and who has a use for back. */
+    @ParameterizedTest
+    @ValueSource(strings = {"debug", "release"})
+    void languageAndBackAreTheSystems(String variant) throws Exception {
+        String text = run(0, "aapt2", "dump", "xmltree", "--file", "AndroidManifest.xml", apk(variant));
+        assertEquals(Set.of("true"), found(":enableOnBackInvokedCallback\\(0x[0-9a-f]+\\)=(\\S+)", text));
+        assertFalse(found(":localeConfig\\(0x[0-9a-f]+\\)=(\\S+)", text).isEmpty(), text);
+    }
+
     /** Android installs no version over one with a higher code. */
     @ParameterizedTest
     @ValueSource(strings = {"debug", "release"})

@@ -2,6 +2,7 @@ package org.cellgauge.android.camera;
 
 import static android.hardware.camera2.CameraMetadata.CONTROL_AF_STATE_ACTIVE_SCAN;
 import static android.hardware.camera2.CameraMetadata.CONTROL_AF_STATE_FOCUSED_LOCKED;
+import static android.hardware.camera2.CameraMetadata.CONTROL_AF_STATE_NOT_FOCUSED_LOCKED;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
@@ -18,6 +19,8 @@ import android.hardware.camera2.CameraDevice;
 import android.hardware.camera2.CameraManager;
 import android.hardware.camera2.CameraMetadata;
 import android.hardware.camera2.CaptureRequest;
+import android.hardware.camera2.params.MeteringRectangle;
+import android.util.Range;
 import android.util.Size;
 import android.util.SizeF;
 import java.time.Duration;
@@ -30,6 +33,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
 import org.junit.After;
 import org.junit.Before;
@@ -63,6 +67,8 @@ public class Camera2FeedTest {
         volatile CountDownLatch hold;
         volatile boolean overlapped;
         private volatile boolean busy;
+        /** What is said to be seen in every frame. */
+        volatile Detections seen;
 
         @Override
         public void onOpened(CameraSetup value) {
@@ -71,7 +77,12 @@ public class Camera2FeedTest {
         }
 
         @Override
-        public void onFrame(GreyImage luminance, long timestampNs) {
+        public void onFocusing() {
+            events.add("focusing");
+        }
+
+        @Override
+        public Detections onFrame(GreyImage luminance, long timestampNs) {
             overlapped |= busy;
             busy = true;
             boolean even = true;
@@ -90,6 +101,7 @@ public class Camera2FeedTest {
                 }
             }
             busy = false;
+            return seen;
         }
 
         @Override
@@ -151,6 +163,11 @@ public class Camera2FeedTest {
         shadow.set(CameraCharacteristics.LENS_INFO_AVAILABLE_FOCAL_LENGTHS, new float[] {4.2f});
         shadow.set(CameraCharacteristics.LENS_INFO_MINIMUM_FOCUS_DISTANCE, withFocus ? 10f : 0f);
         shadow.set(CameraCharacteristics.CONTROL_AF_AVAILABLE_MODES, withFocus ? new int[] {0, 1} : new int[] {0});
+        shadow.set(CameraCharacteristics.CONTROL_AE_AVAILABLE_TARGET_FPS_RANGES,
+                RequestSettingsTest.ranges(7, 15, 15, 30, 30, 30, 60, 60));
+        shadow.set(CameraCharacteristics.CONTROL_MAX_REGIONS_AE, 4);
+        shadow.set(CameraCharacteristics.CONTROL_MAX_REGIONS_AF, withFocus ? 1 : 0);
+        shadow.set(CameraCharacteristics.FLASH_INFO_AVAILABLE, true);
         ((FakeCameras.Manager) Shadow.extract(app.getSystemService(CameraManager.class))).addCamera("0", c);
     }
 
@@ -317,6 +334,105 @@ public class Camera2FeedTest {
         device.session.failScan();
         assertEquals("opened", heard.next());
         assertTrue(heard.setup.notes().contains(CameraNote.FOCUS_NOT_LOCKED));
+    }
+
+    @Test
+    public void aScanThatFindsNothingIsSaidUntilOneFinds() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        device.session.reportFocus(CONTROL_AF_STATE_NOT_FOCUSED_LOCKED, null);
+        assertEquals("opened", heard.next());
+        assertTrue(heard.setup.notes().contains(CameraNote.FOCUS_NOT_FOUND));
+        cameras.lastReader().deliver(1, 1, false);
+        assertEquals("frame 1 at 1", heard.next());
+        feed.refocus();
+        eventually(() -> device.session.triggers.size() == 4);
+        meanwhile();
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, null);
+        assertEquals("opened", heard.next());
+        assertFalse(heard.setup.notes().contains(CameraNote.FOCUS_NOT_FOUND));
+    }
+
+    @Test
+    public void markersThatComeNearerAreFocusedAnew() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, 1_000L);
+        meanwhile();
+        heard.seen = FocusWatchTest.seen(64, 48, 10, 10, 10, 0.7);
+        int second = 0;
+        while (second < 8) {
+            second++;
+            heard.seen = second > 2 ? FocusWatchTest.seen(64, 48, 10, 10, 13, 0.7) : heard.seen;
+            cameras.lastReader().deliver(second, second * 1_000_000_000L, false);
+            assertEquals("frame " + second + " at " + second * 1_000_000_000L, heard.next());
+        }
+        assertEquals("focusing", heard.next());
+        eventually(() -> device.session.triggers.size() == 4);
+        FakeCameras.Frame blurred = cameras.lastReader().deliver(9, 9_000_000_000L, false);
+        eventually(() -> blurred.closed);
+        meanwhile();
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, 9_500_000_000L);
+        meanwhile();
+        cameras.lastReader().deliver(10, 10_000_000_000L, false);
+        assertEquals("frame 10 at 10000000000", heard.next());
+    }
+
+    // ---- light
+
+    @Test
+    public void lightIsMeteredAtTheMarkersThatWereSeen() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(false);
+        assertNull(device.session.settings.get(CaptureRequest.CONTROL_AE_REGIONS));
+        heard.seen = FocusWatchTest.seen(64, 48, 16, 12, 8, 0.7);
+        cameras.lastReader().deliver(1, 1, false);
+        assertEquals("frame 1 at 1", heard.next());
+        eventually(() -> device.session.settings.get(CaptureRequest.CONTROL_AE_REGIONS) != null);
+        MeteringRectangle[] areas =
+                (MeteringRectangle[]) device.session.settings.get(CaptureRequest.CONTROL_AE_REGIONS);
+        // 62.5 px of the sensor for each of a frame, and a fifth of the marker around it
+        assertEquals(new Rect(900, 650, 1600, 1350), areas[0].getRect());
+        assertFalse("a lens that does not move", device.session.settings.containsKey(CaptureRequest.CONTROL_AF_REGIONS));
+        int asked = device.session.requests.get();
+        cameras.lastReader().deliver(2, 2, false);
+        assertEquals("frame 2 at 2", heard.next());
+        meanwhile();
+        assertEquals("the same areas are not asked for again", asked, device.session.requests.get());
+    }
+
+    @Test
+    public void framesAreExposedNoLongerThanAThirtiethOfASecond() throws InterruptedException {
+        assertEquals(new Range<>(30, 30),
+                openAndStream(false).session.settings.get(CaptureRequest.CONTROL_AE_TARGET_FPS_RANGE));
+    }
+
+    @Test
+    public void theLampShinesWhileItIsWanted() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(false);
+        assertTrue(heard.setup.hasTorch());
+        assertEquals(CameraMetadata.FLASH_MODE_OFF, device.session.settings.get(CaptureRequest.FLASH_MODE));
+        feed.torch(true);
+        eventually(() -> device.session.settings.get(CaptureRequest.FLASH_MODE)
+                .equals(CameraMetadata.FLASH_MODE_TORCH));
+        feed.torch(false);
+        eventually(() -> device.session.settings.get(CaptureRequest.FLASH_MODE).equals(CameraMetadata.FLASH_MODE_OFF));
+        feed.close();
+        feed.torch(true);
+    }
+
+    @Test
+    public void aLampThatIsWantedBeforeTheCameraIsOpenShinesFromItsFirstFrame() throws InterruptedException {
+        ready(false);
+        cameras.openLate = true;
+        feed.open(null, null, heard);
+        feed.torch(true);
+        eventually(() -> cameras.devices.size() == 1);
+        meanwhile();
+        cameras.lastDevice().open();
+        assertEquals("opened", heard.next());
+        eventually(() -> cameras.lastDevice().session.streams());
+        assertEquals(CameraMetadata.FLASH_MODE_TORCH,
+                cameras.lastDevice().session.settings.get(CaptureRequest.FLASH_MODE));
     }
 
     // ---- faults
@@ -603,7 +719,12 @@ public class Camera2FeedTest {
                 }
 
                 @Override
-                public void onFrame(GreyImage luminance, long timestampNs) {
+                public void onFocusing() {
+                    heard.onFocusing();
+                }
+
+                @Override
+                public Detections onFrame(GreyImage luminance, long timestampNs) {
                     throw new IllegalArgumentException("a mistake in the listener");
                 }
 

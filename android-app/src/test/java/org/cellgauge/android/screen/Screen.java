@@ -5,6 +5,7 @@ import static org.robolectric.Shadows.shadowOf;
 
 import android.Manifest;
 import android.content.Context;
+import android.content.Intent;
 import android.graphics.Bitmap;
 import android.graphics.Canvas;
 import android.graphics.SurfaceTexture;
@@ -12,15 +13,20 @@ import android.hardware.display.DisplayManager;
 import android.os.Build;
 import android.os.Bundle;
 import android.os.Looper;
+import android.util.Pair;
 import android.view.Display;
 import android.view.View;
 import android.view.ViewGroup;
 import android.widget.TextView;
+import android.window.OnBackInvokedCallback;
 import java.io.File;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import org.cellgauge.android.R;
 import org.cellgauge.android.files.CellDocument;
@@ -31,6 +37,7 @@ import org.cellgauge.internal.overlay.ImageOrientation;
 import org.robolectric.Robolectric;
 import org.robolectric.RuntimeEnvironment;
 import org.robolectric.android.controller.ActivityController;
+import org.robolectric.util.ReflectionHelpers;
 
 /** The real activity, and what a user can do with it. */
 final class Screen implements AutoCloseable {
@@ -194,6 +201,45 @@ final class Screen implements AutoCloseable {
         controller.pause().saveInstanceState(kept).stop().destroy();
         settle();
         return kept;
+    }
+
+    /** Another app opens or shares something while this one runs. */
+    void give(Intent intent) {
+        controller.newIntent(intent);
+        settle();
+    }
+
+    /**
+     * A back gesture or button, as this Android tells the app of it.
+     *
+     * @return whether the app had a use for it; else it is the system's
+     */
+    boolean back() {
+        if (Build.VERSION.SDK_INT < Build.VERSION_CODES.TIRAMISU) {
+            activity().onBackPressed();
+            settle();
+            return true;
+        }
+        Object window = activity().getOnBackInvokedDispatcher();
+        List<Pair<OnBackInvokedCallback, Integer>> waiting = ReflectionHelpers.getField(window, "mCallbacks");
+        Object actual = ReflectionHelpers.getField(window, "mActualDispatcher");
+        OnBackInvokedCallback own = null;
+        if (actual != null) {
+            TreeMap<Integer, List<OnBackInvokedCallback>> byPriority =
+                    ReflectionHelpers.getField(actual, "mOnBackInvokedCallbacks");
+            for (Map.Entry<Integer, List<OnBackInvokedCallback>> entry : byPriority.entrySet()) {
+                own = entry.getKey() >= 0 && !entry.getValue().isEmpty() ? entry.getValue().get(0) : own;
+            }
+        } else {
+            for (Pair<OnBackInvokedCallback, Integer> each : waiting) {
+                own = each.second >= 0 ? each.first : own;
+            }
+        }
+        if (own != null) {
+            own.onBackInvoked();
+        }
+        settle();
+        return own != null;
     }
 
     void pause() {
