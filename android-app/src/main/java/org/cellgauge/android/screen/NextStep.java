@@ -20,6 +20,8 @@ import org.cellgauge.warning.Warning;
 final class NextStep {
     /** Blur of markers (standard deviation) that a lens in focus and a steady hand stay far below, px. */
     private static final double BLURRED_PX = 2;
+    /** The same where markers could not be read. */
+    private static final double BLURRED_UNREAD_PX = 1.2;
 
     private final Wording words;
 
@@ -77,9 +79,16 @@ final class NextStep {
         if (s.setup() != null && s.setup().notes().contains(CameraNote.FOCUS_NOT_FOUND)) {
             return words.get(R.string.next_focus);
         }
-        boolean blurred = find(seen, DetectionWarning.BLURRED, DetectionWarning.TOO_BLURRED) != null
-                || seen.light() != null && seen.light().blurPx() > BLURRED_PX;
-        return blurred ? words.get(R.string.next_steadier) : null;
+        return isBlurred(seen) ? words.get(R.string.next_steadier) : null;
+    }
+
+    private static boolean isBlurred(Detections seen) {
+        if (find(seen, DetectionWarning.BLURRED, DetectionWarning.TOO_BLURRED) != null) {
+            return true;
+        }
+        // of small markers less is too much: what is left of their cells no longer matches
+        boolean unread = find(seen, DetectionWarning.CELLS_DO_NOT_MATCH, DetectionWarning.EDGES_NOT_MEASURED) != null;
+        return seen.light() != null && seen.light().blurPx() > (unread ? BLURRED_UNREAD_PX : BLURRED_PX);
     }
 
     private static Warning find(Detections seen, DetectionWarning... kinds) {
