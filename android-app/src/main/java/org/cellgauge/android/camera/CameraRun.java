@@ -46,6 +46,8 @@ final class CameraRun {
     private static final long PATIENCE_MS = 8_000;
     /** For a scan of the focus, ms; devices give up after 2 to 4 s themselves. */
     private static final long SCAN_MS = 5_000;
+    /** While the view moves, the camera is told no more often where to meter, ns. */
+    private static final long METERING_PAUSE_NS = 500_000_000;
     // one that is filled, one that waits and one that is read
     private static final int FRAMES_IN_FLIGHT = 3;
     private static final int BROKEN_FRAMES_ALLOWED = 30;
@@ -74,6 +76,7 @@ final class CameraRun {
     private boolean shining;
     /** Where markers were when the camera was told last where to meter. */
     private List<MeteringRectangle> metered = Collections.emptyList();
+    private long meteredNs;
     private CameraDevice device;
     private ImageReader reader;
     private Surface previewSurface;
@@ -351,8 +354,10 @@ final class CameraRun {
         boolean due = focus.canScan() && watch.isDue(seen, timestampNs);
         if (settings.whole() != null && !seen.markers().isEmpty()) {
             List<MeteringRectangle> now = MeteringAreas.of(seen, settings.whole(), seen.markers().size());
-            if (due || MeteringAreas.differ(metered, now, settings.whole())) {
+            boolean early = !metered.isEmpty() && timestampNs - meteredNs < METERING_PAUSE_NS;
+            if (due || !early && MeteringAreas.differ(metered, now, settings.whole())) {
                 metered = now;
+                meteredNs = timestampNs;
                 if (!settings.meterAt(request::set, seen).isEmpty() && !repeat()) {
                     return;
                 }

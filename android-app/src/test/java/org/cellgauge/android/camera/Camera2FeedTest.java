@@ -401,6 +401,14 @@ public class Camera2FeedTest {
         assertEquals("frame 2 at 2", heard.next());
         meanwhile();
         assertEquals("the same areas are not asked for again", asked, device.session.requests.get());
+        heard.seen = FocusWatchTest.seen(64, 48, 40, 12, 8, 0.7);
+        cameras.lastReader().deliver(3, 400_000_000, false);
+        assertEquals("frame 3 at 400000000", heard.next());
+        meanwhile();
+        assertEquals("nor others so soon", asked, device.session.requests.get());
+        cameras.lastReader().deliver(4, 600_000_000, false);
+        assertEquals("frame 4 at 600000000", heard.next());
+        eventually(() -> device.session.requests.get() == asked + 1);
     }
 
     @Test

@@ -855,13 +855,14 @@ public class MainActivityTest {
     @Test
     public void photoOfTheCalibratedShapeIsCheckedInItsOwnSize() {
         GreyImage frame = FIXTURE.image();
-        int width = 3 * frame.widthPx();
-        byte[] grey = new byte[width * 3 * frame.heightPx()];
+        int width = 2 * frame.widthPx();
+        int height = 2 * frame.heightPx();
+        byte[] grey = new byte[width * height];
         for (int i = 0; i < grey.length; i++) {
-            grey[i] = (byte) frame.get(i % width / 3, i / width / 3);
+            grey[i] = (byte) Math.round(between(frame, (i % width + 0.5) / 2 - 0.5, (i / width + 0.5) / 2 - 0.5));
         }
         try (Screen screen = live()) {
-            screen.openPhoto(new Photo("large.png", GreyImage.packed(grey, width, 3 * frame.heightPx())));
+            screen.openPhoto(new Photo("large.png", GreyImage.packed(grey, width, height)));
             screen.until("result", () -> screen.state().verdict() != null);
             assertEquals(width, screen.state().result().cell().camera().widthPx());
             CheckResult alone = CellCheck.run(FIXTURE.cell(),
@@ -871,8 +872,18 @@ public class MainActivityTest {
             for (int axis = 0; axis < 3; axis++) {
                 assertEquals(small[axis], large[axis], 1.5);
             }
-            assertTrue(rows(screen), rows(screen).contains("The photo has 3840 × 2160 px"));
+            assertTrue(rows(screen), rows(screen).contains("The photo has 2560 × 1440 px"));
         }
+    }
+
+    /** A grey value between four pixels, whose middles have whole coordinates. */
+    private static double between(GreyImage image, double x, double y) {
+        int left = Math.max(0, Math.min(image.widthPx() - 2, (int) Math.floor(x)));
+        int top = Math.max(0, Math.min(image.heightPx() - 2, (int) Math.floor(y)));
+        double toRight = Math.max(0, Math.min(1, x - left));
+        double down = Math.max(0, Math.min(1, y - top));
+        return (1 - down) * ((1 - toRight) * image.get(left, top) + toRight * image.get(left + 1, top))
+                + down * ((1 - toRight) * image.get(left, top + 1) + toRight * image.get(left + 1, top + 1));
     }
 
     @Test

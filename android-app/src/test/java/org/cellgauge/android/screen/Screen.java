@@ -6,6 +6,7 @@ import static org.robolectric.Shadows.shadowOf;
 import android.Manifest;
 import android.content.Context;
 import android.content.Intent;
+import android.content.pm.ApplicationInfo;
 import android.graphics.Bitmap;
 import android.graphics.Canvas;
 import android.graphics.SurfaceTexture;
@@ -68,6 +69,7 @@ final class Screen implements AutoCloseable {
 
     /** The app is started, perhaps with what the system kept of it. */
     static Screen start(Bundle saved) {
+        backIsOwn();
         Screen screen = new Screen(Robolectric.buildActivity(MainActivity.class));
         if (saved == null) {
             screen.controller.setup();
@@ -77,6 +79,17 @@ final class Screen implements AutoCloseable {
         screen.settle();
         screen.previewIsReady();
         return screen;
+    }
+
+    /** The manifest says so ({@code ApkTest}); Robolectric reads manifests as Androids did that knew nothing of it. */
+    private static void backIsOwn() {
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.TIRAMISU) {
+            ApplicationInfo info = app().getApplicationInfo();
+            int flags = ReflectionHelpers.getField(info, "privateFlagsExt");
+            int own = ReflectionHelpers.getStaticField(ApplicationInfo.class,
+                    "PRIVATE_FLAG_EXT_ENABLE_ON_BACK_INVOKED_CALLBACK");
+            ReflectionHelpers.setField(info, "privateFlagsExt", flags | own);
+        }
     }
 
     /** The app is started with a cell, and the camera is open on it. */
