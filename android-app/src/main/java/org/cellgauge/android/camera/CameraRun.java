@@ -36,9 +36,9 @@ import org.cellgauge.vision.GreyImage;
 /**
  * One opening of a camera, from asking for it until it is closed.
  *
- * <p>Everything but {@link #start}, {@link #close}, {@link #refocus} and {@link #torch} happens on the run's own thread. The thread
- * ends when the camera is closed; where the device still owes an answer to the request to open it, the thread waits for
- * it, since a camera whose answer nobody hears stays open for good.
+ * <p>Everything but {@link #start}, {@link #close}, {@link #refocus} and {@link #torch} happens on the run's own
+ * thread. The thread ends when the camera is closed; where the device still owes an answer to the request to open it,
+ * the thread waits for it, since a camera whose answer nobody hears stays open for good.
  */
 final class CameraRun {
     private static final String TAG = "CameraRun";

@@ -183,9 +183,9 @@ final class RequestSettings {
     }
 
     /**
-     * Keeps the exposure of every frame short, so that a hand's tremor does not blur it: the frame rate with the highest
-     * lower bound is asked for, since no frame is exposed longer than the next one may wait. In dim light the frames get
-     * noisier instead, which the figures know of.
+     * Keeps the exposure of every frame short, so that a hand's tremor does not blur it: the frame rate with the
+     * highest lower bound is asked for, since no frame is exposed longer than the next one may wait. In dim light the
+     * frames get noisier instead, which the figures know of.
      *
      * @param request gets it
      * @param frame size of the frames, which bounds their rate

@@ -12,7 +12,7 @@ import android.window.OnBackInvokedDispatcher;
 final class BackGesture {
     private final Activity activity;
     private final Runnable action;
-    /** An {@link OnBackInvokedCallback} while the system is told to call it; that type is not there before Android 13. */
+    /** An {@link OnBackInvokedCallback} while the system is told of it; before Android 13 there is no such type. */
     private Object registered;
 
     /**

@@ -528,7 +528,7 @@ public final class MainActivity extends Activity {
         return s.cell() != null && s.source() != ImageSource.LIVE;
     }
 
-    /** Of an app that was opened from the launcher the system's own back leads aside as well, and shows it beforehand. */
+    /** Where the launcher opened the app, the system's own back leads aside as well, and shows that it will. */
     private boolean endsOnBack() {
         String action = getIntent() == null ? null : getIntent().getAction();
         return action != null && !action.equals(Intent.ACTION_MAIN);

@@ -46,7 +46,8 @@ class ApiLevelTest {
                         + "SCALER_(AVAILABLE_)?ROTATE_AND_CROP(_MODES)?)",
                 "keys of Android 9 and 12: read behind a question for the version");
         HARMLESS.put("org\\.cellgauge\\.android\\.screen\\.SystemBars: .*"
-                        + "(android\\.view\\.Window(Insets|InsetsController|Manager\\.LayoutParams)?\\b|android\\.graphics\\.Insets).*",
+                        + "(android\\.view\\.Window(Insets|InsetsController|Manager\\.LayoutParams)?\\b"
+                        + "|android\\.graphics\\.Insets).*",
                 "the screen filled to its edges, from Android 11 on: asked for behind a question for the version");
         HARMLESS.put("org\\.cellgauge\\.android\\.screen\\.BackGesture.* .*android\\.window\\.OnBack.*",
                 "back as Android 13 has it: asked for behind a question for the version");

@@ -395,7 +395,8 @@ public class Camera2FeedTest {
                 (MeteringRectangle[]) device.session.settings.get(CaptureRequest.CONTROL_AE_REGIONS);
         // 62.5 px of the sensor for each of a frame, and a fifth of the marker around it
         assertEquals(new Rect(900, 650, 1600, 1350), areas[0].getRect());
-        assertFalse("a lens that does not move", device.session.settings.containsKey(CaptureRequest.CONTROL_AF_REGIONS));
+        assertFalse("a lens that does not move",
+                device.session.settings.containsKey(CaptureRequest.CONTROL_AF_REGIONS));
         int asked = device.session.requests.get();
         cameras.lastReader().deliver(2, 2, false);
         assertEquals("frame 2 at 2", heard.next());

@@ -118,7 +118,8 @@ public class GivenDocumentTest {
 
     private static ActivityController<MainActivity> start(Intent intent) {
         ActivityController<MainActivity> controller = Robolectric.buildActivity(MainActivity.class,
-                intent.setComponent(new ComponentName(RuntimeEnvironment.getApplication(), MainActivity.class))).setup();
+                intent.setComponent(new ComponentName(RuntimeEnvironment.getApplication(), MainActivity.class)))
+                .setup();
         shadowOf(Looper.getMainLooper()).idle();
         return controller;
     }
