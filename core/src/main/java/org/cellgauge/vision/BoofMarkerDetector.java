@@ -530,6 +530,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
             light.refit(image, marker, patterns.get(id));
         }
+        int glare = light.glarePercent(marker);
+        if (glare > 0) {
+            warnings.add(Warning.of(DetectionWarning.GLARE, id, glare));
+        }
         // of a sharpened photo the code's white is brighter whatever the margin
         boolean thinMargin = whiteOverMargin > WHITEST_OVER_MARGIN && !light.isSharpened();
         if (thinMargin) {

@@ -23,6 +23,9 @@ public enum DetectionWarning implements WarningKind {
     /** Light is cut off above: share of the pixels beside markers' edges that are at the brightest value, percent. */
     WHITES_CLIPPED("whites are clipped: %s %% of the pixels beside the markers' edges are at the brightest value, "
             + "where light is not measured; expose less"),
+    /** Light is cut off above at one marker alone: id, share of the pixels beside one of its sides, percent. */
+    GLARE("marker %s glares: %s %% of the pixels beside one of its sides are at the brightest value, and of the other "
+            + "markers they are not; tilt the camera, or turn the lamp that it mirrors away"),
     /** Light is cut off below: share of the pixels beside markers' edges that are at the darkest value, percent. */
     BLACKS_CRUSHED("blacks are crushed: %s %% of the pixels beside the markers' edges are at the darkest value, "
             + "where light is not measured; expose more, or lower the contrast in the camera"),

@@ -43,6 +43,8 @@ final class LightFit {
     private static final int LEAST_TO_JUDGE = 4;
     private static final double ODD_NOISE = 1.7;
     private static final double CLIPPED_SHARE = 0.1;
+    /** Of the pixels beside one side: a bright speck is less, a mirrored lamp more. */
+    private static final double GLARE_SHARE = 0.4;
     private static final double CRUSHED_SHARE = 0.4;
     private static final double OVERSHOOT = 0.025;
     /** Difference of white and black below which steps of grey weigh heavily, grey levels. */
@@ -779,6 +781,20 @@ final class LightFit {
         } else if (medianContrast < DARK_CONTRAST) {
             warnings.add(Warning.of(DetectionWarning.TOO_DARK, (int) Math.round(medianWhite)));
         }
+    }
+
+    /**
+     * How much of one marker is cut off above, where the photo as a whole is not: a lamp that it mirrors.
+     *
+     * @param marker its edges, fitted in this light
+     * @return share of the pixels beside its worst side that are at the brightest value, percent; 0 where it is few
+     */
+    int glarePercent(MarkerEdges marker) {
+        double worst = 0;
+        for (int k = 0; k < 4; k++) {
+            worst = Math.max(worst, marker.side(k).clippedShare);
+        }
+        return clippedShare <= CLIPPED_SHARE && worst > GLARE_SHARE ? percent(worst) : 0;
     }
 
     private static int percent(double share) {

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import org.cellgauge.desktop.render.Backdrop;
@@ -14,6 +16,7 @@ import org.cellgauge.desktop.render.Sensor;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.vision.DetectionWarning;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -149,6 +152,32 @@ class CornersInLightTest {
         MarkerField.Found unknown = field.find(photo, null);
         assertEquals(40, unknown.markers);
         assertTrue(unknown.detections.light().toneCurveOpen(), unknown.toString());
+    }
+
+    @Test
+    void aLampThatOneMarkerMirrorsIsSaidOfItAlone() {
+        MarkerField field = MarkerField.of(BINARY, LARGE_MM);
+        GreyImage photo = field.photo(sensor(0.7, ToneCurve.SRGB));
+        MarkerField.Found found = field.find(photo, ToneCurve.SRGB);
+        assertFalse(warns(found, DetectionWarning.GLARE), found.toString());
+        MarkerObservation mirrors = found.detections.markers().get(0);
+        double[] corners = mirrors.cornersPx();
+        double right = Math.max(Math.max(corners[0], corners[2]), Math.max(corners[4], corners[6]));
+        double left = Math.min(Math.min(corners[0], corners[2]), Math.min(corners[4], corners[6]));
+        double top = Math.min(Math.min(corners[1], corners[3]), Math.min(corners[5], corners[7]));
+        double margin = 0.15 * (right - left);
+        for (int y = (int) (top - margin); y < top + right - left + margin; y++) {
+            for (int x = (int) (right - margin); x < right + margin; x++) {
+                int at = y * photo.widthPx() + x;
+                photo.luminance()[at] = (byte) Math.min(255, 2 * (photo.luminance()[at] & 0xFF));
+            }
+        }
+        found = field.find(photo, ToneCurve.SRGB);
+        List<Object> glaring = new ArrayList<>();
+        found.detections.warnings().stream().filter(w -> w.kind() == DetectionWarning.GLARE)
+                .forEach(w -> glaring.add(w.arguments().get(0)));
+        assertEquals(List.of(mirrors.id()), glaring, found.toString());
+        assertFalse(warns(found, DetectionWarning.WHITES_CLIPPED), found.toString());
     }
 
     @Test

@@ -43,6 +43,13 @@ public final class Camera2Feed implements CameraFeed {
     }
 
     @Override
+    public void torch(boolean on) {
+        if (run != null) {
+            run.torch(on);
+        }
+    }
+
+    @Override
     public void close() {
         if (run != null) {
             run.close();

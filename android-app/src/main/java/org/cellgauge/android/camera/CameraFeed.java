@@ -2,6 +2,7 @@ package org.cellgauge.android.camera;
 
 import android.graphics.SurfaceTexture;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
 
 /** A camera that delivers frames: the device's, or one of a test. All methods are called on the main thread. */
@@ -16,14 +17,19 @@ public interface CameraFeed {
          */
         void onOpened(CameraSetup setup);
 
+        /** The lens begins to move by itself, because the view has changed: no frame comes until it stands still. */
+        void onFocusing();
+
         /**
          * The newest frame; older ones that nobody fetched are gone.
          *
          * @param luminance the frame's luminance in sensor orientation; valid until this call returns, its array is
          *     used again
          * @param timestampNs time of the exposure, from a clock that never runs backwards
+         * @return the markers that it shows, where light is then metered and by which the focus is watched; null where
+         *     it was not looked at
          */
-        void onFrame(GreyImage luminance, long timestampNs);
+        Detections onFrame(GreyImage luminance, long timestampNs);
 
         /**
          * The camera stopped; it is closed already and can be opened again.
@@ -47,6 +53,14 @@ public interface CameraFeed {
      * where the camera is closed, or its lens does not move.
      */
     void refocus();
+
+    /**
+     * Switches the lamp beside the camera. Does nothing where the camera is closed, or there is none; a camera opens
+     * with its lamp off.
+     *
+     * @param on whether it is to shine
+     */
+    void torch(boolean on);
 
     /**
      * Closes the camera; no call of the listener begins after it, but one that has begun may still run. Does nothing

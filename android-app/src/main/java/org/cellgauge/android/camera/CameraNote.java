@@ -4,6 +4,8 @@ package org.cellgauge.android.camera;
 public enum CameraNote {
     /** The device cannot lock the focus: sharpness, and with it the focal length, may wander. */
     FOCUS_NOT_LOCKED,
+    /** The last scan of the focus found nothing sharp. */
+    FOCUS_NOT_FOUND,
     /** Optical or video stabilisation cannot be switched off: it shifts the image against the calibration. */
     STABILISATION_ON,
     /**

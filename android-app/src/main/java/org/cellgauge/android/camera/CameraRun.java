@@ -14,6 +14,7 @@ import android.hardware.camera2.CaptureFailure;
 import android.hardware.camera2.CaptureRequest;
 import android.hardware.camera2.CaptureResult;
 import android.hardware.camera2.TotalCaptureResult;
+import android.hardware.camera2.params.MeteringRectangle;
 import android.media.Image;
 import android.media.ImageReader;
 import android.os.Handler;
@@ -21,6 +22,7 @@ import android.os.HandlerThread;
 import android.util.Log;
 import android.view.Surface;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -28,14 +30,15 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
 
 /**
  * One opening of a camera, from asking for it until it is closed.
  *
- * <p>Everything but {@link #start}, {@link #close} and {@link #refocus} happens on the run's own thread. The thread
- * ends when the camera is closed; where the device still owes an answer to the request to open it, the thread waits for
- * it, since a camera whose answer nobody hears stays open for good.
+ * <p>Everything but {@link #start}, {@link #close}, {@link #refocus} and {@link #torch} happens on the run's own
+ * thread. The thread ends when the camera is closed; where the device still owes an answer to the request to open it,
+ * the thread waits for it, since a camera whose answer nobody hears stays open for good.
  */
 final class CameraRun {
     private static final String TAG = "CameraRun";
@@ -43,6 +46,8 @@ final class CameraRun {
     private static final long PATIENCE_MS = 8_000;
     /** For a scan of the focus, ms; devices give up after 2 to 4 s themselves. */
     private static final long SCAN_MS = 5_000;
+    /** While the view moves, the camera is told no more often where to meter, ns. */
+    private static final long METERING_PAUSE_NS = 500_000_000;
     // one that is filled, one that waits and one that is read
     private static final int FRAMES_IN_FLIGHT = 3;
     private static final int BROKEN_FRAMES_ALLOWED = 30;
@@ -67,6 +72,11 @@ final class CameraRun {
     private RequestSettings settings;
     private List<StreamChoice> streams;
     private FocusHold focus;
+    private final FocusWatch watch = new FocusWatch();
+    private boolean shining;
+    /** Where markers were when the camera was told last where to meter. */
+    private List<MeteringRectangle> metered = Collections.emptyList();
+    private long meteredNs;
     private CameraDevice device;
     private ImageReader reader;
     private Surface previewSurface;
@@ -117,6 +127,12 @@ final class CameraRun {
     void refocus() {
         if (!closed.get()) {
             handler.post(this::scan);
+        }
+    }
+
+    void torch(boolean on) {
+        if (!closed.get()) {
+            handler.post(() -> shine(on));
         }
     }
 
@@ -240,13 +256,15 @@ final class CameraRun {
         notes.addAll(model.notes());
         notes.addAll(settings.notes());
         setup = new CameraSetup(model.camera(), model.source(), traits.sensorOrientationDeg(),
-                traits.facing() == CameraTraits.Facing.FRONT, notes);
+                traits.facing() == CameraTraits.Facing.FRONT, traits.hasTorch(), notes);
         try {
             reader = ImageReader.newInstance(frame.widthPx(), frame.heightPx(), ImageFormat.YUV_420_888,
                     FRAMES_IN_FLIGHT);
             reader.setOnImageAvailableListener(this::frameCame, handler);
             request = device.createCaptureRequest(CameraDevice.TEMPLATE_PREVIEW);
             settings.applyTo(request::set);
+            settings.keepExposureShort(request::set, frame);
+            shine();
             List<Surface> surfaces = new ArrayList<>();
             surfaces.add(reader.getSurface());
             if (preview != null) {
@@ -293,13 +311,62 @@ final class CameraRun {
         listener.onOpened(setup);
         handler.removeCallbacks(patience);
         handler.postDelayed(patience, PATIENCE_MS);
+        if (repeat()) {
+            scan();
+        }
+    }
+
+    /** Asks for frames as the request has it by now; whether that was possible. */
+    private boolean repeat() {
         try {
             session.setRepeatingRequest(request.build(), new FocusReports(), handler);
+            return true;
         } catch (CameraAccessException | RuntimeException e) {
             fault(CameraFaults.of(e), e);
+            return false;
+        }
+    }
+
+    private void shine(boolean on) {
+        if (closed.get() || shining == on) {
             return;
         }
-        scan();
+        shining = on;
+        // before there is a request it is told when it is made
+        if (session != null) {
+            shine();
+            repeat();
+        }
+    }
+
+    private void shine() {
+        if (traits.hasTorch()) {
+            request.set(CaptureRequest.FLASH_MODE,
+                    shining ? CameraMetadata.FLASH_MODE_TORCH : CameraMetadata.FLASH_MODE_OFF);
+        }
+    }
+
+    /** Meters and focuses by the markers of a frame. */
+    private void look(Detections seen, long timestampNs) {
+        if (closed.get() || session == null || !focus.isStill()) {
+            return;
+        }
+        boolean due = focus.canScan() && watch.isDue(seen, timestampNs);
+        if (settings.whole() != null && !seen.markers().isEmpty()) {
+            List<MeteringRectangle> now = MeteringAreas.of(seen, settings.whole(), seen.markers().size());
+            boolean early = !metered.isEmpty() && timestampNs - meteredNs < METERING_PAUSE_NS;
+            if (due || !early && MeteringAreas.differ(metered, now, settings.whole())) {
+                metered = now;
+                meteredNs = timestampNs;
+                if (!settings.meterAt(request::set, seen).isEmpty() && !repeat()) {
+                    return;
+                }
+            }
+        }
+        if (due) {
+            listener.onFocusing();
+            scan();
+        }
     }
 
     /** Asks for a scan of the focus; the repeating request then holds what it finds. */
@@ -359,29 +426,29 @@ final class CameraRun {
             // reports and images come on ways of their own: an image may still be from before
             Long exposureNs = result.get(CaptureResult.SENSOR_TIMESTAMP);
             stillFromNs = exposureNs == null ? Long.MIN_VALUE : exposureNs;
-            if (setup.notes().contains(CameraNote.FOCUS_NOT_LOCKED)
-                    && !settings.notes().contains(CameraNote.FOCUS_NOT_LOCKED)) {
-                // an earlier scan came to no end, this one has
-                Set<CameraNote> notes = EnumSet.noneOf(CameraNote.class);
-                notes.addAll(setup.notes());
-                notes.remove(CameraNote.FOCUS_NOT_LOCKED);
-                renote(notes);
-            }
+            watch.scanned(Math.max(lastTimestampNs, stillFromNs));
+            // an earlier scan may have come to no end, this one has
+            noteFocus(settings.notes().contains(CameraNote.FOCUS_NOT_LOCKED), !focus.found());
         }
     }
 
     private void scanEndless() {
-        if (!closed.get() && focus.giveUp() && !setup.notes().contains(CameraNote.FOCUS_NOT_LOCKED)) {
-            Set<CameraNote> notes = EnumSet.of(CameraNote.FOCUS_NOT_LOCKED);
-            notes.addAll(setup.notes());
-            renote(notes);
+        if (!closed.get() && focus.giveUp()) {
+            watch.scanned(lastTimestampNs);
+            noteFocus(true, false);
         }
     }
 
-    private void renote(Set<CameraNote> notes) {
-        setup = new CameraSetup(setup.camera(), setup.source(), setup.sensorOrientationDeg(), setup.frontFacing(),
-                notes);
-        listener.onOpened(setup);
+    /** Says how the focus is, where that is news. */
+    private void noteFocus(boolean notLocked, boolean notFound) {
+        Set<CameraNote> notes = EnumSet.noneOf(CameraNote.class);
+        notes.addAll(setup.notes());
+        boolean news = notLocked ? notes.add(CameraNote.FOCUS_NOT_LOCKED) : notes.remove(CameraNote.FOCUS_NOT_LOCKED);
+        news |= notFound ? notes.add(CameraNote.FOCUS_NOT_FOUND) : notes.remove(CameraNote.FOCUS_NOT_FOUND);
+        if (news) {
+            setup = setup.withNotes(notes);
+            listener.onOpened(setup);
+        }
     }
 
     private void frameCame(ImageReader source) {
@@ -410,7 +477,10 @@ final class CameraRun {
         brokenFrames = 0;
         lastTimestampNs = Math.max(lastTimestampNs, timestampNs);
         // the camera has its memory back already: however long the listener takes, newer frames go on arriving
-        listener.onFrame(frame, lastTimestampNs);
+        Detections seen = listener.onFrame(frame, lastTimestampNs);
+        if (seen != null) {
+            look(seen, lastTimestampNs);
+        }
     }
 
     private void firstFrameCame() {

@@ -11,10 +11,11 @@ public final class CameraSetup {
     private final CameraModelSource source;
     private final int sensorOrientationDeg;
     private final boolean frontFacing;
+    private final boolean torch;
     private final Set<CameraNote> notes;
 
     /**
-     * A set-up.
+     * A set-up without a lamp.
      *
      * @param camera intrinsics for the frames as they come, in sensor orientation; its size is theirs
      * @param source where the intrinsics come from
@@ -25,6 +26,23 @@ public final class CameraSetup {
      */
     public CameraSetup(PinholeCamera camera, CameraModelSource source, int sensorOrientationDeg, boolean frontFacing,
             Set<CameraNote> notes) {
+        this(camera, source, sensorOrientationDeg, frontFacing, false, notes);
+    }
+
+    /**
+     * A set-up.
+     *
+     * @param camera intrinsics for the frames as they come, in sensor orientation; its size is theirs
+     * @param source where the intrinsics come from
+     * @param sensorOrientationDeg clockwise angle by which a frame is turned to stand upright on a device in its
+     *     natural orientation: 0, 90, 180 or 270
+     * @param frontFacing whether the camera looks at the user, so that its preview is mirrored
+     * @param torch whether there is a lamp beside it
+     * @param notes what the user should know
+     */
+    public CameraSetup(PinholeCamera camera, CameraModelSource source, int sensorOrientationDeg, boolean frontFacing,
+            boolean torch, Set<CameraNote> notes) {
+        this.torch = torch;
         this.camera = camera;
         this.source = source;
         this.sensorOrientationDeg = sensorOrientationDeg;
@@ -68,6 +86,25 @@ public final class CameraSetup {
      */
     public boolean frontFacing() {
         return frontFacing;
+    }
+
+    /**
+     * Whether there is a lamp beside the camera.
+     *
+     * @return true where {@link CameraFeed#torch} has an effect
+     */
+    public boolean hasTorch() {
+        return torch;
+    }
+
+    /**
+     * The same with other notes.
+     *
+     * @param others what the user should know
+     * @return a copy
+     */
+    CameraSetup withNotes(Set<CameraNote> others) {
+        return new CameraSetup(camera, source, sensorOrientationDeg, frontFacing, torch, others);
     }
 
     /**

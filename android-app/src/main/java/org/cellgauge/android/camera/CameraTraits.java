@@ -7,9 +7,11 @@ import android.hardware.camera2.CameraCharacteristics;
 import android.hardware.camera2.CameraMetadata;
 import android.hardware.camera2.params.StreamConfigurationMap;
 import android.os.Build;
+import android.util.Range;
 import android.util.Size;
 import android.util.SizeF;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -126,6 +128,29 @@ final class CameraTraits {
         return false;
     }
 
+    /**
+     * Ranges of frames per second that its automatic exposure keeps to, each lowest and highest, as it lists them; some
+     * old devices list them per thousand seconds.
+     */
+    List<Range<Integer>> frameRates() {
+        return v.frameRates;
+    }
+
+    /** How many areas it meters light in; 0 for none. */
+    int maxExposureAreas() {
+        return v.maxExposureAreas;
+    }
+
+    /** How many areas it focuses on; 0 for none. */
+    int maxFocusAreas() {
+        return v.maxFocusAreas;
+    }
+
+    /** Whether there is a lamp beside it. */
+    boolean hasTorch() {
+        return v.torch;
+    }
+
     int[] focusModes() {
         return v.focusModes.clone();
     }
@@ -216,6 +241,11 @@ final class CameraTraits {
         // different ways, so that nobody can tell what its numbers mean
         Float closest = characteristics.get(CameraCharacteristics.LENS_INFO_MINIMUM_FOCUS_DISTANCE);
         b.minFocusDistanceDpt(closest == null ? -1 : closest);
+        Range<Integer>[] rates = characteristics.get(CameraCharacteristics.CONTROL_AE_AVAILABLE_TARGET_FPS_RANGES);
+        b.frameRates(rates == null ? Collections.emptyList() : Arrays.asList(rates));
+        b.maxExposureAreas(count(characteristics.get(CameraCharacteristics.CONTROL_MAX_REGIONS_AE)));
+        b.maxFocusAreas(count(characteristics.get(CameraCharacteristics.CONTROL_MAX_REGIONS_AF)));
+        b.torch(Boolean.TRUE.equals(characteristics.get(CameraCharacteristics.FLASH_INFO_AVAILABLE)));
         b.focusModes(characteristics.get(CameraCharacteristics.CONTROL_AF_AVAILABLE_MODES));
         b.opticalStabilisationModes(
                 characteristics.get(CameraCharacteristics.LENS_INFO_AVAILABLE_OPTICAL_STABILIZATION));
@@ -249,6 +279,10 @@ final class CameraTraits {
         }
     }
 
+    private static int count(Integer stated) {
+        return stated == null ? 0 : Math.max(0, stated);
+    }
+
     private static PixelArea area(Rect rect) {
         return rect == null || rect.width() <= 0 || rect.height() <= 0 ? null
                 : new PixelArea(rect.left, rect.top, rect.width(), rect.height());
@@ -271,6 +305,10 @@ final class CameraTraits {
         private float[] intrinsicCalibration;
         private float[] distortion;
         private float minFocusDistanceDpt = -1;
+        private List<Range<Integer>> frameRates = Collections.emptyList();
+        private int maxExposureAreas;
+        private int maxFocusAreas;
+        private boolean torch;
         private int[] focusModes = {};
         private int[] opticalStabilisationModes = {};
         private int[] videoStabilisationModes = {};
@@ -351,6 +389,26 @@ final class CameraTraits {
             return this;
         }
 
+        Builder frameRates(List<Range<Integer>> value) {
+            frameRates = value;
+            return this;
+        }
+
+        Builder maxExposureAreas(int value) {
+            maxExposureAreas = value;
+            return this;
+        }
+
+        Builder maxFocusAreas(int value) {
+            maxFocusAreas = value;
+            return this;
+        }
+
+        Builder torch(boolean value) {
+            torch = value;
+            return this;
+        }
+
         Builder focusModes(int... value) {
             focusModes = copy(value);
             return this;
@@ -406,6 +464,10 @@ final class CameraTraits {
             copy.intrinsicCalibration = intrinsicCalibration;
             copy.distortion = distortion;
             copy.minFocusDistanceDpt = minFocusDistanceDpt;
+            copy.frameRates = Collections.unmodifiableList(new ArrayList<>(frameRates));
+            copy.maxExposureAreas = maxExposureAreas;
+            copy.maxFocusAreas = maxFocusAreas;
+            copy.torch = torch;
             copy.focusModes = focusModes;
             copy.opticalStabilisationModes = opticalStabilisationModes;
             copy.videoStabilisationModes = videoStabilisationModes;

@@ -9,6 +9,7 @@ import android.hardware.camera2.CameraMetadata;
 final class FocusHold {
     private final RequestSettings.Focus focus;
     private boolean scanning;
+    private boolean found = true;
     /** Number of the frame with which the scan in progress was asked for; reports on earlier ones are of the past. */
     private long scanFrame = Long.MAX_VALUE;
 
@@ -54,13 +55,19 @@ final class FocusHold {
         if (!scanning || frameNumber < scanFrame || state == null) {
             return false;
         }
-        // whether it is sharp is for the user to see; what counts here is that it stays
+        // what counts for measuring is that it stays; whether it is sharp is said
         if (state == CameraMetadata.CONTROL_AF_STATE_FOCUSED_LOCKED
                 || state == CameraMetadata.CONTROL_AF_STATE_NOT_FOCUSED_LOCKED) {
             scanning = false;
+            found = state == CameraMetadata.CONTROL_AF_STATE_FOCUSED_LOCKED;
             return true;
         }
         return false;
+    }
+
+    /** Whether the last scan that ended found a focus. */
+    boolean found() {
+        return found;
     }
 
     /**

@@ -3,11 +3,15 @@ package org.cellgauge.android.camera;
 import android.graphics.Rect;
 import android.hardware.camera2.CameraMetadata;
 import android.hardware.camera2.CaptureRequest;
+import android.hardware.camera2.params.MeteringRectangle;
 import android.os.Build;
+import android.util.Range;
 import java.util.Collections;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
 import org.cellgauge.internal.geometry.PixelArea;
+import org.cellgauge.vision.Detections;
 
 /**
  * What a camera is told so that a calibration holds for its frames: no zoom, no stabilisation, no correction of the
@@ -37,6 +41,12 @@ final class RequestSettings {
     }
 
     private static final int NO_MODE = -1;
+    /** Faster frames than these would be exposed shorter still, and come faster than they can be looked at. */
+    private static final double ENOUGH_FPS = 30;
+    private static final double NS_PER_S = 1e9;
+    /** A duration of 33 333 333 ns is 30 frames a second, and so is one of 33.4 ms. */
+    private static final double ROUNDED_FPS = 0.5;
+    private static final int PER_THOUSAND_SECONDS = 1000;
 
     private final CameraTraits traits;
     private final Focus focus;
@@ -138,13 +148,9 @@ final class RequestSettings {
         setIfOffered(request, CaptureRequest.EDGE_MODE, traits.edgeModes(), CameraMetadata.EDGE_MODE_OFF);
         setIfOffered(request, CaptureRequest.NOISE_REDUCTION_MODE, traits.noiseReductionModes(),
                 CameraMetadata.NOISE_REDUCTION_MODE_FAST);
-        PixelArea whole = traits.activeArray();
-        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.P
-                && CameraTraits.has(traits.distortionCorrectionModes(),
-                        CameraMetadata.DISTORTION_CORRECTION_MODE_OFF)) {
+        PixelArea whole = whole();
+        if (correctionCanBeOff()) {
             request.set(CaptureRequest.DISTORTION_CORRECTION_MODE, CameraMetadata.DISTORTION_CORRECTION_MODE_OFF);
-            // without the correction, areas are those of the sensor before it
-            whole = traits.preCorrectionActiveArray();
         }
         if (whole != null) {
             request.set(CaptureRequest.SCALER_CROP_REGION,
@@ -158,6 +164,73 @@ final class RequestSettings {
         float focalLength = focalLengthMm(traits);
         if (traits.focalLengthsMm().length > 1 && focalLength > 0) {
             request.set(CaptureRequest.LENS_FOCAL_LENGTH, focalLength);
+        }
+    }
+
+    private boolean correctionCanBeOff() {
+        return Build.VERSION.SDK_INT >= Build.VERSION_CODES.P && CameraTraits.has(traits.distortionCorrectionModes(),
+                CameraMetadata.DISTORTION_CORRECTION_MODE_OFF);
+    }
+
+    /**
+     * The area of the sensor that frames are cut out of, which is all of it; requests count from its upper left corner.
+     *
+     * @return null where the camera does not state it
+     */
+    PixelArea whole() {
+        // without the correction of the lens, areas are those of the sensor before it
+        return correctionCanBeOff() ? traits.preCorrectionActiveArray() : traits.activeArray();
+    }
+
+    /**
+     * Keeps the exposure of every frame short, so that a hand's tremor does not blur it: the frame rate with the
+     * highest lower bound is asked for, since no frame is exposed longer than the next one may wait. In dim light the
+     * frames get noisier instead, which the figures know of.
+     *
+     * @param request gets it
+     * @param frame size of the frames, which bounds their rate
+     */
+    void keepExposureShort(Target request, PixelSize frame) {
+        Long durationNs = traits.frameSizes().get(frame);
+        double most = durationNs == null || durationNs <= 0 ? ENOUGH_FPS
+                : Math.min(ENOUGH_FPS, NS_PER_S / durationNs + ROUNDED_FPS);
+        Range<Integer> best = null;
+        for (Range<Integer> range : traits.frameRates()) {
+            boolean possible = range.getLower() > 0 && perSecond(range.getUpper()) <= most;
+            if (possible && (best == null || range.getLower() > best.getLower()
+                    || range.getLower().equals(best.getLower()) && range.getUpper() > best.getUpper())) {
+                best = range;
+            }
+        }
+        if (best != null) {
+            request.set(CaptureRequest.CONTROL_AE_TARGET_FPS_RANGE, best);
+        }
+    }
+
+    private static double perSecond(int rate) {
+        return rate >= PER_THOUSAND_SECONDS ? rate / (double) PER_THOUSAND_SECONDS : rate;
+    }
+
+    /**
+     * Has light metered and the focus searched at the markers.
+     *
+     * @param request gets the areas, as many as the camera takes
+     * @param seen the markers of the last frame
+     * @return what light is metered in and the focus searched at; empty where the camera meters as it likes
+     */
+    List<MeteringRectangle> meterAt(Target request, Detections seen) {
+        int most = Math.max(traits.maxExposureAreas(), traits.maxFocusAreas());
+        List<MeteringRectangle> areas = whole() == null ? Collections.emptyList()
+                : MeteringAreas.of(seen, whole(), most);
+        setAreas(request, CaptureRequest.CONTROL_AE_REGIONS, areas, traits.maxExposureAreas());
+        setAreas(request, CaptureRequest.CONTROL_AF_REGIONS, areas, traits.maxFocusAreas());
+        return areas;
+    }
+
+    private static void setAreas(Target request, CaptureRequest.Key<MeteringRectangle[]> key,
+            List<MeteringRectangle> areas, int most) {
+        if (most > 0 && !areas.isEmpty()) {
+            request.set(key, areas.subList(0, Math.min(most, areas.size())).toArray(new MeteringRectangle[0]));
         }
     }
 

@@ -24,7 +24,8 @@ public enum FileRefusal implements RefusalKind {
     /** A format that is known but not read. */
     OTHER_FORMAT("images of this format are not read by the app; save it as PNG or JPEG"),
     /** A format of phones. */
-    HEIC("images in HEIC or AVIF, and films, are not read by the app; save it as PNG or JPEG"),
+    HEIC("images in HEIC or AVIF, and films, are not read by the app; choose JPEG in the settings of the camera app "
+            + "(where it is called HEIF or high efficiency, switch that off), or save this one as PNG or JPEG"),
     /** Anything else. */
     UNKNOWN_FORMAT("this is no image of a known format; save it as PNG or JPEG"),
     /** The end is missing. */

@@ -67,6 +67,7 @@ public final class MainActivity extends Activity {
     private ScreenContent content;
     private Wording words;
     private final DisplayTurns turns = new DisplayTurns();
+    private final BackGesture back = new BackGesture(this, this::goBack);
     private Disposable states = Disposable.disposed();
     private Disposable levels = Disposable.disposed();
     private TargetDialog targetDialog;
@@ -77,6 +78,8 @@ public final class MainActivity extends Activity {
     private SurfaceTexture surface;
     /** The cell that the camera is open for; null while it is closed. */
     private CellDocument openFor;
+    /** What the open camera was told of its lamp. */
+    private boolean shining;
 
     private ImageView bannerMark;
     private TextView headline;
@@ -118,6 +121,7 @@ public final class MainActivity extends Activity {
         words = new Wording(getResources());
         content = new ScreenContent(words, AppVersion.of(this));
         setContentView(R.layout.main);
+        SystemBars.keepClear(this);
         findViews();
         wireBar();
         rows.onAction(this::perform);
@@ -139,6 +143,33 @@ public final class MainActivity extends Activity {
         }
         if (saved != null && saved.containsKey(LICENCES_TOP)) {
             licencesDialog = new LicencesDialog(this, mainThread, saved.getInt(LICENCES_TOP));
+        }
+        if (kept == null && saved == null) {
+            take(getIntent());
+        }
+    }
+
+    @Override
+    protected void onNewIntent(Intent intent) {
+        super.onNewIntent(intent);
+        take(intent);
+    }
+
+    /** What another app gives: a photo is checked, anything else is to be a cell file. */
+    private void take(Intent intent) {
+        GivenDocument given = GivenDocument.of(intent, getContentResolver());
+        if (given == null) {
+            return;
+        }
+        if (given.uri() == null) {
+            Toast.makeText(this, R.string.no_file_given, Toast.LENGTH_LONG).show();
+            return;
+        }
+        if (given.isPhoto()) {
+            session.openPhoto(given.uri().toString());
+        } else {
+            keepAccess(given.uri());
+            session.chooseCell(given.uri().toString());
         }
     }
 
@@ -179,6 +210,7 @@ public final class MainActivity extends Activity {
             session.refocusing();
             feed.refocus();
         });
+        findViewById(R.id.torch).setOnClickListener(v -> session.torch(!session.state().torch()));
         findViewById(R.id.photo).setOnClickListener(v -> chooseDocument(REQUEST_PHOTO, "image/*"));
         findViewById(R.id.cell).setOnClickListener(v -> chooseDocument(REQUEST_CELL, "*/*"));
     }
@@ -214,6 +246,10 @@ public final class MainActivity extends Activity {
 
     @Override
     protected void onStop() {
+        if (!isChangingConfigurations()) {
+            // nobody wants it to shine unasked when the app comes back
+            session.torch(false);
+        }
         states.dispose();
         levels.dispose();
         displays.unregisterDisplayListener(turns);
@@ -328,10 +364,16 @@ public final class MainActivity extends Activity {
                 && s.permission() == CameraPermission.GRANTED;
         if (wanted && openFor != s.cell()) {
             openFor = s.cell();
+            shining = false;
             feed.open(s.liveCalibration(), surface, session.cameraListener(s.cell()));
         } else if (!wanted && openFor != null) {
             openFor = null;
             feed.close();
+        }
+        boolean shines = wanted && s.torch() && s.source() == ImageSource.LIVE;
+        if (openFor != null && shines != shining) {
+            shining = shines;
+            feed.torch(shines);
         }
         if (wanted && s.source() == ImageSource.LIVE) {
             getWindow().addFlags(WindowManager.LayoutParams.FLAG_KEEP_SCREEN_ON);
@@ -487,16 +529,29 @@ public final class MainActivity extends Activity {
         }
     }
 
-    /** From a held picture back to the camera; else the app steps aside and keeps what it has. */
     @Override
-    @SuppressWarnings("deprecation") // what replaces it does not exist before Android 13
+    @SuppressWarnings("deprecation") // what replaces it, BackGesture, does not exist before Android 13
     public void onBackPressed() {
-        CheckScreenState s = session.state();
-        if (s.cell() != null && s.source() != ImageSource.LIVE) {
+        goBack();
+    }
+
+    /** From a held picture back to the camera; else the app steps aside and keeps what it has. */
+    private void goBack() {
+        if (holdsPicture(session.state())) {
             session.resume();
         } else {
             moveTaskToBack(true);
         }
+    }
+
+    private static boolean holdsPicture(CheckScreenState s) {
+        return s.cell() != null && s.source() != ImageSource.LIVE;
+    }
+
+    /** Where the launcher opened the app, the system's own back leads aside as well, and shows that it will. */
+    private boolean endsOnBack() {
+        String action = getIntent() == null ? null : getIntent().getAction();
+        return action != null && !action.equals(Intent.ACTION_MAIN);
     }
 
     private void share() {
@@ -528,6 +583,7 @@ public final class MainActivity extends Activity {
         showPanel(s);
         runCamera();
         showBar(s);
+        back.own(holdsPicture(s) || endsOnBack());
     }
 
     /** A colour half-way to the one of nothing: white letters stand out from both. */
@@ -631,6 +687,12 @@ public final class MainActivity extends Activity {
         enable(R.id.target, s.cell() != null);
         enable(R.id.refocus, s.setup() != null && liveShown && openFor != null);
         enable(R.id.photo, s.cell() != null);
+        Button torch = findViewById(R.id.torch);
+        torch.setVisibility(s.setup() != null && s.setup().hasTorch() ? View.VISIBLE : View.GONE);
+        torch.setEnabled(liveShown && openFor != null);
+        torch.setContentDescription(words.get(s.torch() ? R.string.torch_off_spoken : R.string.torch_on_spoken));
+        torch.setCompoundDrawablesWithIntrinsicBounds(0,
+                s.torch() ? R.drawable.ic_torch_on : R.drawable.ic_torch, 0, 0);
         View target = findViewById(R.id.target);
         target.setContentDescription(words.get(R.string.target_spoken, content.targetSpoken(s)));
     }

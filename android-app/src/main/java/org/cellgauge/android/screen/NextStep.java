@@ -3,6 +3,7 @@ package org.cellgauge.android.screen;
 import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.android.R;
+import org.cellgauge.android.camera.CameraNote;
 import org.cellgauge.android.state.Advice;
 import org.cellgauge.android.state.CheckScreenState;
 import org.cellgauge.android.state.ImageSource;
@@ -10,11 +11,18 @@ import org.cellgauge.check.Reason;
 import org.cellgauge.output.AdviceView;
 import org.cellgauge.output.MisplacedView;
 import org.cellgauge.output.ReferencesView;
+import org.cellgauge.vision.DetectionWarning;
+import org.cellgauge.vision.Detections;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
 
 /** The one thing to do next, in words of action: what a technician reads after the verdict and before any figure. */
 final class NextStep {
+    /** Blur of markers (standard deviation) that a lens in focus and a steady hand stay far below, px. */
+    private static final double BLURRED_PX = 2;
+    /** The same where markers could not be read. */
+    private static final double BLURRED_UNREAD_PX = 1.2;
+
     private final Wording words;
 
     NextStep(Wording words) {
@@ -47,6 +55,53 @@ final class NextStep {
         }
     }
 
+    /**
+     * What to do about light and sharpness of the camera's newest frame, the worst first.
+     *
+     * @return null where nothing is amiss, or what is shown is no camera's picture
+     */
+    String picture(CheckScreenState s) {
+        if (s.source() != ImageSource.LIVE || s.live() == null || s.awaitsFrame()) {
+            return null;
+        }
+        Detections seen = s.live().detections();
+        if (find(seen, DetectionWarning.NEARLY_BLACK, DetectionWarning.TOO_DARK) != null) {
+            return words.get(s.setup() != null && s.setup().hasTorch() && !s.torch() ? R.string.next_too_dark_torch
+                    : R.string.next_too_dark);
+        }
+        if (find(seen, DetectionWarning.NEARLY_WHITE, DetectionWarning.WHITES_CLIPPED) != null) {
+            return words.get(R.string.next_too_bright);
+        }
+        Warning glare = find(seen, DetectionWarning.GLARE);
+        if (glare != null) {
+            return words.get(R.string.next_glare, glare.arguments().get(0));
+        }
+        if (s.setup() != null && s.setup().notes().contains(CameraNote.FOCUS_NOT_FOUND)) {
+            return words.get(R.string.next_focus);
+        }
+        return isBlurred(seen) ? words.get(R.string.next_steadier) : null;
+    }
+
+    private static boolean isBlurred(Detections seen) {
+        if (find(seen, DetectionWarning.BLURRED, DetectionWarning.TOO_BLURRED) != null) {
+            return true;
+        }
+        // of small markers less is too much: what is left of their cells no longer matches
+        boolean unread = find(seen, DetectionWarning.CELLS_DO_NOT_MATCH, DetectionWarning.EDGES_NOT_MEASURED) != null;
+        return seen.light() != null && seen.light().blurPx() > (unread ? BLURRED_UNREAD_PX : BLURRED_PX);
+    }
+
+    private static Warning find(Detections seen, DetectionWarning... kinds) {
+        for (Warning warning : seen.warnings()) {
+            for (DetectionWarning kind : kinds) {
+                if (warning.kind() == kind) {
+                    return warning;
+                }
+            }
+        }
+        return null;
+    }
+
     private String contradicted(CheckScreenState s) {
         Warning action = s.result().action();
         return action == null ? words.get(R.string.next_contradicted) : sentence(action, s);
@@ -75,6 +130,10 @@ final class NextStep {
         }
         if (reason.misfit() != null) {
             return words.get(R.string.next_misfit);
+        }
+        String picture = picture(s);
+        if (picture != null) {
+            return picture;
         }
         if (s.advice() != null) {
             return advice(s.advice());

@@ -89,14 +89,18 @@ final class ScreenContent {
         if (s.held() != null) {
             return words.get(R.string.next_held);
         }
+        String picture = new NextStep(words).picture(s);
         switch (Banner.of(s)) {
             case SEARCHING:
+                return picture == null ? reason(s) : picture;
             case REFUSED:
             case INTERNAL:
             case MEMORY:
                 return reason(s);
             case QUICK_LOOK:
-                return s.allowsSampling() ? new NextStep(words).of(s) : reason(s);
+                return !s.allowsSampling() ? reason(s) : picture == null ? new NextStep(words).of(s) : picture;
+            case SAMPLING:
+                return picture;
             case PASS_UNMEASURED:
                 return new NextStep(words).of(s);
             default:
@@ -174,8 +178,9 @@ final class ScreenContent {
         }
         if (s.cell() == null) {
             return s.readingCell() ? null
-                    : new Message(words.get(R.string.welcome), words.get(R.string.welcome_text), Action.CHOOSE_CELL,
-                            Action.TRY_EXAMPLE);
+                    : new Message(words.get(R.string.welcome),
+                            words.get(s.photoWaits() ? R.string.photo_waits : R.string.welcome_text),
+                            Action.CHOOSE_CELL, Action.TRY_EXAMPLE);
         }
         if (s.photoProblem() != null) {
             return photo(s, s.photoProblem());
@@ -383,6 +388,7 @@ final class ScreenContent {
             lines.add(words.get(R.string.camera_model_calibration));
             lines.add(words.get(R.string.image_size, s.cell().calibration().widthPx(),
                     s.cell().calibration().heightPx()));
+            photoScaled(s, lines);
         } else if (s.setup() != null) {
             if (photo) {
                 lines.add(words.get(R.string.camera_model_photo_device));
@@ -392,6 +398,7 @@ final class ScreenContent {
             for (CameraNote note : s.setup().notes()) {
                 lines.add(words.note(note));
             }
+            photoScaled(s, lines);
         } else if (s.liveCalibration() != null) {
             lines.add(words.get(R.string.camera_model_calibration));
         } else {
@@ -400,6 +407,13 @@ final class ScreenContent {
         return note(R.drawable.ic_focus, words.get(R.string.camera_model), String.join("\n", lines),
                 canCalibrate(s) && (s.cell().cameraFile() == null || s.cell().calibration() != null)
                         ? Action.CHOOSE_CALIBRATION : null);
+    }
+
+    private void photoScaled(CheckScreenState s, List<String> lines) {
+        if (s.photoCameraScaled()) {
+            lines.add(words.get(R.string.photo_scaled, s.still().luminance().widthPx(),
+                    s.still().luminance().heightPx()));
+        }
     }
 
     String cellName(CheckScreenState s) {

@@ -39,6 +39,8 @@ final class WarningStrings {
                 return R.string.warning_coarse_corners;
             case WHITES_CLIPPED:
                 return R.string.warning_whites_clipped;
+            case GLARE:
+                return R.string.warning_glare;
             case BLACKS_CRUSHED:
                 return R.string.warning_blacks_crushed;
             case IN_BLOCKS:

@@ -451,6 +451,8 @@ final class Wording {
         switch (note) {
             case FOCUS_NOT_LOCKED:
                 return get(R.string.note_focus);
+            case FOCUS_NOT_FOUND:
+                return get(R.string.note_focus_not_found);
             case STABILISATION_ON:
                 return get(R.string.note_stabilisation);
             case DISTORTION_UNKNOWN:

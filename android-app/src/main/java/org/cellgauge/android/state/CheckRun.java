@@ -90,16 +90,17 @@ final class CheckRun {
     }
 
     /**
-     * Looks for markers in a frame and hands them on; the frame may change afterwards. One that comes after the end is
-     * not looked at.
+     * Looks for markers in a frame, hands them on and returns them; the frame may change afterwards. One that comes
+     * after the end is not looked at: null.
      */
-    void frame(GreyImage image, String name) {
+    Detections frame(GreyImage image, String name) {
         if (isStopped()) {
-            return;
+            return null;
         }
         Detections found = detector.detect(this, image, name);
         recent.keep(found, image);
         frames.onNext(found);
+        return found;
     }
 
     /** No frame comes any more: the one that figures belong to is checked to its end. */

@@ -118,6 +118,27 @@ public final class CheckScreenState {
     }
 
     /**
+     * Whether a photo came before any cell was chosen: it is checked with the next one.
+     *
+     * @return false once there is a cell
+     */
+    public boolean photoWaits() {
+        return v.photoWaits;
+    }
+
+    /**
+     * Whether the camera of the photo on the screen is known for another image size of its shape, and was scaled.
+     *
+     * @return false where it is the size that it is known for, or no photo is shown
+     */
+    public boolean photoCameraScaled() {
+        PinholeCamera known = v.cell == null || v.cell.calibration() == null
+                ? v.setup == null ? null : v.setup.camera() : v.cell.calibration();
+        return v.source == ImageSource.PHOTO && v.photoCamera != null && known != null
+                && known.widthPx() != v.photoCamera.widthPx();
+    }
+
+    /**
      * Why the photo is not checked.
      *
      * @return null where there is nothing to say
@@ -162,6 +183,15 @@ public final class CheckScreenState {
      */
     public CameraPermission permission() {
         return v.permission;
+    }
+
+    /**
+     * Whether the lamp beside the camera is to shine.
+     *
+     * @return what the user chose
+     */
+    public boolean torch() {
+        return v.torch;
     }
 
     /**
@@ -543,11 +573,13 @@ public final class CheckScreenState {
         private Photo still;
         private ImageOrientation stillOrientation;
         private boolean readingPhoto;
+        private boolean photoWaits;
         private Problem photoProblem;
         private CameraSetup setup;
         private CameraFault fault;
         private CameraPermission permission = CameraPermission.UNKNOWN;
         private ThermalLevel heat = ThermalLevel.NORMAL;
+        private boolean torch;
         private PictureDisplay display = PictureDisplay.UNKNOWN;
         /** Number of the first frame of a picture that has begun anew; 0 where one was looked at. */
         private long awaitedFrame;
@@ -586,11 +618,13 @@ public final class CheckScreenState {
             still = o.still;
             stillOrientation = o.stillOrientation;
             readingPhoto = o.readingPhoto;
+            photoWaits = o.photoWaits;
             photoProblem = o.photoProblem;
             setup = o.setup;
             fault = o.fault;
             permission = o.permission;
             heat = o.heat;
+            torch = o.torch;
             display = o.display;
             awaitedFrame = o.awaitedFrame;
             run = o.run;
@@ -666,6 +700,11 @@ public final class CheckScreenState {
             return this;
         }
 
+        Builder photoWaits(boolean value) {
+            photoWaits = value;
+            return this;
+        }
+
         Builder photoProblem(Problem value) {
             photoProblem = value;
             return this;
@@ -688,6 +727,11 @@ public final class CheckScreenState {
 
         Builder heat(ThermalLevel value) {
             heat = value;
+            return this;
+        }
+
+        Builder torch(boolean value) {
+            torch = value;
             return this;
         }
 

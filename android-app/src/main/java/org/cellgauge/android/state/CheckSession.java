@@ -42,6 +42,7 @@ import org.cellgauge.live.LivePace;
 import org.cellgauge.live.LiveState;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.settings.CheckSettings;
+import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
@@ -79,6 +80,8 @@ public final class CheckSession {
     private volatile CameraSetup openSetup;
     private volatile boolean live = true;
     private volatile boolean closed;
+    /** A photo that came before any cell, until one is chosen; of the thread of files alone. */
+    private String waitingPhoto;
 
     /**
      * A session.
@@ -195,13 +198,20 @@ public final class CheckSession {
      */
     public void chooseCell(String uri) {
         change(s -> s.change().readingCell(true).cellProblem(null).build());
-        files(() -> takeCell(() -> library.cell(uri, null), null, false));
+        files(() -> {
+            if (takeCell(() -> library.cell(uri, null), null, false) && waitingPhoto != null) {
+                String photo = waitingPhoto;
+                waitingPhoto = null;
+                takePhoto(photo, photo(photo));
+            }
+        });
     }
 
     /** Takes the bundled cell and its photo, so that there is a result without a camera. */
     public void tryExample() {
         change(s -> s.change().readingCell(true).cellProblem(null).build());
         files(() -> {
+            waitingPhoto = null;
             if (takeCell(library::example, null, false)) {
                 takePhoto(null, library::examplePhoto);
             }
@@ -262,6 +272,7 @@ public final class CheckSession {
                 }
                 boolean chosen = same && s.targetChosen();
                 return s.change().cell(read).readingCell(false).cellProblem(null).calibrationUri(calibrationUri)
+                        .photoWaits(false)
                         .target(chosen ? s.target() : read.cell().target(), chosen).source(ImageSource.LIVE)
                         .still(null, null).photo(null, null, false).photoProblem(null).readingPhoto(false).fault(null)
                         .setup(null).noCheck(OptionalInt.empty()).build();
@@ -277,7 +288,7 @@ public final class CheckSession {
         try {
             take(library.cell(m.cellUri(), m.calibrationUri()), m.calibrationUri(), false);
             return true;
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | OutOfMemoryError e) {
             return m.calibrationUri() == null ? lost(problem(Problem.Kind.LAST_CELL, e))
                     : takeWithoutCalibration(m.cellUri(), problem(Problem.Kind.LAST_CALIBRATION, e));
         }
@@ -288,7 +299,7 @@ public final class CheckSession {
             take(library.cell(cellUri, null), null, false);
             change(s -> s.change().cellProblem(ofCalibration).build());
             return true;
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | OutOfMemoryError e) {
             return lost(problem(Problem.Kind.LAST_CELL, e));
         }
     }
@@ -396,13 +407,20 @@ public final class CheckSession {
     }
 
     /**
-     * Checks a saved photo.
+     * Checks a saved photo; without a cell, as soon as one is chosen.
      *
      * @param uri of the document
      */
     public void openPhoto(String uri) {
         beginPhoto(uri);
-        files(() -> takePhoto(uri, photo(uri)));
+        files(() -> {
+            if (document == null) {
+                waitingPhoto = uri;
+                change(s -> s.change().photoWaits(true).build());
+            } else {
+                takePhoto(uri, photo(uri));
+            }
+        });
     }
 
     /** Reads a photo; the bundled one where there is no address. */
@@ -438,7 +456,6 @@ public final class CheckSession {
 
     private void checkPhoto(CellDocument cell, String uri, Supplier<Photo> reading, PinholeCamera camera,
             boolean estimated, ImageSource source, ImageOrientation orientation) {
-        change(s -> s.change().photo(uri, camera, estimated).build());
         Photo photo;
         try {
             photo = reading.get();
@@ -449,21 +466,29 @@ public final class CheckSession {
             photoRefused(new Problem(Problem.Kind.PHOTO_REFUSED, Refusal.of(FileRefusal.MEMORY)));
             return;
         }
-        change(s -> s.change().source(source).still(photo, orientation).readingPhoto(false).build());
+        PinholeCamera scaled = scaled(camera, photo.luminance());
+        change(s -> s.change().source(source).still(photo, orientation).readingPhoto(false)
+                .photo(uri, scaled, estimated).build());
         if (camera == null) {
             photoRefused(new Problem(Problem.Kind.PHOTO_WITHOUT_CAMERA, ""));
             return;
         }
-        boolean fits = camera.widthPx() == photo.luminance().widthPx()
-                && camera.heightPx() == photo.luminance().heightPx();
+        boolean fits = scaled.widthPx() == photo.luminance().widthPx()
+                && scaled.heightPx() == photo.luminance().heightPx();
         try {
-            begin(cell, camera, estimated, photo);
+            begin(cell, scaled, estimated, photo);
         } catch (OutOfMemoryError e) {
             photoRefused(new Problem(Problem.Kind.PHOTO_REFUSED,
                     Refusal.at(Place.of(photo.name()), FileRefusal.MEMORY_FOR_CHECK)));
         } catch (RuntimeException e) {
             photoRefused(problem(fits ? Problem.Kind.PHOTO_REFUSED : Problem.Kind.PHOTO_SIZE, e));
         }
+    }
+
+    /** The camera for a photo that shows the same in more or fewer pixels, as devices take photos and frames. */
+    private static PinholeCamera scaled(PinholeCamera camera, GreyImage photo) {
+        return camera != null && camera.hasShape(photo.widthPx(), photo.heightPx())
+                ? camera.resized(photo.widthPx(), photo.heightPx()) : camera;
     }
 
     private void photoRefused(Problem problem) {
@@ -550,9 +575,18 @@ public final class CheckSession {
         change(s -> s.fault() == null ? s : s.change().fault(null).build());
     }
 
-    /** The camera was told to focus anew: no frame comes while the lens moves. */
+    /** The camera focuses anew: no frame comes while the lens moves. */
     public void refocusing() {
         change(s -> s.source() == ImageSource.LIVE ? s.change().awaitFrame().build() : s);
+    }
+
+    /**
+     * Switches the lamp beside the camera.
+     *
+     * @param on whether it is to shine
+     */
+    public void torch(boolean on) {
+        change(s -> s.torch() == on ? s : s.change().torch(on).build());
     }
 
     /**
@@ -722,11 +756,18 @@ public final class CheckSession {
         }
 
         @Override
-        public void onFrame(GreyImage luminance, long timestampNs) {
+        public void onFocusing() {
+            if (cell == document) {
+                refocusing();
+            }
+        }
+
+        @Override
+        public Detections onFrame(GreyImage luminance, long timestampNs) {
             CameraSetup setup = openSetup;
             // frames of a camera that was opened for the cell before have its calibration
             if (!live || cell != document || setup == null || broken || tooSoon(timestampNs)) {
-                return;
+                return null;
             }
             lastNs = timestampNs;
             try {
@@ -735,14 +776,13 @@ public final class CheckSession {
                 if (current == null || !current.fits(cell, setup.camera(), estimated)) {
                     current = begin(cell, setup.camera(), estimated, null);
                 }
-                if (current == null) {
-                    return;
-                }
-                current.frame(luminance, "frame-" + stamp.format(new Date()) + ".png");
+                return current == null ? null
+                        : current.frame(luminance, "frame-" + stamp.format(new Date()) + ".png");
             } catch (RuntimeException | OutOfMemoryError e) {
                 // the next frame would fail alike
                 broken = true;
                 change(s -> s.change().checkProblem(problem(Problem.Kind.INTERNAL, e)).build());
+                return null;
             }
         }
 

@@ -45,6 +45,12 @@ class ApiLevelTest {
                         + "(LENS_DISTORTION|DISTORTION_CORRECTION_\\w+|"
                         + "SCALER_(AVAILABLE_)?ROTATE_AND_CROP(_MODES)?)",
                 "keys of Android 9 and 12: read behind a question for the version");
+        HARMLESS.put("org\\.cellgauge\\.android\\.screen\\.SystemBars: .*"
+                        + "(android\\.view\\.Window(Insets|InsetsController|Manager\\.LayoutParams)?\\b"
+                        + "|android\\.graphics\\.Insets).*",
+                "the screen filled to its edges, from Android 11 on: asked for behind a question for the version");
+        HARMLESS.put("org\\.cellgauge\\.android\\.screen\\.BackGesture.* .*android\\.window\\.OnBack.*",
+                "back as Android 13 has it: asked for behind a question for the version");
         HARMLESS.put("org\\.cellgauge\\.android\\.device\\.ThermalWatch.* android\\.os\\.PowerManager\\..*",
                 "warmth as Android 10 tells it: asked for behind a question for the version");
     }

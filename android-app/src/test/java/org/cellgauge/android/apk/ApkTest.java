@@ -140,7 +140,7 @@ class ApkTest {
         assertEquals(Set.of(System.getProperty("cellgauge.version")),
                 found("^package: .* versionName='([^']*)'", text));
         assertEquals(Set.of("26"), found("^sdkVersion:'([^']*)'", text));
-        assertEquals(Set.of("34"), found("^targetSdkVersion:'([^']*)'", text));
+        assertEquals(Set.of("36"), found("^targetSdkVersion:'([^']*)'", text));
         assertEquals(Set.of("CellGauge"), found("^application-label:'([^']*)'", text));
         assertEquals(Set.of(PACKAGE + ".screen.MainActivity"), found("^launchable-activity: name='([^']*)'", text));
         assertEquals(variant.equals("debug"), text.contains("\napplication-debuggable\n"), text);
@@ -165,6 +165,15 @@ class ApkTest {
         String text = run(0, "aapt2", "dump", "xmltree", "--file", "AndroidManifest.xml", apk(variant));
         assertEquals(Set.of("false"), found(":allowBackup\\(0x[0-9a-f]+\\)=(\\S+)", text));
         assertFalse(found(":dataExtractionRules\\(0x[0-9a-f]+\\)=(\\S+)", text).isEmpty(), text);
+    }
+
+    /** What newer Androids ask an app for: a language of its own, and who has a use for back. */
+    @ParameterizedTest
+    @ValueSource(strings = {"debug", "release"})
+    void languageAndBackAreTheSystems(String variant) throws Exception {
+        String text = run(0, "aapt2", "dump", "xmltree", "--file", "AndroidManifest.xml", apk(variant));
+        assertEquals(Set.of("true"), found(":enableOnBackInvokedCallback\\(0x[0-9a-f]+\\)=(\\S+)", text));
+        assertFalse(found(":localeConfig\\(0x[0-9a-f]+\\)=(\\S+)", text).isEmpty(), text);
     }
 
     /** Android installs no version over one with a higher code. */

@@ -2,6 +2,7 @@ package org.cellgauge.android.camera;
 
 import static android.hardware.camera2.CameraMetadata.CONTROL_AF_STATE_ACTIVE_SCAN;
 import static android.hardware.camera2.CameraMetadata.CONTROL_AF_STATE_FOCUSED_LOCKED;
+import static android.hardware.camera2.CameraMetadata.CONTROL_AF_STATE_NOT_FOCUSED_LOCKED;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
@@ -18,6 +19,8 @@ import android.hardware.camera2.CameraDevice;
 import android.hardware.camera2.CameraManager;
 import android.hardware.camera2.CameraMetadata;
 import android.hardware.camera2.CaptureRequest;
+import android.hardware.camera2.params.MeteringRectangle;
+import android.util.Range;
 import android.util.Size;
 import android.util.SizeF;
 import java.time.Duration;
@@ -30,6 +33,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
 import org.junit.After;
 import org.junit.Before;
@@ -63,6 +67,8 @@ public class Camera2FeedTest {
         volatile CountDownLatch hold;
         volatile boolean overlapped;
         private volatile boolean busy;
+        /** What is said to be seen in every frame. */
+        volatile Detections seen;
 
         @Override
         public void onOpened(CameraSetup value) {
@@ -71,7 +77,12 @@ public class Camera2FeedTest {
         }
 
         @Override
-        public void onFrame(GreyImage luminance, long timestampNs) {
+        public void onFocusing() {
+            events.add("focusing");
+        }
+
+        @Override
+        public Detections onFrame(GreyImage luminance, long timestampNs) {
             overlapped |= busy;
             busy = true;
             boolean even = true;
@@ -90,6 +101,7 @@ public class Camera2FeedTest {
                 }
             }
             busy = false;
+            return seen;
         }
 
         @Override
@@ -151,6 +163,11 @@ public class Camera2FeedTest {
         shadow.set(CameraCharacteristics.LENS_INFO_AVAILABLE_FOCAL_LENGTHS, new float[] {4.2f});
         shadow.set(CameraCharacteristics.LENS_INFO_MINIMUM_FOCUS_DISTANCE, withFocus ? 10f : 0f);
         shadow.set(CameraCharacteristics.CONTROL_AF_AVAILABLE_MODES, withFocus ? new int[] {0, 1} : new int[] {0});
+        shadow.set(CameraCharacteristics.CONTROL_AE_AVAILABLE_TARGET_FPS_RANGES,
+                RequestSettingsTest.ranges(7, 15, 15, 30, 30, 30, 60, 60));
+        shadow.set(CameraCharacteristics.CONTROL_MAX_REGIONS_AE, 4);
+        shadow.set(CameraCharacteristics.CONTROL_MAX_REGIONS_AF, withFocus ? 1 : 0);
+        shadow.set(CameraCharacteristics.FLASH_INFO_AVAILABLE, true);
         ((FakeCameras.Manager) Shadow.extract(app.getSystemService(CameraManager.class))).addCamera("0", c);
     }
 
@@ -317,6 +334,117 @@ public class Camera2FeedTest {
         device.session.failScan();
         assertEquals("opened", heard.next());
         assertTrue(heard.setup.notes().contains(CameraNote.FOCUS_NOT_LOCKED));
+    }
+
+    @Test
+    public void aScanThatFindsNothingIsSaidUntilOneFinds() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        device.session.reportFocus(CONTROL_AF_STATE_NOT_FOCUSED_LOCKED, null);
+        assertEquals("opened", heard.next());
+        assertTrue(heard.setup.notes().contains(CameraNote.FOCUS_NOT_FOUND));
+        cameras.lastReader().deliver(1, 1, false);
+        assertEquals("frame 1 at 1", heard.next());
+        feed.refocus();
+        eventually(() -> device.session.triggers.size() == 4);
+        meanwhile();
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, null);
+        assertEquals("opened", heard.next());
+        assertFalse(heard.setup.notes().contains(CameraNote.FOCUS_NOT_FOUND));
+    }
+
+    @Test
+    public void markersThatComeNearerAreFocusedAnew() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(true);
+        eventually(() -> device.session.triggers.size() == 2);
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, 1_000L);
+        meanwhile();
+        heard.seen = FocusWatchTest.seen(64, 48, 10, 10, 10, 0.7);
+        String said = "";
+        int second = 0;
+        while (!said.equals("focusing")) {
+            second++;
+            cameras.lastReader().deliver(second, second * 1_000_000_000L, false);
+            said = heard.next();
+            assertTrue(said + " after " + second, second < 20 && said.matches("focusing|frame .*"));
+            heard.seen = second > 2 ? FocusWatchTest.seen(64, 48, 8.5, 8.5, 13, 0.7) : heard.seen;
+        }
+        assertTrue("after " + second, second > 2 + FocusWatch.FRAMES);
+        heard.events.clear();
+        eventually(() -> device.session.triggers.size() == 4);
+        FakeCameras.Frame blurred = cameras.lastReader().deliver(21, 21_000_000_000L, false);
+        eventually(() -> blurred.closed);
+        meanwhile();
+        device.session.reportFocus(CONTROL_AF_STATE_FOCUSED_LOCKED, 21_500_000_000L);
+        meanwhile();
+        cameras.lastReader().deliver(22, 22_000_000_000L, false);
+        assertEquals("frame 22 at 22000000000", heard.next());
+    }
+
+    // ---- light
+
+    @Test
+    public void lightIsMeteredAtTheMarkersThatWereSeen() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(false);
+        assertNull(device.session.settings.get(CaptureRequest.CONTROL_AE_REGIONS));
+        heard.seen = FocusWatchTest.seen(64, 48, 16, 12, 8, 0.7);
+        cameras.lastReader().deliver(1, 1, false);
+        assertEquals("frame 1 at 1", heard.next());
+        eventually(() -> device.session.settings.get(CaptureRequest.CONTROL_AE_REGIONS) != null);
+        MeteringRectangle[] areas =
+                (MeteringRectangle[]) device.session.settings.get(CaptureRequest.CONTROL_AE_REGIONS);
+        // 62.5 px of the sensor for each of a frame, and a fifth of the marker around it
+        assertEquals(new Rect(900, 650, 1600, 1350), areas[0].getRect());
+        assertFalse("a lens that does not move",
+                device.session.settings.containsKey(CaptureRequest.CONTROL_AF_REGIONS));
+        int asked = device.session.requests.get();
+        cameras.lastReader().deliver(2, 2, false);
+        assertEquals("frame 2 at 2", heard.next());
+        meanwhile();
+        assertEquals("the same areas are not asked for again", asked, device.session.requests.get());
+        heard.seen = FocusWatchTest.seen(64, 48, 40, 12, 8, 0.7);
+        cameras.lastReader().deliver(3, 400_000_000, false);
+        assertEquals("frame 3 at 400000000", heard.next());
+        meanwhile();
+        assertEquals("nor others so soon", asked, device.session.requests.get());
+        cameras.lastReader().deliver(4, 600_000_000, false);
+        assertEquals("frame 4 at 600000000", heard.next());
+        eventually(() -> device.session.requests.get() == asked + 1);
+    }
+
+    @Test
+    public void framesAreExposedNoLongerThanAThirtiethOfASecond() throws InterruptedException {
+        assertEquals(new Range<>(30, 30),
+                openAndStream(false).session.settings.get(CaptureRequest.CONTROL_AE_TARGET_FPS_RANGE));
+    }
+
+    @Test
+    public void theLampShinesWhileItIsWanted() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(false);
+        assertTrue(heard.setup.hasTorch());
+        assertEquals(CameraMetadata.FLASH_MODE_OFF, device.session.settings.get(CaptureRequest.FLASH_MODE));
+        feed.torch(true);
+        eventually(() -> device.session.settings.get(CaptureRequest.FLASH_MODE)
+                .equals(CameraMetadata.FLASH_MODE_TORCH));
+        feed.torch(false);
+        eventually(() -> device.session.settings.get(CaptureRequest.FLASH_MODE).equals(CameraMetadata.FLASH_MODE_OFF));
+        feed.close();
+        feed.torch(true);
+    }
+
+    @Test
+    public void aLampThatIsWantedBeforeTheCameraIsOpenShinesFromItsFirstFrame() throws InterruptedException {
+        ready(false);
+        cameras.openLate = true;
+        feed.open(null, null, heard);
+        feed.torch(true);
+        eventually(() -> cameras.devices.size() == 1);
+        meanwhile();
+        cameras.lastDevice().open();
+        assertEquals("opened", heard.next());
+        eventually(() -> cameras.lastDevice().session.streams());
+        assertEquals(CameraMetadata.FLASH_MODE_TORCH,
+                cameras.lastDevice().session.settings.get(CaptureRequest.FLASH_MODE));
     }
 
     // ---- faults
@@ -603,7 +731,12 @@ public class Camera2FeedTest {
                 }
 
                 @Override
-                public void onFrame(GreyImage luminance, long timestampNs) {
+                public void onFocusing() {
+                    heard.onFocusing();
+                }
+
+                @Override
+                public Detections onFrame(GreyImage luminance, long timestampNs) {
                     throw new IllegalArgumentException("a mistake in the listener");
                 }
 

@@ -50,6 +50,10 @@ public class CameraTraitsTest {
         state(CameraCharacteristics.LENS_INTRINSIC_CALIBRATION, new float[] {3100, 3110, 2020, 1490, 0});
         state(CameraCharacteristics.LENS_DISTORTION, new float[] {0.1f, 0, 0, 0, 0});
         state(CameraCharacteristics.LENS_INFO_MINIMUM_FOCUS_DISTANCE, 10f);
+        state(CameraCharacteristics.CONTROL_AE_AVAILABLE_TARGET_FPS_RANGES, RequestSettingsTest.ranges(15, 30));
+        state(CameraCharacteristics.CONTROL_MAX_REGIONS_AE, 9);
+        state(CameraCharacteristics.CONTROL_MAX_REGIONS_AF, 1);
+        state(CameraCharacteristics.FLASH_INFO_AVAILABLE, true);
         state(CameraCharacteristics.CONTROL_AF_AVAILABLE_MODES, new int[] {0, 1, 4});
         state(CameraCharacteristics.LENS_INFO_AVAILABLE_OPTICAL_STABILIZATION, new int[] {0, 1});
         state(CameraCharacteristics.CONTROL_AVAILABLE_VIDEO_STABILIZATION_MODES, new int[] {0});
@@ -75,6 +79,10 @@ public class CameraTraitsTest {
         assertArrayEquals(new float[] {3100, 3110, 2020, 1490, 0}, traits.intrinsicCalibration(), 0);
         assertArrayEquals(new float[] {0.1f, 0, 0, 0, 0}, traits.distortion(), 0);
         assertEquals(10, traits.minFocusDistanceDpt(), 0);
+        assertEquals("[[15, 30]]", traits.frameRates().toString());
+        assertEquals(9, traits.maxExposureAreas());
+        assertEquals(1, traits.maxFocusAreas());
+        assertTrue(traits.hasTorch());
         assertArrayEquals(new int[] {0, 1, 4}, traits.focusModes());
         assertArrayEquals(new int[] {0, 1}, traits.opticalStabilisationModes());
         assertArrayEquals(new int[] {0}, traits.videoStabilisationModes());
@@ -111,6 +119,9 @@ public class CameraTraitsTest {
         assertNull(traits.distortion());
         assertEquals(0, traits.focalLengthsMm().length);
         assertEquals(-1, traits.minFocusDistanceDpt(), 0);
+        assertTrue(traits.frameRates().isEmpty());
+        assertEquals(0, traits.maxExposureAreas() + traits.maxFocusAreas());
+        assertFalse(traits.hasTorch());
         assertFalse(traits.alwaysCorrectsLens());
     }
 

@@ -24,6 +24,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.cellgauge.vision.GreyImage;
 import org.robolectric.RuntimeEnvironment;
 import org.robolectric.annotation.Implementation;
@@ -292,6 +293,8 @@ public final class FakeCameras {
         final List<Integer> triggers = new CopyOnWriteArrayList<>();
         /** Settings of the request for all frames. */
         volatile Map<CaptureRequest.Key<?>, Object> settings;
+        /** How many requests for all frames there were. */
+        final AtomicInteger requests = new AtomicInteger();
         private final Device device;
         private volatile CaptureCallback repeating;
         private volatile Handler repeatingOn;
@@ -337,6 +340,7 @@ public final class FakeCameras {
                 throws CameraAccessException {
             FakeCameras.<CameraAccessException>raise(current.streamFault);
             repeatingOn = on;
+            requests.incrementAndGet();
             settings = current.settingsOf(request);
             repeating = callback;
             return 1;

@@ -55,6 +55,18 @@ class FocusHoldTest {
     }
 
     @Test
+    void aScanThatFoundNothingIsToldFromOneThatDid() {
+        focus.scanAsked();
+        focus.scanBegun(1);
+        focus.report(2, CONTROL_AF_STATE_NOT_FOCUSED_LOCKED);
+        assertFalse(focus.found());
+        focus.scanAsked();
+        focus.scanBegun(3);
+        focus.report(4, CONTROL_AF_STATE_FOCUSED_LOCKED);
+        assertTrue(focus.found());
+    }
+
+    @Test
     void aDeviceThatReportsNothingIsGivenUp() {
         focus.scanAsked();
         focus.scanBegun(1);

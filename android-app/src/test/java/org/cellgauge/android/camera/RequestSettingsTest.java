@@ -7,12 +7,17 @@ import static org.junit.Assert.assertNull;
 import android.graphics.Rect;
 import android.hardware.camera2.CameraMetadata;
 import android.hardware.camera2.CaptureRequest;
+import android.hardware.camera2.params.MeteringRectangle;
 import android.os.Build;
+import android.util.Range;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.Map;
 import org.cellgauge.internal.geometry.PixelArea;
+import org.cellgauge.vision.Detections;
+import org.cellgauge.vision.MarkerObservation;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 import org.robolectric.RobolectricTestRunner;
@@ -36,13 +41,17 @@ public class RequestSettingsTest {
 
     private static Map<CaptureRequest.Key<?>, Object> settings(CameraTraits.Builder camera) {
         Map<CaptureRequest.Key<?>, Object> settings = new HashMap<>();
-        RequestSettings.of(camera.build()).applyTo(new RequestSettings.Target() {
+        RequestSettings.of(camera.build()).applyTo(into(settings));
+        return settings;
+    }
+
+    private static RequestSettings.Target into(Map<CaptureRequest.Key<?>, Object> settings) {
+        return new RequestSettings.Target() {
             @Override
             public <T> void set(CaptureRequest.Key<T> key, T value) {
                 settings.put(key, value);
             }
-        });
-        return settings;
+        };
     }
 
     @Test
@@ -102,6 +111,64 @@ public class RequestSettingsTest {
     public void whatIsNotOfferedIsNotAskedFor() {
         Map<CaptureRequest.Key<?>, Object> settings = settings(new CameraTraits.Builder("0"));
         assertEquals(Collections.singletonMap(CaptureRequest.CONTROL_MODE, CameraMetadata.CONTROL_MODE_AUTO), settings);
+    }
+
+    /** Pairs of lowest and highest frame rate. */
+    @SuppressWarnings({"unchecked", "rawtypes"}) // Java makes no arrays of types with arguments
+    static Range<Integer>[] ranges(int... bounds) {
+        Range<Integer>[] ranges = new Range[bounds.length / 2];
+        for (int i = 0; i < ranges.length; i++) {
+            ranges[i] = new Range<>(bounds[2 * i], bounds[2 * i + 1]);
+        }
+        return ranges;
+    }
+
+    private static Object rate(long frameNs, int... bounds) {
+        PixelSize frame = new PixelSize(1280, 720);
+        Map<CaptureRequest.Key<?>, Object> settings = new HashMap<>();
+        RequestSettings.of(able().frameSize(frame, frameNs).frameRates(Arrays.asList(ranges(bounds))).build())
+                .keepExposureShort(into(settings), frame);
+        return settings.get(CaptureRequest.CONTROL_AE_TARGET_FPS_RANGE);
+    }
+
+    @Test
+    public void exposureIsKeptShortByTheRateOfFrames() {
+        assertEquals(new Range<>(30, 30), rate(33_333_333, 7, 30, 15, 30, 30, 30, 15, 15));
+        assertEquals(new Range<>(24, 30), rate(0, 15, 30, 24, 30, 24, 24, 60, 60));
+        // large frames come no faster than 15 times a second
+        assertEquals(new Range<>(15, 15), rate(66_700_000, 7, 15, 15, 15, 30, 30));
+        assertEquals(new Range<>(30_000, 30_000), rate(33_333_333, 15_000, 30_000, 30_000, 30_000));
+        assertNull(rate(33_333_333));
+        assertNull(rate(33_333_333, 60, 60));
+    }
+
+    @Test
+    @Config(minSdk = Build.VERSION_CODES.P)
+    public void lightAndFocusAreMeteredAtAsManyMarkersAsTheCameraTakes() {
+        Detections seen = new Detections("frame", 1600, 900, Arrays.asList(marker(5, 100, 100, 50),
+                marker(7, 800, 400, 100), marker(9, 1570, 860, 60)));
+        Map<CaptureRequest.Key<?>, Object> settings = new HashMap<>();
+        // a frame of 16:9 is 4000 x 2250 px in the middle of 4000 x 3000
+        RequestSettings.of(able().maxExposureAreas(8).maxFocusAreas(1).build()).meterAt(into(settings), seen);
+        MeteringRectangle[] light = (MeteringRectangle[]) settings.get(CaptureRequest.CONTROL_AE_REGIONS);
+        assertEquals(3, light.length);
+        assertEquals(new Rect(1950, 1325, 2300, 1675), light[0].getRect());
+        assertEquals(MeteringRectangle.METERING_WEIGHT_MAX, light[0].getMeteringWeight());
+        assertEquals("within the sensor", 3999, light[1].getRect().right);
+        MeteringRectangle[] focus = (MeteringRectangle[]) settings.get(CaptureRequest.CONTROL_AF_REGIONS);
+        assertEquals(1, focus.length);
+        assertEquals(light[0], focus[0]);
+
+        settings.clear();
+        assertEquals(Collections.emptyList(), RequestSettings.of(able().build()).meterAt(into(settings), seen));
+        RequestSettings.of(able().maxExposureAreas(8).build()).meterAt(into(settings),
+                new Detections("frame", 1600, 900, Collections.emptyList()));
+        assertEquals("what is not offered, or not seen", Collections.emptyMap(), settings);
+    }
+
+    private static MarkerObservation marker(int id, double left, double top, double side) {
+        return new MarkerObservation(id, new double[] {left, top, left + side, top, left + side, top + side, left,
+            top + side});
     }
 
     @Test

@@ -18,6 +18,7 @@ import android.content.Intent;
 import android.content.pm.PackageManager;
 import android.graphics.Bitmap;
 import android.net.Uri;
+import android.os.Build;
 import android.os.Bundle;
 import android.os.Parcel;
 import android.provider.Settings;
@@ -681,17 +682,17 @@ public class MainActivityTest {
     }
 
     @Test
+    @Config(minSdk = 26)
     public void backLeadsFromAHeldFrameToTheCameraAndThenAsideWithoutAnEnd() {
         try (Screen screen = live()) {
             screen.holdStillUntilResult(FIXTURE);
             screen.tap(R.id.freeze);
             assertEquals(ImageSource.FROZEN, screen.state().source());
-            screen.activity().onBackPressed();
-            screen.settle();
+            assertTrue(screen.back());
             assertEquals(ImageSource.LIVE, screen.state().source());
             assertFalse(screen.activity().isFinishing());
-            screen.activity().onBackPressed();
-            screen.settle();
+            // from Android 13 on the system leads aside, and shows beforehand that it will
+            assertEquals(Build.VERSION.SDK_INT < Build.VERSION_CODES.TIRAMISU, screen.back());
             assertFalse(screen.activity().isFinishing());
         }
     }
@@ -847,6 +848,41 @@ public class MainActivityTest {
             assertEquals(ImageSource.LIVE, screen.state().source());
             assertTrue(feed().isOpen());
         }
+    }
+
+    /** As a device's camera app takes them: the same picture in more pixels than the frames have. */
+    @Test
+    public void photoOfTheCalibratedShapeIsCheckedInItsOwnSize() {
+        GreyImage frame = FIXTURE.image();
+        int width = 2 * frame.widthPx();
+        int height = 2 * frame.heightPx();
+        byte[] grey = new byte[width * height];
+        for (int i = 0; i < grey.length; i++) {
+            grey[i] = (byte) Math.round(between(frame, (i % width + 0.5) / 2 - 0.5, (i / width + 0.5) / 2 - 0.5));
+        }
+        try (Screen screen = live()) {
+            screen.openPhoto(new Photo("large.png", GreyImage.packed(grey, width, height)));
+            screen.until("result", () -> screen.state().verdict() != null);
+            assertEquals(width, screen.state().result().cell().camera().widthPx());
+            CheckResult alone = CellCheck.run(FIXTURE.cell(),
+                    BoofMarkerDetector.forCell(FIXTURE.cell()).detect(frame, "frame"), CheckSettings.builder().build());
+            double[] large = screen.state().result().estimate().object(20).pose().mean();
+            double[] small = alone.estimate().object(20).pose().mean();
+            for (int axis = 0; axis < 3; axis++) {
+                assertEquals(small[axis], large[axis], 1.5);
+            }
+            assertTrue(rows(screen), rows(screen).contains("The photo has 2560 × 1440 px"));
+        }
+    }
+
+    /** A grey value between four pixels, whose middles have whole coordinates. */
+    private static double between(GreyImage image, double x, double y) {
+        int left = Math.max(0, Math.min(image.widthPx() - 2, (int) Math.floor(x)));
+        int top = Math.max(0, Math.min(image.heightPx() - 2, (int) Math.floor(y)));
+        double toRight = Math.max(0, Math.min(1, x - left));
+        double down = Math.max(0, Math.min(1, y - top));
+        return (1 - down) * ((1 - toRight) * image.get(left, top) + toRight * image.get(left + 1, top))
+                + down * ((1 - toRight) * image.get(left, top + 1) + toRight * image.get(left + 1, top + 1));
     }
 
     @Test

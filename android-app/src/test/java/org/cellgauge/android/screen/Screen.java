@@ -5,6 +5,8 @@ import static org.robolectric.Shadows.shadowOf;
 
 import android.Manifest;
 import android.content.Context;
+import android.content.Intent;
+import android.content.pm.ApplicationInfo;
 import android.graphics.Bitmap;
 import android.graphics.Canvas;
 import android.graphics.SurfaceTexture;
@@ -12,15 +14,20 @@ import android.hardware.display.DisplayManager;
 import android.os.Build;
 import android.os.Bundle;
 import android.os.Looper;
+import android.util.Pair;
 import android.view.Display;
 import android.view.View;
 import android.view.ViewGroup;
 import android.widget.TextView;
+import android.window.OnBackInvokedCallback;
 import java.io.File;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import org.cellgauge.android.R;
 import org.cellgauge.android.files.CellDocument;
@@ -31,6 +38,7 @@ import org.cellgauge.internal.overlay.ImageOrientation;
 import org.robolectric.Robolectric;
 import org.robolectric.RuntimeEnvironment;
 import org.robolectric.android.controller.ActivityController;
+import org.robolectric.util.ReflectionHelpers;
 
 /** The real activity, and what a user can do with it. */
 final class Screen implements AutoCloseable {
@@ -61,6 +69,7 @@ final class Screen implements AutoCloseable {
 
     /** The app is started, perhaps with what the system kept of it. */
     static Screen start(Bundle saved) {
+        backIsOwn();
         Screen screen = new Screen(Robolectric.buildActivity(MainActivity.class));
         if (saved == null) {
             screen.controller.setup();
@@ -70,6 +79,17 @@ final class Screen implements AutoCloseable {
         screen.settle();
         screen.previewIsReady();
         return screen;
+    }
+
+    /** The manifest says so ({@code ApkTest}); Robolectric reads manifests as Androids did that knew nothing of it. */
+    private static void backIsOwn() {
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.TIRAMISU) {
+            ApplicationInfo info = app().getApplicationInfo();
+            int flags = ReflectionHelpers.getField(info, "privateFlagsExt");
+            int own = ReflectionHelpers.getStaticField(ApplicationInfo.class,
+                    "PRIVATE_FLAG_EXT_ENABLE_ON_BACK_INVOKED_CALLBACK");
+            ReflectionHelpers.setField(info, "privateFlagsExt", flags | own);
+        }
     }
 
     /** The app is started with a cell, and the camera is open on it. */
@@ -196,6 +216,45 @@ final class Screen implements AutoCloseable {
         return kept;
     }
 
+    /** Another app opens or shares something while this one runs. */
+    void give(Intent intent) {
+        controller.newIntent(intent);
+        settle();
+    }
+
+    /**
+     * A back gesture or button, as this Android tells the app of it.
+     *
+     * @return whether the app had a use for it; else it is the system's
+     */
+    boolean back() {
+        if (Build.VERSION.SDK_INT < Build.VERSION_CODES.TIRAMISU) {
+            activity().onBackPressed();
+            settle();
+            return true;
+        }
+        Object window = activity().getOnBackInvokedDispatcher();
+        List<Pair<OnBackInvokedCallback, Integer>> waiting = ReflectionHelpers.getField(window, "mCallbacks");
+        Object actual = ReflectionHelpers.getField(window, "mActualDispatcher");
+        OnBackInvokedCallback own = null;
+        if (actual != null) {
+            TreeMap<Integer, List<OnBackInvokedCallback>> byPriority =
+                    ReflectionHelpers.getField(actual, "mOnBackInvokedCallbacks");
+            for (Map.Entry<Integer, List<OnBackInvokedCallback>> entry : byPriority.entrySet()) {
+                own = entry.getKey() >= 0 && !entry.getValue().isEmpty() ? entry.getValue().get(0) : own;
+            }
+        } else {
+            for (Pair<OnBackInvokedCallback, Integer> each : waiting) {
+                own = each.second >= 0 ? each.first : own;
+            }
+        }
+        if (own != null) {
+            own.onBackInvoked();
+        }
+        settle();
+        return own != null;
+    }
+
     void pause() {
         controller.pause();
         settle();
@@ -252,7 +311,7 @@ final class Screen implements AutoCloseable {
 
     static void write(String name, Bitmap bitmap) {
         File folder = new File(System.getProperty("cellgauge.root"), "android-app/build/screenshots/"
-                + (Build.VERSION.SDK_INT < Build.VERSION_CODES.O_MR1 ? "android-8" : "android-14"));
+                + (Build.VERSION.SDK_INT < Build.VERSION_CODES.O_MR1 ? "android-8" : "android-15"));
         folder.mkdirs();
         try (OutputStream out = new FileOutputStream(new File(folder, name + ".png"))) {
             bitmap.compress(Bitmap.CompressFormat.PNG, 100, out);

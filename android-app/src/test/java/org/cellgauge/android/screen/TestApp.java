@@ -133,6 +133,9 @@ public class TestApp extends CellGaugeApp implements AppParts {
         int openings;
         int closings;
         int refocusings;
+        boolean torch;
+        /** Whether the next cameras that open have a lamp. */
+        boolean hasTorch;
         private long timeNs;
 
         @Override
@@ -148,7 +151,13 @@ public class TestApp extends CellGaugeApp implements AppParts {
         }
 
         @Override
+        public void torch(boolean on) {
+            torch = on;
+        }
+
+        @Override
         public void close() {
+            torch = false;
             listener = null;
             closings++;
         }
@@ -171,7 +180,7 @@ public class TestApp extends CellGaugeApp implements AppParts {
                 CameraNote... notes) {
             EnumSet<CameraNote> set = EnumSet.noneOf(CameraNote.class);
             set.addAll(Arrays.asList(notes));
-            listener.onOpened(new CameraSetup(camera, source, sensorOrientationDeg, front, set));
+            listener.onOpened(new CameraSetup(camera, source, sensorOrientationDeg, front, hasTorch, set));
         }
 
         /** One frame, in an array that is spoilt afterwards as a camera's is used again. */
