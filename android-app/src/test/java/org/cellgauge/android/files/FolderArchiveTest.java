@@ -298,8 +298,8 @@ public class FolderArchiveTest {
                 CheckSettings.builder().seed(3).estimate(Estimate.INTRINSICS).build());
         assertEquals(Verdict.PASS, measured.verdict());
         assertEquals(Verdict.PASS, estimated.verdict());
-        archive.save(photo, measured);
-        archive.save(photo, estimated);
+        archive.save(photo, measured, "cell.yaml");
+        archive.save(photo, estimated, "cell.yaml");
         assertEquals("Urteil PASS", texts(painted.get(0), Role.BANNER).get(0));
         assertEquals("Urteil PASS, Linse unbekannt", texts(painted.get(1), Role.BANNER).get(0));
         assertTrue("a pass is drawn as one", statuses(painted.get(0)).contains(Status.PASS));
