@@ -66,17 +66,15 @@ final class LightFit {
     /** What they move the inner edges of one marker by, px. */
     private static final double SHIFT_STD_IN_BLOCKS_PX = 0.01;
     /**
-     * And sharpening that is not quite undone, px for a blur of one cell: 0.008 px at a blur of 1.2 px and cells of 3 px,
-     * 0.003 px at cells of 6 px.
+     * And sharpening that is not quite undone, px for a blur of one cell: 0.008 px at a blur of 1.2 px and cells of 3
+     * px, 0.003 px at cells of 6 px.
      */
     private static final double OUTLINE_STD_OF_SHARPENED_PX = 0.022;
-    /** Undone, it leaves noise that neighbours share with opposite signs: lines are so many times better known. */
-    private static final double NOISE_OF_SHARPENED = 0.95;
-    /** A side that is so much sharper than the others, as a share of their blur, was not told its blur by its pixels. */
+    /** Pixels of a side that is so much sharper than the others, as a share of their blur, did not tell its blur. */
     private static final double VANISHED_BLUR = 0.5;
     /** Nor was one whose place is less well known than this, px. */
     private static final double UNTOLD_PX = 0.05;
-    /** How alike the blur of sides is, as a share of it: focus, motion and the lens make some more blurred than others. */
+    /** How alike the blur of sides is, as a share of it: focus, motion and the lens make some more blurred. */
     private static final double EXPECTED_BLUR_STD = 0.25;
     /** Markers by which the curve is looked for first: a start within the reach of Gauss-Newton is enough. */
     private static final int MOST_SCANNED = 3;
@@ -721,7 +719,7 @@ final class LightFit {
     /** Noise of each side of a marker, grey levels: that of the photo, its own where it is far out of line. */
     double[] noiseOfSides(MarkerEdges marker) {
         double[] out = new double[4];
-        double factor = inBlocks ? NOISE_IN_BLOCKS : maskAmount > 0 ? NOISE_OF_SHARPENED : 1;
+        double factor = inBlocks ? NOISE_IN_BLOCKS : 1;
         for (int i = 0; i < 4; i++) {
             double own = ofSide(marker.side(i));
             double ofAll = noiseGrey * noiseGrey;

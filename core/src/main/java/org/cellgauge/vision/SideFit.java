@@ -127,7 +127,7 @@ final class SideFit {
     double crushedShare;
     /** How far grey rises above white and falls below black beside the edge, as a share of their difference. */
     double overshoot;
-    /** What is known of the blur beforehand, px, and how well: grey levels squared over px squared, 0 for not at all. */
+    /** What is known of the blur beforehand, px, and how well: grey levels squared over px squared, 0 for nothing. */
     private double expectedBlur;
     private double blurWeight;
 

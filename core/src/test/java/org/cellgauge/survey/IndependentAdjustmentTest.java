@@ -33,7 +33,7 @@ import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.api.Test;
 
 /**
- * The survey's mode and deviations against a bundle adjustment that shares no code with it: dense Levenberg-Marquardt of
+ * The survey's mode and deviations against a bundle adjustment that shares no code with it: dense Levenberg-Marquardt by
  * Apache Commons Math over all unknowns at once, rotations of the same library, derivatives by differences.
  */
 class IndependentAdjustmentTest {
@@ -47,7 +47,7 @@ class IndependentAdjustmentTest {
     private static final int POSE = 6;
     private static final double[][] SQUARE = {{-30, 30}, {30, 30}, {30, -30}, {-30, -30}};
 
-    /** A pose as start and six small numbers about it: a shift in the axes of the frame, a turn about the own origin. */
+    /** A pose as start and six numbers about it: a shift in the axes of the frame, a turn about the own origin. */
     private record About(Rotation rotation, Vector3D origin) {
         static About of(RigidTransform pose) {
             double[] r = pose.rotation();

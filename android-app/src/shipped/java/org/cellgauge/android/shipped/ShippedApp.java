@@ -28,9 +28,9 @@ import org.robolectric.annotation.Config;
 import org.robolectric.annotation.GraphicsMode;
 
 /**
- * Leads the app whose classes are on the class path, whatever they were made from, by what a user sees: first start, the
- * example, its verdict, Save. Knows nothing of the app but what the manifest and the resources name. A process of its
- * own: the class path must hold no other classes of the app.
+ * Leads the app whose classes are on the class path, whatever they were made from, by what a user sees: first start,
+ * the example, its verdict, Save. Knows nothing of the app but what the manifest and the resources name. A process of
+ * its own: the class path must hold no other classes of the app.
  */
 @RunWith(RobolectricTestRunner.class)
 @Config(qualifiers = "w1280dp-h800dp-land-notnight-mdpi")

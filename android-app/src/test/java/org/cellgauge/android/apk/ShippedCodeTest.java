@@ -41,8 +41,8 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 
 /**
- * The code that is shipped: the release APK's own dex file, translated back to class files (Debian's enjarify), started as
- * the system starts it, on Android's own framework. What it keeps has the figures of the command line.
+ * The code that is shipped: the release APK's own dex file, translated back to class files (Debian's enjarify), started
+ * as the system starts it, on Android's own framework. What it keeps has the figures of the command line.
  */
 class ShippedCodeTest {
     private static final long PATIENCE_S = 300;

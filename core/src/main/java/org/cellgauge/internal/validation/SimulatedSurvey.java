@@ -255,12 +255,16 @@ public final class SimulatedSurvey {
         List<Detections> seen = new ArrayList<>();
         for (int k = 0; k < cameras.size(); k++) {
             RandomGenerator random = RandomStreams.of(RandomStreams.of(seed, STREAM_PHOTO, index).nextLong(), k);
+            Detections found = null;
             try {
-                seen.add(seen(source, cameras.get(k), photos.get(k).imageName(), random));
-                seenFrom.add(cameras.get(k));
+                found = seen(source, cameras.get(k), photos.get(k).imageName(), random);
             } catch (InputRefusedException e) {
                 // as one bad photo of a walk: the others are a survey without it
-                continue;
+                found = null;
+            }
+            if (found != null) {
+                seen.add(found);
+                seenFrom.add(cameras.get(k));
             }
         }
         return new SimulatedSurvey(cell, references, objects, camera, seenFrom, seen);
