@@ -33,7 +33,7 @@ import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.api.Test;
 
 /**
- * The survey's mode and deviations against a bundle adjustment that shares no code with it: dense Levenberg-Marquardt by
+ * The survey's mode and deviations against an adjustment that shares no code with it: dense Levenberg-Marquardt by
  * Apache Commons Math over all unknowns at once, rotations of the same library, derivatives by differences.
  */
 class IndependentAdjustmentTest {
