@@ -202,7 +202,7 @@ final class LiveSession {
             boolean moved = held != null && held.refusal == null && moved(held);
             if (held == null || held.refusal != null || moved || markersChanged(held, frame.detections)
                     || !held.settled && held.isBlurredAgainst(frame.detections)) {
-                if (!moved || held.settled || Double.isNaN(displacementPx) || isNextLookDue()) {
+                if (!moved || held == null || held.settled || Double.isNaN(displacementPx) || isNextLookDue()) {
                     takeAsKeyFrame(frame);
                 }
             } else {
