@@ -26,7 +26,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.cellgauge.android.state.LensKnowledge;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.internal.cell.CellWriter;
@@ -136,8 +135,8 @@ public final class FolderArchive implements ResultArchive {
 
     private byte[] overlayPng(GreyImage photo, CheckResult result) throws IOException {
         OverlayStyle style = OverlayStyle.PHOTO.withLabels(words.labels()).withLegend(words.legend());
-        boolean measured = LensKnowledge.isMeasured(result);
-        Bitmap picture = overlay.paint(photo, CellOverlay.of(LensKnowledge.drawn(result, measured), style,
+        boolean measured = DrawnResult.isLensMeasured(result);
+        Bitmap picture = overlay.paint(photo, CellOverlay.of(DrawnResult.of(result, measured), style,
                 words.headline(result.verdict(), measured), words.reason(result.finding())));
         ByteArrayOutputStream out = new ByteArrayOutputStream(1 << 20);
         boolean written = picture.compress(Bitmap.CompressFormat.PNG, BEST, out);

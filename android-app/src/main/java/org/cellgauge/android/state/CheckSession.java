@@ -25,6 +25,7 @@ import org.cellgauge.android.device.ThermalLevel;
 import org.cellgauge.android.files.AppMemory;
 import org.cellgauge.android.files.CellDocument;
 import org.cellgauge.android.files.CellLibrary;
+import org.cellgauge.android.files.DrawnResult;
 import org.cellgauge.android.files.FileRefusal;
 import org.cellgauge.android.files.NotSavedException;
 import org.cellgauge.android.files.Photo;
@@ -699,7 +700,7 @@ public final class CheckSession {
         if (result != s.result() && result != null && result.verdict() == Verdict.FAIL) {
             files(() -> advise(result, view));
         }
-        CheckResult drawn = result == s.result() ? s.drawn() : LensKnowledge.drawn(result, s.lensMeasured());
+        CheckResult drawn = result == s.result() ? s.drawn() : DrawnResult.of(result, s.lensMeasured());
         return redrawn(s.change().result(result, view, drawn)
                 .objects(CheckFigures.rows(current.cell(), s.target(), s.live(), result, view)).build());
     }

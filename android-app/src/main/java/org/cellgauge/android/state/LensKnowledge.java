@@ -1,14 +1,7 @@
 package org.cellgauge.android.state;
 
-import java.util.HashMap;
-import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.android.camera.CameraModelSource;
-import org.cellgauge.cell.ObjectMarker;
-import org.cellgauge.cell.Requirement;
-import org.cellgauge.cell.Target;
-import org.cellgauge.check.CheckResult;
-import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.Estimate;
@@ -20,7 +13,7 @@ import org.cellgauge.settings.SettingTable;
  * wrong with them. So everything that a calibration would measure is estimated along, from what is known of handheld
  * devices' lenses beforehand, and stands in every deviation and in the kept result's settings.
  */
-public final class LensKnowledge {
+final class LensKnowledge {
     /**
      * A field of view by focal length and sensor size: the focal length is rounded, moves with the focus (at half a
      * metre by 1 %), and the stream may be cut for stabilisation. Three deviations are what a stream may be cut by.
@@ -34,39 +27,9 @@ public final class LensKnowledge {
     private LensKnowledge() {
     }
 
-    /**
-     * Whether the lens that a check went through was measured: else all of it is estimated along.
-     *
-     * @param result of a check by this app
-     * @return whether it was
-     */
-    public static boolean isMeasured(CheckResult result) {
-        return result.settings().model().estimate() != Estimate.INTRINSICS;
-    }
-
     /** Whether somebody measured the lens: a maker's values are of a type of device, and none say how sure they are. */
     static boolean isMeasured(CameraModelSource source) {
         return source == CameraModelSource.CALIBRATION_FILE;
-    }
-
-    /**
-     * A result as it is drawn: of a lens that nobody measured, what meets its target is as if nothing were asked of it.
-     *
-     * @param result judged by the target in force; null for none
-     * @param measured whether the lens was
-     * @return the same where it was
-     */
-    public static CheckResult drawn(CheckResult result, boolean measured) {
-        if (result == null || measured) {
-            return result;
-        }
-        Map<Integer, Requirement> missed = new HashMap<>();
-        for (ObjectMarker object : result.cell().objects()) {
-            if (result.verdict(object.id()) == Verdict.FAIL) {
-                missed.put(object.id(), result.cell().target().of(object.id()));
-            }
-        }
-        return result.withTarget(new Target(Requirement.NONE, missed));
     }
 
     /**
