@@ -47,6 +47,7 @@ public final class GuideActivity extends Activity {
         parts = ((CellGaugeApp) getApplication()).parts();
         files = new GuideFiles(this);
         setContentView(R.layout.guide);
+        SystemBars.keepPageClear(this, R.id.guide_screen);
         ((TextView) findViewById(R.id.heading_title)).setText(R.string.guide_title);
         findViewById(R.id.heading_back).setOnClickListener(v -> finish());
         findViewById(R.id.guide_done).setOnClickListener(v -> finish());

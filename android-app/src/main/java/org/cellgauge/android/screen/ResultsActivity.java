@@ -40,6 +40,7 @@ public final class ResultsActivity extends Activity {
     private final Handler handler = new Handler(Looper.getMainLooper());
     private final Scheduler mainThread = Schedulers.from(handler::post);
     private final CompositeDisposable work = new CompositeDisposable();
+    private final BackGesture gesture = new BackGesture(this, this::back);
     private ResultArchive archive;
     private ResultsContent content;
     private AlertDialog question;
@@ -66,6 +67,7 @@ public final class ResultsActivity extends Activity {
             choosing = saved.getBoolean(CHOOSING);
         }
         setContentView(R.layout.results);
+        SystemBars.keepPageClear(this, R.id.results_screen);
         boolean wide = getResources().getConfiguration().orientation == Configuration.ORIENTATION_LANDSCAPE;
         ((LinearLayout) findViewById(R.id.results_body)).setOrientation(wide ? LinearLayout.HORIZONTAL
                 : LinearLayout.VERTICAL);
@@ -166,7 +168,7 @@ public final class ResultsActivity extends Activity {
     }
 
     @Override
-    @SuppressWarnings("deprecation") // what replaces it does not exist before Android 13
+    @SuppressWarnings("deprecation") // what replaces it, BackGesture, does not exist before Android 13
     public void onBackPressed() {
         back();
     }
@@ -217,6 +219,7 @@ public final class ResultsActivity extends Activity {
         if (results != null && (opened == null || result(other) == null)) {
             other = null;
         }
+        gesture.own(choosing || other != null || opened != null);
         KeptResult one = result(opened);
         KeptResult two = result(other);
         boolean single = one != null && two == null && !choosing;

@@ -54,19 +54,33 @@ final class SystemBars {
      * @param activity whose content is there
      */
     static void keepClear(Activity activity) {
-        Configuration shape = activity.getResources().getConfiguration();
-        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.R) {
-            fillTheScreen(activity.getWindow(), shape);
-        }
         // across, the list stands to the right of the picture
+        Configuration shape = activity.getResources().getConfiguration();
         boolean across = shape.orientation == Configuration.ORIENTATION_LANDSCAPE;
-        Yielding[] views = {
-            new Yielding(activity.findViewById(R.id.banner), true, true, true, false),
-            new Yielding(activity.findViewById(R.id.message), true, false, true, false),
-            new Yielding(activity.findViewById(R.id.caption), true, false, true, false),
-            new Yielding(activity.findViewById(R.id.panel), !across, false, true, false),
-            new Yielding(activity.findViewById(R.id.bar), true, false, true, true)};
-        activity.findViewById(R.id.screen).setOnApplyWindowInsetsListener((view, insets) -> {
+        keepClear(activity, R.id.screen,
+                new Yielding(activity.findViewById(R.id.banner), true, true, true, false),
+                new Yielding(activity.findViewById(R.id.message), true, false, true, false),
+                new Yielding(activity.findViewById(R.id.caption), true, false, true, false),
+                new Yielding(activity.findViewById(R.id.panel), !across, false, true, false),
+                new Yielding(activity.findViewById(R.id.bar), true, false, true, true));
+    }
+
+    /**
+     * The same of a page below a heading.
+     *
+     * @param activity whose content is there
+     * @param page all of it
+     */
+    static void keepPageClear(Activity activity, int page) {
+        keepClear(activity, page, new Yielding(activity.findViewById(R.id.heading), true, true, true, false),
+                new Yielding(activity.findViewById(R.id.below_heading), true, false, true, true));
+    }
+
+    private static void keepClear(Activity activity, int whole, Yielding... views) {
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.R) {
+            fillTheScreen(activity.getWindow(), activity.getResources().getConfiguration());
+        }
+        activity.findViewById(whole).setOnApplyWindowInsetsListener((view, insets) -> {
             Rect covered = Build.VERSION.SDK_INT >= Build.VERSION_CODES.R ? covered(insets) : coveredBefore11(insets);
             for (Yielding yielding : views) {
                 yielding.giveWay(covered);
@@ -82,7 +96,8 @@ final class SystemBars {
         WindowManager.LayoutParams attributes = window.getAttributes();
         attributes.layoutInDisplayCutoutMode = WindowManager.LayoutParams.LAYOUT_IN_DISPLAY_CUTOUT_MODE_ALWAYS;
         window.setAttributes(attributes);
-        // the banner is dark by day and night, so that the status bar's signs are light; the bar below is a card
+        // banner and heading are dark by day and night, so that the status bar's signs are light; by day the rest is
+        // light
         boolean night = (shape.uiMode & Configuration.UI_MODE_NIGHT_MASK) == Configuration.UI_MODE_NIGHT_YES;
         WindowInsetsController bars = window.getInsetsController();
         bars.setSystemBarsAppearance(night ? 0 : WindowInsetsController.APPEARANCE_LIGHT_NAVIGATION_BARS,

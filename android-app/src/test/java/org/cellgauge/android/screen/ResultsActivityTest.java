@@ -197,11 +197,11 @@ public class ResultsActivityTest {
         assertTrue(object, object.contains("x " + mm(std[0]) + " · y " + mm(std[1]) + " · z " + mm(std[2]) + " mm"));
         assertTrue(object, object.contains("What the variance of its position comes from:"));
         assertTrue(rows().get(0), rows().get(0).contains("Target: a standard deviation of at most 3 mm"));
-        controller.get().onBackPressed();
+        assertTrue("back has a use", Screen.back(controller.get()));
         assertFalse(find(R.id.results_zoom).isShown());
         assertEquals(1, rows().size());
-        controller.get().onBackPressed();
-        assertTrue(controller.get().isFinishing());
+        // from the list it is the system's, which ends the screen; before Android 13 the screen ends itself
+        assertTrue(!Screen.back(controller.get()) || controller.get().isFinishing());
     }
 
     @Test
@@ -267,7 +267,7 @@ public class ResultsActivityTest {
             assertTrue(row, row.contains("Before: deviation beyond 0.3 mm. After: deviation within 3 mm."));
         }
         assertTrue("better light helps at least one", String.join("", rows()).contains("smaller after"));
-        controller.get().onBackPressed();
+        assertTrue("back has a use", Screen.back(controller.get()));
         assertTrue("back to the one that was opened", find(R.id.results_bar).isShown());
     }
 
@@ -373,7 +373,7 @@ public class ResultsActivityTest {
         controller.recreate();
         until("results", () -> rows().size() > 2);
         assertEquals("Before and after", text(R.id.heading_title));
-        controller.get().onBackPressed();
+        assertTrue("back has a use", Screen.back(controller.get()));
         assertNotNull(row(rows(), "Object 20 – deviation within 3 mm"));
     }
 

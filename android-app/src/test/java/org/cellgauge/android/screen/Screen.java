@@ -4,6 +4,7 @@ import static org.junit.Assert.fail;
 import static org.robolectric.Shadows.shadowOf;
 
 import android.Manifest;
+import android.app.Activity;
 import android.content.Context;
 import android.content.Intent;
 import android.content.pm.ApplicationInfo;
@@ -228,12 +229,19 @@ final class Screen implements AutoCloseable {
      * @return whether the app had a use for it; else it is the system's
      */
     boolean back() {
+        boolean own = back(activity());
+        settle();
+        return own;
+    }
+
+    /** The same of any screen, without waiting for what comes of it. */
+    @SuppressWarnings("deprecation") // of old Androids
+    static boolean back(Activity activity) {
         if (Build.VERSION.SDK_INT < Build.VERSION_CODES.TIRAMISU) {
-            activity().onBackPressed();
-            settle();
+            activity.onBackPressed();
             return true;
         }
-        Object window = activity().getOnBackInvokedDispatcher();
+        Object window = activity.getOnBackInvokedDispatcher();
         List<Pair<OnBackInvokedCallback, Integer>> waiting = ReflectionHelpers.getField(window, "mCallbacks");
         Object actual = ReflectionHelpers.getField(window, "mActualDispatcher");
         OnBackInvokedCallback own = null;
@@ -251,7 +259,6 @@ final class Screen implements AutoCloseable {
         if (own != null) {
             own.onBackInvoked();
         }
-        settle();
         return own != null;
     }
 

@@ -19,8 +19,10 @@ import org.cellgauge.android.R;
 import org.cellgauge.android.camera.CameraFault;
 import org.junit.Test;
 import org.junit.runner.RunWith;
+import org.robolectric.Robolectric;
 import org.robolectric.RobolectricTestRunner;
 import org.robolectric.RuntimeEnvironment;
+import org.robolectric.android.controller.ActivityController;
 import org.robolectric.annotation.Config;
 import org.robolectric.util.ReflectionHelpers;
 import org.robolectric.util.ReflectionHelpers.ClassParameter;
@@ -44,12 +46,15 @@ public class SystemBarsTest {
     }
 
     private static void cover(Screen screen, Rect by) {
-        View root = screen.find(R.id.screen);
+        cover(screen.find(R.id.screen), by);
+        screen.settle();
+    }
+
+    private static void cover(View root, Rect by) {
         root.dispatchApplyWindowInsets(covered(by));
         root.measure(View.MeasureSpec.makeMeasureSpec(root.getWidth(), View.MeasureSpec.EXACTLY),
                 View.MeasureSpec.makeMeasureSpec(root.getHeight(), View.MeasureSpec.EXACTLY));
         root.layout(root.getLeft(), root.getTop(), root.getRight(), root.getBottom());
-        screen.settle();
     }
 
     /** Words and buttons that are to be seen but for what lies under the bars. */
@@ -66,13 +71,16 @@ public class SystemBarsTest {
     }
 
     private static void assertNothingIsCovered(Screen screen, Rect by) {
-        View root = screen.find(R.id.screen);
+        assertNothingIsCovered(screen.find(R.id.screen), by, 5);
+    }
+
+    private static void assertNothingIsCovered(View root, Rect by, int least) {
         Rect free = new Rect();
         root.getGlobalVisibleRect(free);
         free = new Rect(free.left + by.left, free.top + by.top, free.right - by.right, free.bottom - by.bottom);
         List<View> texts = new ArrayList<>();
         texts(root, texts);
-        assertTrue(texts.size() + " texts", texts.size() > 5);
+        assertTrue(texts.size() + " texts", texts.size() > least);
         for (View text : texts) {
             Rect at = new Rect();
             text.getGlobalVisibleRect(at);
@@ -102,6 +110,27 @@ public class SystemBarsTest {
                 screen.settle();
                 cover(screen, CUTOUT_AT_THE_LEFT);
                 assertNothingIsCovered(screen, CUTOUT_AT_THE_LEFT);
+            }
+        }
+    }
+
+    @Test
+    public void pagesBelowAHeadingKeepClearAsWell() {
+        for (String qualifiers : new String[] {Screen.TABLET_LANDSCAPE, Screen.PHONE_LANDSCAPE,
+            Screen.PHONE_PORTRAIT}) {
+            RuntimeEnvironment.setQualifiers(qualifiers);
+            for (Rect by : new Rect[] {CUTOUT_AT_THE_LEFT, BUTTONS_AT_THE_RIGHT}) {
+                try (ActivityController<GuideActivity> guide = Robolectric.buildActivity(GuideActivity.class);
+                        ActivityController<ResultsActivity> results =
+                                Robolectric.buildActivity(ResultsActivity.class)) {
+                    View page = guide.setup().get().findViewById(R.id.guide_screen);
+                    cover(page, by);
+                    assertNothingIsCovered(page, by, 3);
+                    assertEquals("the heading goes on behind the bar", 0, page.findViewById(R.id.heading).getTop());
+                    View list = results.setup().get().findViewById(R.id.results_screen);
+                    cover(list, by);
+                    assertNothingIsCovered(list, by, 1);
+                }
             }
         }
     }
