@@ -64,7 +64,6 @@ public final class ValidateCommand implements Callable<Integer> {
     /** Share of simulations without a figure beyond which coverage of the others says little. */
     private static final double MOST_WITHOUT_FIGURE = 0.05;
     private static final int REPORTS = 10;
-    /** Noise of corners where none is given: that of a sharp photo as cameras compress it, px. */
     /** Options besides settings on which figures depend. */
     private static final Set<String> DETERMINING = Set.of("--object", "--camera-pose", "--only", "--cause", "--alone",
             "--deviations", "--photos-per-cell", "--drift");
@@ -205,7 +204,10 @@ public final class ValidateCommand implements Callable<Integer> {
         if (photosPerCell < 1) {
             throw new ParameterException(spec.commandLine(), "--photos-per-cell: must be at least 1");
         }
-        if (study.photos() && drift == null) {
+        if (study.photos()) {
+            if (drift != null) {
+                throw new ParameterException(spec.commandLine(), "--drift draws corners: leave out --photos");
+            }
             BoofThreads.useOne();
             Cell stated = study.stated(cell);
             PhotoOptions.requirePrintable(spec.commandLine(), stated, study.printGainMm());

@@ -31,6 +31,8 @@ final class MarkerField {
     private static final int COLUMNS = 8;
     private static final int ROWS = 5;
     private static final double TILT_RAD = 0.35;
+    private static final double ALONG_RAD = Math.toRadians(0.2);
+    private static final int FEW = 5;
 
     final PinholeCamera camera;
     final String family;
@@ -48,8 +50,18 @@ final class MarkerField {
         return of(family, sizeMm, 0, 0, Backdrop.plain(), Scene.DEFAULT_QUIET_ZONE, 0);
     }
 
+    /** Every fifth marker faces the camera upright but for a fifth of a degree: its sides lie along rows of pixels. */
+    static MarkerField alongRows(String family, double sizeMm) {
+        return of(family, sizeMm, 0, 0, Backdrop.plain(), Scene.DEFAULT_QUIET_ZONE, 0, FEW);
+    }
+
     static MarkerField of(String family, double sizeMm, double k1, double k2, Backdrop backdrop, double quietZone,
             double printGainMm) {
+        return of(family, sizeMm, k1, k2, backdrop, quietZone, printGainMm, COLUMNS * ROWS);
+    }
+
+    private static MarkerField of(String family, double sizeMm, double k1, double k2, Backdrop backdrop,
+            double quietZone, double printGainMm, int everyAlong) {
         double[] values = PinholeCamera.ideal(1280, 720, FOCAL_PX, FOCAL_PX, 640, 360).intrinsics();
         values[BrownLens.K1] = k1;
         values[BrownLens.K2] = k2;
@@ -60,9 +72,12 @@ final class MarkerField {
         for (int i = 0; i < COLUMNS * ROWS; i++) {
             double x = (i % COLUMNS - (COLUMNS - 1) / 2.0) * 230 + 20 * random.nextDouble();
             double y = (i / COLUMNS - (ROWS - 1) / 2.0) * 210 + 20 * random.nextDouble();
+            boolean along = (i + 1) % everyAlong == 0 && everyAlong < COLUMNS * ROWS;
+            double tilt = along ? 0 : TILT_RAD;
+            double turn = along ? ALONG_RAD : 2 * Math.PI;
             scene.marker(family, 20 + 7 * i % 30 + 30 * (i / 30), sizeMm, RigidTransform.ofEuler(x, y,
-                    20 + 20 * random.nextDouble(), TILT_RAD * (2 * random.nextDouble() - 1),
-                    TILT_RAD * (2 * random.nextDouble() - 1), 2 * Math.PI * random.nextDouble()));
+                    20 + 20 * random.nextDouble(), tilt * (2 * random.nextDouble() - 1),
+                    tilt * (2 * random.nextDouble() - 1), turn * random.nextDouble()));
         }
         return new MarkerField(camera, family, scene.build());
     }

@@ -11,7 +11,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -88,20 +87,15 @@ class ShippedCodeTest {
         }
         command.addAll(List.of("-Drobolectric.enabledSdks=" + newest, "-cp", classpath,
                 "org.cellgauge.android.shipped.ShippedApp", kept.toString()));
-        Process app = start(command);
-        String log = new String(app.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertTrue(app.waitFor(PATIENCE_S, TimeUnit.SECONDS));
-        assertEquals(0, app.exitValue(), log);
+        String log = run(command, 0);
         assertTrue(log.contains("classes from [jar:file:" + classes + "!/org/cellgauge/android/screen/"
                 + "MainActivity.class]"), log);
         assertMadeAgain(kept);
     }
 
-    private static String enjarify(Path dex, Path classes) throws IOException, InterruptedException {
-        Process process = start(List.of("env", "python3", "-O", "-c", TRANSLATE, "-f", "-o", classes.toString(),
-                dex.toString()));
-        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        process.waitFor();
+    private String enjarify(Path dex, Path classes) throws IOException, InterruptedException {
+        String said = run(List.of("env", "python3", "-O", "-c", TRANSLATE, "-f", "-o", classes.toString(),
+                dex.toString()), null);
         Assumptions.assumeTrue(System.getenv("CI") != null || !said.contains("No module named"), said);
         return said;
     }
@@ -219,11 +213,19 @@ class ShippedCodeTest {
         }
     }
 
-    private static Process start(List<String> command) throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+    /** What a command prints; it ends in time, and with this exit code where one is given. */
+    private String run(List<String> command, Integer code) throws IOException, InterruptedException {
+        Path said = Files.createTempFile(folder, "said", ".txt");
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(said.toFile());
         // Debian's package is written for Debian's own Python
         builder.environment().merge("PATH", "/usr/bin:/bin", (path, first) -> first + ":" + path);
-        return builder.start();
+        Process process = builder.start();
+        boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        String log = Files.readString(said);
+        assertTrue(ended, log);
+        assertTrue(code == null || process.exitValue() == code, log);
+        return log;
     }
 
     private void assertMadeAgain(Path kept) throws IOException {

@@ -255,16 +255,11 @@ public final class SimulatedSurvey {
         List<Detections> seen = new ArrayList<>();
         for (int k = 0; k < cameras.size(); k++) {
             RandomGenerator random = RandomStreams.of(RandomStreams.of(seed, STREAM_PHOTO, index).nextLong(), k);
-            Detections found = null;
             try {
-                found = seen(source, cameras.get(k), photos.get(k).imageName(), random);
+                seen.add(seen(source, cameras.get(k), photos.get(k).imageName(), random));
+                seenFrom.add(cameras.get(k));
             } catch (InputRefusedException e) {
                 // as one bad photo of a walk: the others are a survey without it
-                found = null;
-            }
-            if (found != null) {
-                seen.add(found);
-                seenFrom.add(cameras.get(k));
             }
         }
         return new SimulatedSurvey(cell, references, objects, camera, seenFrom, seen);
