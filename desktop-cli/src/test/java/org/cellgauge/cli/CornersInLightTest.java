@@ -263,7 +263,7 @@ class CornersInLightTest {
     }
 
     /**
-     * Pixels along a sharp side tell a sharper edge here or a more blurred one there: without the blur of the other sides
+     * Pixels along a sharp side tell a sharper edge here or a more blurred one there: without the blur of the others
      * places were off by 0.2 px with a stated 0.003 px.
      */
     @ParameterizedTest
