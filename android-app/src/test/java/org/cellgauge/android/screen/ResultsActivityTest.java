@@ -91,6 +91,7 @@ public class ResultsActivityTest {
     }
 
     private void open() {
+        Screen.backIsOwn();
         controller = Robolectric.buildActivity(ResultsActivity.class).setup();
         until("results", () -> !"Reading the results…".contentEquals(text(R.id.results_empty))
                 || find(R.id.results_empty).getVisibility() == View.GONE);
@@ -400,6 +401,7 @@ public class ResultsActivityTest {
             keepBeforeAndAfter();
             keep(check(FIXTURE.doubtful(), CheckSettings.builder().build()), "2024-05-19T16:20:00Z", "hall.yaml");
         }
+        Screen.backIsOwn();
         controller = Robolectric.buildActivity(ResultsActivity.class).setup();
         until("results", () -> rows().size() == 3);
         picture("results-list" + name);

@@ -83,7 +83,7 @@ final class Screen implements AutoCloseable {
     }
 
     /** The manifest says so ({@code ApkTest}); Robolectric reads manifests as Androids did that knew nothing of it. */
-    private static void backIsOwn() {
+    static void backIsOwn() {
         if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.TIRAMISU) {
             ApplicationInfo info = app().getApplicationInfo();
             int flags = ReflectionHelpers.getField(info, "privateFlagsExt");
