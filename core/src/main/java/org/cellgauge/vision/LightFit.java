@@ -33,7 +33,7 @@ final class LightFit {
     /** Edges that have moved by more than this leave the light that was taken as given about them stale, px. */
     private static final double STALE_PX = 0.03;
     /** Where to look first when nothing is known of the curve. */
-    private static final double[] SCANNED = {1, 1.4, 1.8, 2.3};
+    private static final double[] SCANNED = {1.1, 2.2};
     /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
     private static final double SURPRISE_PX = 0.1;
     /** A marker whose edges are shifted by so much more than the others', or whose noise is so many times theirs. */
@@ -43,6 +43,7 @@ final class LightFit {
     private static final int LEAST_TO_JUDGE = 4;
     private static final double ODD_NOISE = 1.7;
     private static final double CLIPPED_SHARE = 0.1;
+    private static final double FAR_TOO_BRIGHT = 3;
     /** Of the pixels beside one side: a bright speck is less, a mirrored lamp more. */
     private static final double GLARE_SHARE = 0.4;
     private static final double CRUSHED_SHARE = 0.4;
@@ -77,7 +78,7 @@ final class LightFit {
     /** How alike the blur of sides is, as a share of it: focus, motion and the lens make some more blurred. */
     private static final double EXPECTED_BLUR_STD = 0.25;
     /** Markers by which the curve is looked for first: a start within the reach of Gauss-Newton is enough. */
-    private static final int MOST_SCANNED = 3;
+    private static final int MOST_SCANNED = 2;
     private static final int MAX_ROUNDS = 6;
     /** A change of the power that moves edges by less is none, px. */
     private static final double SETTLED_PX = 0.002;
@@ -263,7 +264,7 @@ final class LightFit {
             stale = anew ? 0 : stale;
             for (int m = 0; m < some.size(); m++) {
                 if (anew) {
-                    some.get(m).refit(image, scale, patterns.get(m));
+                    some.get(m).refitNearly(image, scale, patterns.get(m), MarkerEdges.MAX_PASSES);
                 } else {
                     some.get(m).refitSamePixels(scale);
                 }
@@ -271,8 +272,8 @@ final class LightFit {
         }
         findBlocks(image, some);
         double ofPower = estimated ? offsetByPower / Math.sqrt(information) : 0;
-        // what blocks leave of noise and edges looks like a mask's doing
-        ofPower = inBlocks ? ofPower : findMask(image, some, patterns, ofPower);
+        // what blocks leave of noise and edges looks like a mask's doing, and a refused photo's mask is nobody's business
+        ofPower = inBlocks || isFarTooBright(some) ? ofPower : findMask(image, some, patterns, ofPower);
         for (int m = 0; m < markers.size(); m++) {
             refit(image, markers.get(m), patterns.get(m));
         }
@@ -290,6 +291,18 @@ final class LightFit {
             blurs[m] /= markers.get(m).cellPx();
         }
         blurInCells = blurs.length == 0 ? 0 : median(blurs);
+    }
+
+    /** Whether so much white is clipped that the photo will be refused whatever a second look says. */
+    private boolean isFarTooBright(List<MarkerEdges> markers) {
+        if (!estimated || fileSaid || markers.isEmpty()) {
+            return false;
+        }
+        double[] clipped = new double[4 * markers.size()];
+        for (int k = 0; k < clipped.length; k++) {
+            clipped[k] = markers.get(k / 4).side(k % 4).clippedShare;
+        }
+        return median(clipped) > FAR_TOO_BRIGHT * CLIPPED_SHARE;
     }
 
     /** Looks for blocks of a JPEG file about the markers. */
@@ -568,15 +581,19 @@ final class LightFit {
         return Math.max(least, Math.min(most, value));
     }
 
-    /** Starts at the power, of a few, under which the sides leave the smallest residuals. */
+    /** Starts at the power, of the one at hand and a few others, under which the sides leave the smallest residuals. */
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
         ToneCurve best = curve;
-        double least = Double.POSITIVE_INFINITY;
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
+        for (MarkerEdges marker : few) {
+            marker.conclude(scale, false);
+        }
+        setNoise(few);
+        double least = noiseGrey;
         for (double power : SCANNED) {
             scale.set(curve.withPower(power));
             for (int m = 0; m < few.size(); m++) {
-                few.get(m).refit(image, scale, patterns.get(m));
+                few.get(m).refitNearly(image, scale, patterns.get(m), 1);
                 few.get(m).conclude(scale, false);
             }
             setNoise(few);
@@ -588,7 +605,7 @@ final class LightFit {
         curve = best;
         scale.set(curve);
         for (int m = 0; m < some.size(); m++) {
-            some.get(m).refit(image, scale, patterns.get(m));
+            some.get(m).refitNearly(image, scale, patterns.get(m), 1);
         }
     }
 

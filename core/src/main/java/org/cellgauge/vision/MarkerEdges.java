@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class MarkerEdges {
     private static final int CORNERS = 4;
-    private static final int MAX_PASSES = 6;
+    static final int MAX_PASSES = 6;
     /** A line that moved further than this has left the band it was fitted in: its pixels are chosen again. */
     private static final double BAND_STILL_GOOD_PX = 0.05;
     /** The same while the tone curve is not known yet. */
@@ -98,6 +98,7 @@ final class MarkerEdges {
     private boolean[] white = new boolean[0];
     /** Grey values with an unsharp mask undone, in force where {@link #unsharpened}. */
     private final Unsharpened levels = new Unsharpened();
+    private double settledPx = SideFit.SETTLED_PX;
     private boolean unsharpened;
 
     // the pattern as seen from one side: depth of the lines between rows at the middle of the side and its change
@@ -198,6 +199,7 @@ final class MarkerEdges {
         if (distorted) {
             clearCache(cornersPx);
         }
+        settledPx = SideFit.NEARLY_SETTLED_PX;
         return passes(image, scale, MAX_PASSES, FIRST_BAND_STILL_GOOD_PX);
     }
 
@@ -211,7 +213,23 @@ final class MarkerEdges {
      */
     boolean refit(GreyImage image, GreyScale scale, boolean[] pattern) {
         white = pattern;
+        settledPx = SideFit.SETTLED_PX;
         return passes(image, scale, MAX_PASSES, BAND_STILL_GOOD_PX);
+    }
+
+    /**
+     * The same on the way to a tone curve, where hundredths of a pixel do not matter.
+     *
+     * @param image the same image
+     * @param scale tone curve and noise
+     * @param pattern white cells; kept, not copied
+     * @param mostPasses how often at most pixels are gathered about the sides, positive
+     * @return whether all sides were found
+     */
+    boolean refitNearly(GreyImage image, GreyScale scale, boolean[] pattern, int mostPasses) {
+        white = pattern;
+        settledPx = SideFit.NEARLY_SETTLED_PX;
+        return passes(image, scale, mostPasses, BAND_STILL_GOOD_PX);
     }
 
     /**
@@ -228,6 +246,7 @@ final class MarkerEdges {
             side.restart();
         }
         shiftPx = shift;
+        settledPx = SideFit.SETTLED_PX;
         return passes(image, scale, MAX_PASSES, BAND_STILL_GOOD_PX);
     }
 
@@ -238,9 +257,10 @@ final class MarkerEdges {
      * @return whether all sides were found
      */
     boolean refitSamePixels(GreyScale scale) {
+        settledPx = SideFit.NEARLY_SETTLED_PX;
         for (SideFit side : sides) {
             profile.turn(side.normalX, side.normalY);
-            if (!side.fit(scale, profile, FIRST_BLUR_PX)) {
+            if (!side.fit(scale, profile, FIRST_BLUR_PX, settledPx)) {
                 return false;
             }
         }
@@ -735,7 +755,7 @@ final class MarkerEdges {
         side.clear(blur);
         setLampOf(side);
         collect(image, i, inner, outer, blur, std);
-        return side.fit(scale, profile, FIRST_BLUR_PX);
+        return side.fit(scale, profile, FIRST_BLUR_PX, settledPx);
     }
 
     /**

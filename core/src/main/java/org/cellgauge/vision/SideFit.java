@@ -33,7 +33,9 @@ final class SideFit {
     private static final int COLUMNS = 6;
 
     private static final int MAX_STEPS = 20;
-    private static final double SETTLED_PX = 1e-3;
+    /** A step that moves the line by less is the last one, px; and on the way to a tone curve. */
+    static final double SETTLED_PX = 1e-3;
+    static final double NEARLY_SETTLED_PX = 0.02;
     static final double SMALLEST_BLUR_PX = 0.1;
     static final double LARGEST_BLUR_PX = 4;
     /** A bright side that is clipped may be as bright as this, in grey levels of the tone curve's continuation. */
@@ -129,6 +131,7 @@ final class SideFit {
     double overshoot;
     /** What is known of the blur beforehand, px, and how well: grey levels squared over px squared, 0 for nothing. */
     private double expectedBlur;
+    private double settledPx = SETTLED_PX;
     private double blurWeight;
 
     /**
@@ -223,9 +226,11 @@ final class SideFit {
      * @param scale tone curve and noise
      * @param profile turned to the side's normal
      * @param firstBlurPx where the blur starts if there was no fit before
+     * @param settled a step that moves the line by less is the last one, px
      * @return whether a dark and a bright side were found
      */
-    boolean fit(GreyScale scale, EdgeProfile profile, double firstBlurPx) {
+    boolean fit(GreyScale scale, EdgeProfile profile, double firstBlurPx, double settled) {
+        settledPx = settled;
         if (samples < 4 * UNKNOWNS) {
             return false;
         }
@@ -303,7 +308,7 @@ final class SideFit {
         @Override
         public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
             return accepted && Math.abs(trial[OFFSET] - unknowns[OFFSET])
-                    + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx < SETTLED_PX;
+                    + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx < settledPx;
         }
     }
 
