@@ -35,6 +35,7 @@ import org.cellgauge.placement.Contradiction;
 import org.cellgauge.placement.Explanation;
 import org.cellgauge.placement.Overlap;
 import org.cellgauge.placement.ReferenceCheck;
+import org.cellgauge.placement.WrongCorner;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.InitialEstimate;
 import org.cellgauge.settings.LikelihoodModel;
@@ -111,7 +112,22 @@ final class CellModes {
      * @throws InputRefusedException if no pose explains the corners
      */
     static CellModes of(Observed observed, @Nullable RigidTransform worldFromCameraStart) {
-        return new Search(observed, worldFromCameraStart).found();
+        Observed as = observed;
+        CellModes found = new Search(as, worldFromCameraStart).found();
+        for (int k = 1; k < found.camera.view.size(); k++) {
+            WrongCorner wrong = found.wrongCorner();
+            if (wrong == null) {
+                break;
+            }
+            as = as.without(wrong);
+            found = new Search(as, worldFromCameraStart).found();
+        }
+        return found;
+    }
+
+    private @Nullable WrongCorner wrongCorner() {
+        return contradiction != null || observed.settings.model().likelihood() != LikelihoodModel.RIGID_MARKER
+                ? null : WrongCorner.in(camera);
     }
 
     /** What the weak prior of the camera pose is called; null where there is none. */

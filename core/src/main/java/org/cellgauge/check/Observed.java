@@ -19,6 +19,7 @@ import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.NoiseFit;
+import org.cellgauge.placement.WrongCorner;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.settings.LikelihoodModel;
 import org.cellgauge.settings.ObjectNoise;
@@ -92,6 +93,17 @@ final class Observed {
         CornerErrors errors = rigid ? withCommon(kept, common, cell)
                 : kept.isPlain() ? kept : kept.fixedAt(noiseLevel);
         return new Observed(cell, detections, settings, noiseFit, errors, noiseLevel, warnings);
+    }
+
+    /**
+     * The same with a reference set aside of which a corner is off.
+     *
+     * @param wrong the corner
+     * @return the observation, which says so
+     */
+    Observed without(WrongCorner wrong) {
+        return new Observed(cell, detections, settings, noiseFit.with(wrong), errors.withSetAside(
+                Collections.singletonMap(wrong.id(), NoiseFit.inflation(wrong))), noiseLevel, warnings);
     }
 
     /** The errors with those that references have in common, as a first estimate of the camera sees them. */

@@ -96,6 +96,21 @@ final class DirectionScore {
 
     /** All tests of a fit; none of a direction that the pose absorbs entirely. */
     static List<DirectionScore> of(ReferenceView view, List<CausePattern> causes, PlacementScores scores) {
+        List<DirectionScore> tests = withoutLimits(view, causes, scores);
+        return tests.isEmpty() ? tests : withLimits(tests, scores);
+    }
+
+    /** The most of chi-square that any direction of a reference or of a cause takes. */
+    static double mostExplained(ReferenceView view, List<CausePattern> causes, PlacementScores scores) {
+        double most = 0;
+        for (DirectionScore test : withoutLimits(view, causes, scores)) {
+            most = Math.max(most, test.statistic() * test.statistic());
+        }
+        return most;
+    }
+
+    private static List<DirectionScore> withoutLimits(ReferenceView view, List<CausePattern> causes,
+            PlacementScores scores) {
         List<DirectionScore> tests = new ArrayList<>();
         for (int m = 0; m < view.size(); m++) {
             int first = PlacementScores.COORDINATES * m;
@@ -122,7 +137,7 @@ final class DirectionScore {
             }
             first += cause.columnsPx.length;
         }
-        return tests.isEmpty() ? tests : withLimits(tests, scores);
+        return tests;
     }
 
     private static List<DirectionScore> withLimits(List<DirectionScore> tests, PlacementScores scores) {

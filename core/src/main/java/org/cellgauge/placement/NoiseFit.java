@@ -146,6 +146,18 @@ public final class NoiseFit {
     }
 
     /**
+     * The same with a marker of which the other references say that a corner is off.
+     *
+     * @param wrong the corner
+     * @return a test that holds no more
+     */
+    public NoiseFit with(WrongCorner wrong) {
+        Map<Integer, Double> worse = new LinkedHashMap<>(tested() ? markers : noSquares);
+        worse.put(wrong.id(), tested() ? wrong.chiSquare() : Math.sqrt(wrong.chiSquare() / 2));
+        return tested() ? new NoiseFit(statedStdPx, worse, noSquares) : new NoiseFit(statedStdPx, markers, worse);
+    }
+
+    /**
      * The test on squares that are known already.
      *
      * @param statedStdPx the stated noise, px
@@ -308,6 +320,16 @@ public final class NoiseFit {
             }
         });
         return factors;
+    }
+
+    /**
+     * The same of a marker of which a corner is off.
+     *
+     * @param wrong the corner
+     * @return factor on the variances of the marker's corners
+     */
+    public static double inflation(WrongCorner wrong) {
+        return Math.max(LEAST_INFLATION, wrong.chiSquare());
     }
 
     /**

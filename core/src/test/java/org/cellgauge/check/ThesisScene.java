@@ -134,6 +134,13 @@ public final class ThesisScene {
         return this;
     }
 
+    /** Turns a reference about its centre, in world axes. */
+    public ThesisScene turned(int id, RigidTransform turn) {
+        RigidTransform nominal = references.get(id);
+        references.put(id, RigidTransform.of(turn.compose(nominal).rotation(), nominal.translationMm()));
+        return this;
+    }
+
     public Map<Integer, RigidTransform> objects() {
         return objects;
     }

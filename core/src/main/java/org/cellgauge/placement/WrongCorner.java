@@ -1,0 +1,153 @@
+package org.cellgauge.placement;
+
+import java.util.List;
+import org.cellgauge.internal.laplace.CameraFit;
+import org.cellgauge.internal.pose.PoseMode;
+import org.cellgauge.internal.statistics.ChiSquare;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A reference of which one corner lies where no placement within what is stated puts it: a smudge, a finger, a glint;
+ * immutable.
+ *
+ * <p>A corner that is off by itself makes a small marker seem turned, and its corners are then as square as any: how
+ * square they are ({@link NoiseFit}) does not tell. The other references do, since they say how it stands. Tested is a
+ * shift of one corner in any direction of the image, in the model linearised at the mode (mean-shift outlier test: Cook
+ * and Weisberg, "Residuals and Influence in Regression", 1982, section 2.2.2; two degrees of freedom). It is named where
+ * more speaks for it than for any shift or turn of one reference, any common cause, and any corner of another.
+ */
+public final class WrongCorner {
+    /** Chance that a photo as stated has one; with those of noise, of directions and of all together below 1 in 100. */
+    static final double LEVEL = 0.0002;
+    /**
+     * A shift in the image has two numbers where one of a reference or a cause has one, and may be of a size within some
+     * twenty deviations: so much more it must explain to be as likely, and again so much to be likelier beyond doubt.
+     */
+    private static final double MARGIN = 2 * ReferenceCheck.DOUBT;
+
+    private final int id;
+    private final int corner;
+    private final double chiSquare;
+
+    private WrongCorner(int id, int corner, double chiSquare) {
+        this.id = id;
+        this.corner = corner;
+        this.chiSquare = chiSquare;
+    }
+
+    /**
+     * Looks for one.
+     *
+     * @param camera the camera from all references, with a mode, of the likelihood with rigid placements
+     * @return the corner for which most speaks; null where all are within what is stated or something else explains as
+     *     much
+     */
+    public static @Nullable WrongCorner in(CameraFit camera) {
+        PoseMode mode = camera.mode();
+        int references = camera.view.size();
+        if (references < 2) {
+            return null;
+        }
+        double[] covariance = mode.covariance();
+        double[] whitening = mode.whitening();
+        int worst = -1;
+        int corner = -1;
+        double most = 0;
+        double ofAnother = 0;
+        for (int m = 0; m < references; m++) {
+            double[] residual = mode.whitenedResiduals(m);
+            double[] jacobian = mode.jacobian(m);
+            double own = 0;
+            int at = -1;
+            for (int k = 0; k < 4; k++) {
+                double squares = squares(k, whitening, 64 * m, residual, jacobian, covariance, mode.dimension());
+                if (squares > own) {
+                    own = squares;
+                    at = k;
+                }
+            }
+            if (own > most) {
+                ofAnother = most;
+                most = own;
+                worst = m;
+                corner = at;
+            } else {
+                ofAnother = Math.max(ofAnother, own);
+            }
+        }
+        if (worst < 0 || ChiSquare.pValue(most, 2) * 4 * references > LEVEL
+                || most - ofAnother < ReferenceCheck.DOUBT) {
+            return null;
+        }
+        List<CausePattern> causes = CausePattern.of(camera, mode);
+        double ofPlacements = DirectionScore.mostExplained(camera.view, causes,
+                new PlacementScores(camera.view, mode, causes));
+        return most - ofPlacements < MARGIN ? null
+                : new WrongCorner(camera.view.references().get(worst).id(), corner, most);
+    }
+
+    /**
+     * How much of chi-square a shift of one corner takes: with d the whitened residuals' change by the shift along u and
+     * v, J that by the pose and C the pose's covariance, {@code s' V^-1 s}, where {@code s = d' r} and {@code V = d' d -
+     * d' J C J' d}.
+     */
+    private static double squares(int corner, double[] whitening, int from, double[] residual, double[] jacobian,
+            double[] covariance, int unknowns) {
+        double[] score = new double[2];
+        double[] byPose = new double[2 * unknowns];
+        double[] variance = new double[3];
+        for (int i = 2 * corner; i < 8; i++) {
+            double along = whitening[from + 8 * i + 2 * corner];
+            double down = whitening[from + 8 * i + 2 * corner + 1];
+            score[0] += along * residual[i];
+            score[1] += down * residual[i];
+            variance[0] += along * along;
+            variance[1] += along * down;
+            variance[2] += down * down;
+            for (int p = 0; p < unknowns; p++) {
+                byPose[p] += along * jacobian[i * unknowns + p];
+                byPose[unknowns + p] += down * jacobian[i * unknowns + p];
+            }
+        }
+        double least = 1e-9 * Math.max(variance[0], variance[2]);
+        for (int p = 0; p < unknowns; p++) {
+            for (int q = 0; q < unknowns; q++) {
+                double c = covariance[p * unknowns + q];
+                variance[0] -= byPose[p] * c * byPose[q];
+                variance[1] -= byPose[p] * c * byPose[unknowns + q];
+                variance[2] -= byPose[unknowns + p] * c * byPose[unknowns + q];
+            }
+        }
+        double determinant = variance[0] * variance[2] - variance[1] * variance[1];
+        // what is left by rounding alone is nothing
+        return !(determinant > least * least) ? 0 : (variance[2] * score[0] * score[0]
+                - 2 * variance[1] * score[0] * score[1] + variance[0] * score[1] * score[1]) / determinant;
+    }
+
+    /**
+     * Marker id of the reference.
+     *
+     * @return the id
+     */
+    public int id() {
+        return id;
+    }
+
+    /**
+     * Which of its corners.
+     *
+     * @return 0 to 3: top-left, top-right, bottom-right, bottom-left of the upright marker
+     */
+    public int corner() {
+        return corner;
+    }
+
+    /**
+     * How much of the misfit of all references goes if this corner is left out.
+     *
+     * @return chi-square distributed with 2 degrees of freedom if the corner is as precise as stated
+     */
+    public double chiSquare() {
+        return chiSquare;
+    }
+}
