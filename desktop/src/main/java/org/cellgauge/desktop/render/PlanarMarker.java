@@ -260,6 +260,71 @@ final class PlanarMarker {
         return first;
     }
 
+    /**
+     * The one straight border between two colours among all places that rays near one meet: as a function of the ray
+     * that is linear, negative on the side of the first colour and not on that of the second.
+     *
+     * @param ray the middle ray
+     * @param reach largest deviations of its three coordinates
+     * @param border receives the function's three coefficients and the two colours
+     * @return false where there are other borders, too, or none
+     */
+    boolean singleBorder(double[] ray, double[] reach, double[] border) {
+        double w = inverseDistance(ray[0], ray[1], ray[2]);
+        double wLeast = w - Math.abs(fromRay[6]) * reach[0] - Math.abs(fromRay[7]) * reach[1]
+                - Math.abs(fromRay[8]) * reach[2];
+        if (!(wLeast > 0)) {
+            return false;
+        }
+        double placeX = (fromRay[0] * ray[0] + fromRay[1] * ray[1] + fromRay[2] * ray[2]) / w;
+        double placeY = (fromRay[3] * ray[0] + fromRay[4] * ray[1] + fromRay[5] * ray[2]) / w;
+        double spanX = span(0, placeX, reach) / wLeast;
+        double spanY = span(3, placeY, reach) / wLeast;
+        int left = band(placeX - spanX);
+        int right = band(placeX + spanX);
+        int top = band(-placeY - spanY);
+        int bottom = band(-placeY + spanY);
+        boolean acrossX = right == left + 1 && isAlike(top, bottom, left, right, bands, 1);
+        if (!acrossX && !(bottom == top + 1 && isAlike(left, right, top, bottom, 1, bands))) {
+            return false;
+        }
+        double at = acrossX ? borderAfter(left) : borderAfter(top);
+        for (int k = 0; k < 3; k++) {
+            border[k] = (acrossX ? fromRay[k] : -fromRay[3 + k]) - at * fromRay[6 + k];
+        }
+        border[3] = colour[top * bands + left];
+        border[4] = colour[bottom * bands + right];
+        return true;
+    }
+
+    private double span(int row, double place, double[] reach) {
+        double sum = 0;
+        for (int k = 0; k < 3; k++) {
+            sum += Math.abs(fromRay[row + k] - place * fromRay[6 + k]) * reach[k];
+        }
+        return sum;
+    }
+
+    /** Whether the colours of two bands next to each other, of numbers apart, stay what they are along both. */
+    private boolean isAlike(int from, int to, int first, int second, int stepAlong, int stepAcross) {
+        for (int k = from + 1; k <= to; k++) {
+            if (colour[k * stepAlong + first * stepAcross] != colour[from * stepAlong + first * stepAcross]
+                    || colour[k * stepAlong + second * stepAcross] != colour[from * stepAlong + second * stepAcross]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Where a band ends and the next begins, mm: see {@link #band}. */
+    private double borderAfter(int band) {
+        if (band == 0 || band == bands - 2) {
+            return band == 0 ? -paperMm : paperMm;
+        }
+        return strayMm == 0 ? (band - 1) * cellMm - halfMm
+                : (band - 1) / 2 * cellMm - halfMm + (band % 2 == 0 ? strayMm : -strayMm);
+    }
+
     private int band(double placeMm) {
         if (strayMm > 0) {
             return bandWithStrays(placeMm);

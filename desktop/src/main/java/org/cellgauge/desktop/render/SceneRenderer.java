@@ -24,7 +24,8 @@ import org.cellgauge.vision.GreyImage;
  * pixels.
  *
  * <p>{@link #renderNearMarkers} is for those who need thousands of pictures: all that a detector looks at closely is as
- * above, and the rest is the wall in its mean grey.
+ * above, but that a part with one straight border through it has the share of its area on each side, exactly; the rest is
+ * the wall in its mean grey.
  */
 public final class SceneRenderer {
     private static final int PARTS = 4;
@@ -279,6 +280,7 @@ public final class SceneRenderer {
         private final Backdrop.Sampler wall;
         private final Lamp lamp;
         private final boolean raysInterpolated;
+        private final boolean bordersStraight;
         private final int u0;
         private final int v0;
         private final int columns;
@@ -289,16 +291,17 @@ public final class SceneRenderer {
         private final double[] ray = new double[3];
         /** x, y of the rays through the corners of the part at hand, where rays between them are interpolated. */
         private final double[] cornerRays = new double[8];
+        private final double[] border = new double[5];
         /** The markers whose paper reaches into the part at hand. */
         private final PlanarMarker[] here;
         private int hereCount;
 
         /**
          * @param area u0, v0, columns, rows
-         * @param raysInterpolated whether rays within a part are interpolated between those through its corners, which
-         *     is right to 1e-6 px under any lens that is not a fisheye
+         * @param quick whether rays within a part are interpolated between those through its corners, and a border
+         *     through it is straight: right to 1e-6 px under any lens that is not a fisheye
          */
-        Tile(Scene scene, Sensor sensor, PlanarMarker[] all, int[] area, boolean raysInterpolated) {
+        Tile(Scene scene, Sensor sensor, PlanarMarker[] all, int[] area, boolean quick) {
             this.scene = scene;
             this.sensor = sensor;
             this.lens = scene.camera().lens();
@@ -306,7 +309,8 @@ public final class SceneRenderer {
             this.distorted = scene.camera().isDistorting();
             this.wall = scene.backdrop().sampler();
             this.lamp = new Lamp(scene.camera(), sensor);
-            this.raysInterpolated = raysInterpolated && distorted && !lens.isWide();
+            this.raysInterpolated = quick && distorted && !lens.isWide();
+            this.bordersStraight = quick && !(distorted && lens.isWide());
             this.u0 = area[0];
             this.v0 = area[1];
             this.columns = area[2];
@@ -438,7 +442,39 @@ public final class SceneRenderer {
             if (hereCount == 0) {
                 return backdrop(true, ray[0], ray[1], ray[2], 0);
             }
-            return Double.isNaN(colour) ? averageOfRays(i, j) : colour;
+            if (!Double.isNaN(colour)) {
+                return colour;
+            }
+            return bordersStraight && hereCount == 1 && here[0].singleBorder(ray, reach, border) && cornersSeen(i, j)
+                    ? averageAtBorder() : averageOfRays(i, j);
+        }
+
+        /** The part's light where one border runs through it: the share of its square on each side, exactly. */
+        private double averageAtBorder() {
+            double topLeft = ofBorder(0);
+            double topRight = ofBorder(1);
+            double bottomLeft = ofBorder(2);
+            double bottomRight = ofBorder(3);
+            double along = Math.abs(topRight - topLeft + bottomRight - bottomLeft) / 2;
+            double across = Math.abs(bottomLeft - topLeft + bottomRight - topRight) / 2;
+            double middle = (topLeft + topRight + bottomLeft + bottomRight) / 4;
+            double most = (along + across) / 2;
+            double share;
+            if (Math.abs(middle) >= most) {
+                share = middle > 0 ? 1 : 0;
+            } else if (Math.abs(middle) <= Math.abs(along - across) / 2) {
+                share = 0.5 + middle / Math.max(along, across);
+            } else {
+                double triangle = (most - Math.abs(middle)) * (most - Math.abs(middle)) / (2 * along * across);
+                share = middle > 0 ? 1 - triangle : triangle;
+            }
+            double first = border[3] == PlanarMarker.NOTHING ? backdrop(true, ray[0], ray[1], ray[2], 0) : border[3];
+            double second = border[4] == PlanarMarker.NOTHING ? backdrop(true, ray[0], ray[1], ray[2], 0) : border[4];
+            return first + share * (second - first);
+        }
+
+        private double ofBorder(int corner) {
+            return border[0] * cornerRays[corner] + border[1] * cornerRays[4 + corner] + border[2];
         }
 
         /**

@@ -465,6 +465,7 @@ class SceneRendererTest {
         GreyImage quick = SceneRenderer.renderNearMarkers(scene, sensor, new Well19937c(1));
         List<SceneTruth.MarkerInImage> truth = SceneTruth.of(scene);
         int near = 0;
+        int other = 0;
         for (int row = 0; row < 150; row++) {
             for (int column = 0; column < 200; column++) {
                 boolean ofMarker = false;
@@ -478,11 +479,14 @@ class SceneRendererTest {
                     ofMarker |= Math.hypot(u - column - 0.5, v - row - 0.5) < 25;
                 }
                 near += ofMarker ? 1 : 0;
-                // the wall's light is that of blocks of 8 px, and falls by 0.5 a grey level in 4 px here
-                assertEquals(whole.get(column, row), quick.get(column, row), !ofMarker ? 2 : k1 == 0 ? 0 : 1);
+                // the wall's light is that of blocks of 8 px, and falls by 0.5 a grey level in 4 px here; a border is
+                // within 0.0023 px where rays average it, which rounding to whole grey levels seldom shows
+                assertEquals(whole.get(column, row), quick.get(column, row), ofMarker ? 1 : 2);
+                other += ofMarker && whole.get(column, row) != quick.get(column, row) ? 1 : 0;
             }
         }
         assertTrue(near > 1500, "two markers are looked at closely");
+        assertTrue(other < 0.03 * near, other + " of " + near);
     }
 
     @Test
