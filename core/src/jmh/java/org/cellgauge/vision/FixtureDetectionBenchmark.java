@@ -1,0 +1,71 @@
+package org.cellgauge.vision;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferByte;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
+import org.cellgauge.cell.Cell;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.internal.vision.BoofThreads;
+import org.cellgauge.light.ToneCurve;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * Time to find the six or seven markers of the fixtures' photos, 1280 x 720 px, on one thread. All say sRGB but {@code
+ * plane-3}, which says nothing.
+ */
+@State(Scope.Benchmark)
+@BenchmarkMode(Mode.SampleTime)
+@OutputTimeUnit(TimeUnit.MILLISECONDS)
+@Warmup(iterations = 3, time = 2)
+@Measurement(iterations = 5, time = 2)
+@Fork(1)
+public class FixtureDetectionBenchmark {
+    /** Folder of the fixture. */
+    @Param({"lifted-4", "raised-4", "plane-4", "raised-3", "distorted-4", "apriltag-4", "plane-3"})
+    public String fixture;
+
+    private BoofMarkerDetector detector;
+    private GreyImage image;
+
+    /**
+     * Reads the photo.
+     *
+     * @throws IOException if it cannot be read
+     */
+    @Setup
+    public void read() throws IOException {
+        BoofThreads.useOne();
+        Path folder = Path.of(System.getProperty("cellgauge.root"), "fixtures", fixture);
+        BufferedImage photo = ImageIO.read(folder.resolve("photo.png").toFile());
+        image = GreyImage.packed(((DataBufferByte) photo.getRaster().getDataBuffer()).getData(), photo.getWidth(),
+                photo.getHeight());
+        if (!fixture.equals("plane-3")) {
+            image = image.withToneCurve(ToneCurve.SRGB);
+        }
+        Cell cell = CellReader.read(folder.resolve("cell.yaml"));
+        detector = BoofMarkerDetector.forCell(cell);
+    }
+
+    /**
+     * One photo.
+     *
+     * @return what was found
+     */
+    @Benchmark
+    public Detections photo() {
+        return detector.detect(image, fixture);
+    }
+}
