@@ -13,15 +13,15 @@ import org.jspecify.annotations.Nullable;
  * <p>A corner that is off by itself makes a small marker seem turned, and its corners are then as square as any: how
  * square they are ({@link NoiseFit}) does not tell. The other references do, since they say how it stands. Tested is a
  * shift of one corner in any direction of the image, in the model linearised at the mode (mean-shift outlier test: Cook
- * and Weisberg, "Residuals and Influence in Regression", 1982, section 2.2.2; two degrees of freedom). It is named where
- * more speaks for it than for any shift or turn of one reference, any common cause, and any corner of another.
+ * and Weisberg, "Residuals and Influence in Regression", 1982, section 2.2.2; two degrees of freedom). It is named
+ * where more speaks for it than for any shift or turn of one reference, any common cause, and any corner of another.
  */
 public final class WrongCorner {
     /** Chance that a photo as stated has one; with those of noise, of directions and of all together below 1 in 100. */
     static final double LEVEL = 0.0002;
     /**
-     * A shift in the image has two numbers where one of a reference or a cause has one, and may be of a size within some
-     * twenty deviations: so much more it must explain to be as likely, and again so much to be likelier beyond doubt.
+     * A shift in the image has two numbers where one of a reference or a cause has one, and may be of a size within
+     * some twenty deviations: so much more it must explain to be as likely, and again so much to be likelier beyond doubt.
      */
     private static final double MARGIN = 2 * ReferenceCheck.DOUBT;
 
@@ -87,9 +87,9 @@ public final class WrongCorner {
     }
 
     /**
-     * How much of chi-square a shift of one corner takes: with d the whitened residuals' change by the shift along u and
-     * v, J that by the pose and C the pose's covariance, {@code s' V^-1 s}, where {@code s = d' r} and {@code V = d' d -
-     * d' J C J' d}.
+     * How much of chi-square a shift of one corner takes: with d the whitened residuals' change by the shift along u
+     * and v, J that by the pose and C the pose's covariance, {@code s' V^-1 s}, where {@code s = d' r} and
+     * {@code V = d' d - d' J C J' d}.
      */
     private static double squares(int corner, double[] whitening, int from, double[] residual, double[] jacobian,
             double[] covariance, int unknowns) {

@@ -272,7 +272,7 @@ final class LightFit {
         }
         findBlocks(image, some);
         double ofPower = estimated ? offsetByPower / Math.sqrt(information) : 0;
-        // what blocks leave of noise and edges looks like a mask's doing, and a refused photo's mask is nobody's business
+        // what blocks leave of noise and edges looks like a mask's doing, and a refused photo's mask is of no account
         ofPower = inBlocks || isFarTooBright(some) ? ofPower : findMask(image, some, patterns, ofPower);
         for (int m = 0; m < markers.size(); m++) {
             refit(image, markers.get(m), patterns.get(m));

@@ -24,8 +24,8 @@ import org.cellgauge.vision.GreyImage;
  * pixels.
  *
  * <p>{@link #renderNearMarkers} is for those who need thousands of pictures: all that a detector looks at closely is as
- * above, but that a part with one straight border through it has the share of its area on each side, exactly; the rest is
- * the wall in its mean grey.
+ * above, but that a part with one straight border through it has the share of its area on each side, exactly; the rest
+ * is the wall in its mean grey.
  */
 public final class SceneRenderer {
     private static final int PARTS = 4;
