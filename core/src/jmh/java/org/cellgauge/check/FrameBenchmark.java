@@ -132,7 +132,7 @@ public class FrameBenchmark {
     public List<List<PoseMode>> objectModes() {
         List<List<PoseMode>> all = new ArrayList<>();
         cell.objects().forEach(o -> all.add(
-                MarkerPoseFinder.modes(detections.find(o.id()).cornersPx(), o.sizeMm(), CAMERA, PIXEL_STD)));
+                new MarkerPoseFinder().modes(detections.find(o.id()).cornersPx(), o.sizeMm(), CAMERA, PIXEL_STD)));
         return all;
     }
 

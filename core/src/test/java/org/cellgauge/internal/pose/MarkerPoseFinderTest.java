@@ -65,7 +65,7 @@ class MarkerPoseFinderTest {
                         700 + 600 * random.nextDouble()})
                     .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 3 * random.nextDouble()));
             for (PinholeCamera camera : new PinholeCamera[] {CAMERA, InitialPoseTest.STRONG}) {
-                RigidTransform best = MarkerPoseFinder.best(corners(truth, camera), SIZE, camera);
+                RigidTransform best = new MarkerPoseFinder().best(corners(truth, camera), SIZE, camera);
                 assertTrue(truth.angleRadTo(best) < 1e-5, "off by " + truth.angleRadTo(best) + " at " + truth);
             }
         }
@@ -76,7 +76,7 @@ class MarkerPoseFinderTest {
         RigidTransform truth = RigidTransform.ofRotationVector(new double[] {0.2, 0.1, 0}, new double[] {30, -40, 1070})
                 .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 0.4));
         double[] observed = corners(truth, CAMERA);
-        List<PoseMode> modes = MarkerPoseFinder.modes(observed, SIZE, CAMERA, 0.3);
+        List<PoseMode> modes = new MarkerPoseFinder().modes(observed, SIZE, CAMERA, 0.3);
         assertEquals(2, modes.size());
         RigidTransform a = modes.get(0).state().cameraFromSet();
         RigidTransform b = modes.get(1).state().cameraFromSet();
@@ -100,7 +100,7 @@ class MarkerPoseFinderTest {
         RigidTransform truth = RigidTransform.ofRotationVector(new double[] {0.25, 0, 0}, new double[] {0, 0, 600})
                 .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 0));
         double[] observed = corners(truth, CAMERA);
-        List<PoseMode> modes = MarkerPoseFinder.modes(observed, SIZE, CAMERA, 0.3);
+        List<PoseMode> modes = new MarkerPoseFinder().modes(observed, SIZE, CAMERA, 0.3);
         assertEquals(2, modes.size());
         double expected = 0;
         for (int m = 0; m < 2; m++) {
@@ -116,7 +116,7 @@ class MarkerPoseFinderTest {
     void largeTiltedMarkerHasOneModeOfAnyWeight() {
         RigidTransform truth = RigidTransform.ofRotationVector(new double[] {0.7, 0, 0}, new double[] {0, 0, 120})
                 .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 0));
-        List<PoseMode> modes = MarkerPoseFinder.modes(corners(truth, CAMERA), SIZE, CAMERA, 0.3);
+        List<PoseMode> modes = new MarkerPoseFinder().modes(corners(truth, CAMERA), SIZE, CAMERA, 0.3);
         assertTrue(truth.angleRadTo(modes.get(0).state().cameraFromSet()) < 1e-6);
         assertTrue(modes.size() == 1 || modes.get(0).logWeight() - modes.get(1).logWeight() > 100);
     }
