@@ -111,6 +111,6 @@ class FrameGarbageTest {
         assertTrue(looks.size() >= 12, "looks in three seconds: " + looks.size());
         assertTrue(drawn > 10_000, "points drawn: " + drawn);
         // a look at every frame, and its overlay in lists of boxed numbers, were 2300 kB
-        assertTrue(bytes < 280_000, bytes + " bytes a frame");
+        assertTrue(bytes < 200_000, bytes + " bytes a frame");
     }
 }

@@ -180,6 +180,18 @@ public final class PoseMode {
     }
 
     /**
+     * An entry of the whitening matrix of one marker.
+     *
+     * @param marker index of the marker
+     * @param row its row, of a marker in one view 0 to 7
+     * @param column its column, likewise
+     * @return 1/px; 0 above the diagonal
+     */
+    public double whitening(int marker, int row, int column) {
+        return whitening[blocks.firstEntry(marker) + blocks.rows(marker) * row + column];
+    }
+
+    /**
      * Covariances of residuals by placement, frozen at this mode.
      *
      * @return a copy in the order of {@link #blocks()}, of a marker in one view 8x8 row by row, px²; zeros where
