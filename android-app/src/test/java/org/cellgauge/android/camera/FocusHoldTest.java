@@ -57,6 +57,13 @@ class FocusHoldTest {
     }
 
     @Test
+    void aScanMayEndWithTheFrameThatItWasAskedFor() {
+        focus.scanAsked();
+        focus.scanBegun(7);
+        assertTrue(focus.report(7, CONTROL_AF_STATE_FOCUSED_LOCKED));
+    }
+
+    @Test
     void aScanThatFoundNothingIsToldFromOneThatDid() {
         focus.scanAsked();
         focus.scanBegun(1);
