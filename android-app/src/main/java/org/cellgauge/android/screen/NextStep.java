@@ -88,7 +88,8 @@ final class NextStep {
         return s.setup() != null && s.setup().notes().contains(note);
     }
 
-    private static boolean isBlurred(Detections seen) {
+    /** Whether a frame is blurred so much that something must be done. */
+    static boolean isBlurred(Detections seen) {
         if (find(seen, DetectionWarning.BLURRED, DetectionWarning.TOO_BLURRED) != null) {
             return true;
         }

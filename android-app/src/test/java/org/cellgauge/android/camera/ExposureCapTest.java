@@ -136,11 +136,11 @@ class ExposureCapTest {
         assertEquals(0, changesIn(2, white));
         assertEquals(0, changesIn(5, same));
         assertNotNull(cap.held());
-        for (int i = 1; i < ExposureCap.CHANGED_FRAMES; i++) {
+        for (int i = 1; i < 5; i++) {
             assertEquals(0, changesIn(0.033, other));
         }
         assertEquals(0, changesIn(0.033, white), "one frame as before");
-        assertEquals(1, changesIn(1, other));
+        assertEquals(1, changesIn(5 * 0.033, other));
         assertNull(cap.held());
         assertEquals(0, changesIn(5, other), "the device exposes");
     }

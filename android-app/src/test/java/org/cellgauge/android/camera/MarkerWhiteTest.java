@@ -35,7 +35,7 @@ class MarkerWhiteTest {
         fill(70, 20, 90, 40, 100);
         Detections two = new Detections("frame", 100, 80, Arrays.asList(marker(1, 10, 10, 32), marker(2, 60, 10, 32)));
         assertEquals(150, MarkerWhite.of(frame, two), 1e-12);
-        fill(22, 22, 25, 25, 255);
+        fill(22, 22, 28, 28, 255);
         assertEquals(150, MarkerWhite.of(frame, two), 1e-12, "a glint");
     }
 
