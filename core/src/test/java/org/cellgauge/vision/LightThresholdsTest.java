@@ -80,7 +80,8 @@ class LightThresholdsTest {
     @ParameterizedTest
     @CsvSource({"0.33, false", "0.44, true"})
     void aMarkerGlaresFromTwoFifthsOn(double share, boolean said) {
-        Detections seen = seen(cutOff(share, (int) left(1) - 40, (int) left(1) + 120));
+        // the margin to the right of one marker
+        Detections seen = seen(cutOff(share, (int) (left(1) + SIDE) - 2, (int) (left(1) + SIDE) + 25));
         List<Warning> glare = of(seen, DetectionWarning.GLARE);
         assertEquals(said ? 1 : 0, glare.size(), seen.warnings().toString());
         if (said) {

@@ -18,6 +18,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.cellgauge.android.R;
@@ -115,6 +116,22 @@ public class ColdStartTest {
         try (Screen screen = coldStart()) {
             assertEquals("shown other.yaml", screen.state().cell().name());
             assertNull(screen.state().cell().calibration());
+        }
+    }
+
+    /** The calibration file says how its lens was focused, and the camera hears of it. */
+    @Test
+    public void cameraIsFocusedAsItsCalibrationFileSays() throws IOException {
+        calibration = documents.add("near.yaml", (new String(fixture("camera.yaml"), StandardCharsets.UTF_8)
+                + "focus_distance_m: 0.5\n").getBytes(StandardCharsets.UTF_8));
+        Screen.allowCamera();
+        chooseBoth();
+        try (Screen screen = coldStart()) {
+            assertEquals(OptionalDouble.of(0.5), Screen.app().feed.focusedAtM);
+            screen.session().tryExample();
+            screen.settle();
+            assertEquals("the example's camera is not this one", OptionalDouble.empty(),
+                    screen.state().liveFocusDistanceM());
         }
     }
 

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.cellgauge.light.ToneCurve;
@@ -25,8 +25,13 @@ class NextStepTest {
     }
 
     private static Detections with(double blurPx, DetectionWarning... kinds) {
-        Object[] arguments = {5, 100, 100};
-        return frame(blurPx, Arrays.stream(kinds).map(kind -> Warning.of(kind, arguments)).toList());
+        List<Warning> warnings = new ArrayList<>();
+        for (DetectionWarning kind : kinds) {
+            int places = kind == DetectionWarning.GLARE ? 2
+                    : kind == DetectionWarning.BLURRED || kind == DetectionWarning.TOO_DARK ? 1 : 3;
+            warnings.add(Warning.of(kind, Collections.nCopies(places, 5).toArray()));
+        }
+        return frame(blurPx, warnings);
     }
 
     @ParameterizedTest
