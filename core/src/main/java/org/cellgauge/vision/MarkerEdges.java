@@ -1221,8 +1221,8 @@ final class MarkerEdges {
     }
 
     /**
-     * Fills the covariance of offset and slope of the four lines and of the shift, 9x9 row by row: noise of the sides' own
-     * pixels, of the white that tells the lamp, and of the inner edges.
+     * Fills the covariance of offset and slope of the four lines and of the shift, 9x9 row by row: noise of the sides'
+     * own pixels, of the white that tells the lamp, and of the inner edges.
      *
      * <p>All of it from what every side's fit knows of offset, slope, blur and white, through their derivatives, so
      * that no part of it is left out that another has: what errors of white and blur share was, and where lamp and blur

@@ -44,8 +44,8 @@ public interface CameraFeed {
      * Opens the camera; a call while it is open closes it first.
      *
      * @param calibration intrinsics that the user has for the camera, or null: the device's own model
-     * @param focusDistanceM distance that the lens was focused at for that calibration, m; where it can be, it is set to
-     *     it. Empty where that is not known
+     * @param focusDistanceM distance that the lens was focused at for that calibration, m, which it is set to where it
+     *     can be; empty where that is not known
      * @param preview where the camera shows its picture, or null for none
      * @param listener gets set-up, frames and faults
      */

@@ -48,7 +48,7 @@ final class ExposureCap {
     static final double DARKEST_SHARE = 0.5;
     /** Below this share of the light that was measured as right, it is said that there is too little. */
     static final double ENOUGH_SHARE = 0.8;
-    /** Grey values of the markers' white that show another light than was measured: half of it, or half as much more. */
+    /** How much darker or brighter the markers' white looks in half of the light, and in half as much again. */
     static final double DARKER = 0.75;
     static final double BRIGHTER = 1.2;
     /** White that may be brighter than it looks. */
