@@ -58,6 +58,7 @@ public class FrameBenchmark {
     private static final double PIXEL_STD = 0.1;
     private static final OverlayStyle PORTRAIT =
             OverlayStyle.PHOTO.withOrientation(ImageOrientation.of(1, false)).withoutPanels();
+    private static final int FRAMES_OF_A_SECOND = 30;
 
     private final CheckSettings settings = CheckSettings.builder().threads(1).build();
     private Cell cell;
@@ -211,7 +212,7 @@ public class FrameBenchmark {
      */
     @Benchmark
     public int secondOfMovingCamera() {
-        moving.second();
+        moving.move(FRAMES_OF_A_SECOND);
         return moving.drawn();
     }
 }

@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Test;
 /** What a second of a moving camera leaves to the garbage collector. */
 class FrameGarbageTest {
     private static final int ROUNDS = 3;
+    /** A good second. */
+    private static final int FRAMES = 3 * MovingCamera.PLACES;
 
     @BeforeAll
     static void staysOnThisThread() {
@@ -20,9 +22,9 @@ class FrameGarbageTest {
     @Test
     void aMovingCameraLeavesLittle() {
         MovingCamera camera = new MovingCamera();
-        camera.second();
+        camera.move(FRAMES);
         camera.forget();
-        long bytes = Allocated.leastBytes(ROUNDS, camera::second) / MovingCamera.FRAMES;
+        long bytes = Allocated.leastBytes(ROUNDS, () -> camera.move(FRAMES)) / FRAMES;
         assertEquals(LiveState.Phase.QUICK_LOOK, camera.phase());
         assertTrue(camera.looks() >= 4 * ROUNDS, "looks in three seconds: " + camera.looks());
         assertTrue(camera.drawn() > 10_000, "points drawn: " + camera.drawn());

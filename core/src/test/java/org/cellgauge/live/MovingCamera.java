@@ -28,12 +28,10 @@ import org.cellgauge.vision.MarkerObservation;
  * what is drawn over each state. All on the caller's thread, by a clock of its own, so that all of it is counted.
  */
 public final class MovingCamera {
-    /** Frames of a second. */
-    public static final int FRAMES = 30;
     private static final int WIDTH = 1920;
     private static final int HEIGHT = 1080;
     /** As many as come between two looks, and some more: no frame is of the place of the last look. */
-    private static final int PLACES = 11;
+    static final int PLACES = 11;
     private static final int FRAME_MS = 33;
 
     private final PublishProcessor<Detections> frames = PublishProcessor.create();
@@ -92,9 +90,9 @@ public final class MovingCamera {
         return picture.image();
     }
 
-    /** The next second of it. */
-    public void second() {
-        for (int i = 0; i < FRAMES; i++) {
+    /** The next frames of it, of which a second has 30. */
+    public void move(int count) {
+        for (int i = 0; i < count; i++) {
             frames.onNext(detector.detect(images.get(next), "frame"));
             next = (next + 1) % PLACES;
             watch.advanceTimeBy(FRAME_MS, TimeUnit.MILLISECONDS);
