@@ -175,7 +175,7 @@ class RealPhotosTest {
             double[] covariance) {
         double[] lower = covariance.clone();
         assertTrue(Cholesky.factor(lower, 8), "the covariance is positive definite");
-        RigidTransform pose = MarkerPoseFinder.best(marker.cornersPx(), sizeMm, camera);
+        RigidTransform pose = new MarkerPoseFinder().best(marker.cornersPx(), sizeMm, camera);
         double[] p = new double[6];
         double chiSquare = Double.NaN;
         for (int step = 0; step < 4; step++) {

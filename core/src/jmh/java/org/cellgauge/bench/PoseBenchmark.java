@@ -43,7 +43,7 @@ public class PoseBenchmark {
     /** Both modes of one object marker. */
     @Benchmark
     public List<PoseMode> markerModes() {
-        return MarkerPoseFinder.modes(cornersPx, ThesisScene.SIZE_MM, scene.camera, BenchScene.PIXEL_STD);
+        return new MarkerPoseFinder().modes(cornersPx, ThesisScene.SIZE_MM, scene.camera, BenchScene.PIXEL_STD);
     }
 
     /** Modes of the camera pose, covariances frozen at them, from the pose of all references at once. */

@@ -24,6 +24,7 @@ import org.cellgauge.internal.pose.MarkerPoseFinder;
 import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.internal.pose.RigidMarkerNoise;
+import org.cellgauge.live.MovingCamera;
 import org.cellgauge.settings.CheckSettings;
 import org.cellgauge.statistics.Ellipse;
 import org.cellgauge.vision.BoofMarkerDetector;
@@ -44,7 +45,7 @@ import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * What one frame of a live check costs before any chain: four references and three objects in 1280 x 720 px, one
- * thread.
+ * thread; and what a second of a moving camera costs as a live check has it, in 1920 x 1080 px.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -57,6 +58,7 @@ public class FrameBenchmark {
     private static final double PIXEL_STD = 0.1;
     private static final OverlayStyle PORTRAIT =
             OverlayStyle.PHOTO.withOrientation(ImageOrientation.of(1, false)).withoutPanels();
+    private static final int FRAMES_OF_A_SECOND = 30;
 
     private final CheckSettings settings = CheckSettings.builder().threads(1).build();
     private Cell cell;
@@ -70,6 +72,7 @@ public class FrameBenchmark {
     private CameraFit camera;
     private List<ObjectFit> objects;
     private QuickLook quickLook;
+    private MovingCamera moving;
 
     /** Draws the frame and does each step once, for the next one to start from. */
     @Setup
@@ -101,6 +104,7 @@ public class FrameBenchmark {
             objects.add(new ObjectFit(cell.objects().get(objects.size()), errors, camera.mode().state(), modes));
         }
         quickLook = quickLookFromLastFrame();
+        moving = new MovingCamera();
     }
 
     /** All markers of the frame. */
@@ -132,7 +136,7 @@ public class FrameBenchmark {
     public List<List<PoseMode>> objectModes() {
         List<List<PoseMode>> all = new ArrayList<>();
         cell.objects().forEach(o -> all.add(
-                MarkerPoseFinder.modes(detections.find(o.id()).cornersPx(), o.sizeMm(), CAMERA, PIXEL_STD)));
+                new MarkerPoseFinder().modes(detections.find(o.id()).cornersPx(), o.sizeMm(), CAMERA, PIXEL_STD)));
         return all;
     }
 
@@ -200,5 +204,15 @@ public class FrameBenchmark {
         Detections seen = detection();
         CheckUpdate update = CellCheck.quickLook(cell, seen, settings, lastFrame).update();
         return CellOverlay.of(cell, seen, update, PORTRAIT);
+    }
+
+    /**
+     * A second of a moving camera: markers of 30 frames of 1080p, looks when they are due, and the overlay of each
+     * state.
+     */
+    @Benchmark
+    public int secondOfMovingCamera() {
+        moving.move(FRAMES_OF_A_SECOND);
+        return moving.drawn();
     }
 }

@@ -49,7 +49,7 @@ final class BoofCamera {
                     Listing.or(Arrays.asList(WITH_DISTORTION, WITHOUT_DISTORTION)), FISHEYE);
         }
         List<String> known = new ArrayList<>(List.of("model", "pinhole", "version", CameraReader.TONE_CURVE,
-                CalibratedCameraText.KEY));
+                CameraReader.FOCUS_DISTANCE, CalibratedCameraText.KEY));
         String block = lens == KannalaBrandtLens.MODEL ? SYMMETRIC
                 : lens == RationalLens.MODEL ? "rational" : "radial_tangential";
         known.add(block);

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
@@ -23,8 +24,9 @@ import org.jspecify.annotations.Nullable;
  * {@code pinhole}, {@code pinhole_radial_tangential} and {@code kannala_brandt} (a fisheye), and those of other
  * programs ({@link CameraFormat}). The keys of any of them may stand in a cell file.
  *
- * <p>Two keys may stand beside theirs: {@code tone_curve}, how the camera makes grey values of light ({@code auto},
- * {@code srgb}, {@code linear} or {@code gamma G}); and {@code cellgauge_calibration}, how well the intrinsics are
+ * <p>Three keys may stand beside theirs: {@code tone_curve}, how the camera makes grey values of light ({@code auto},
+ * {@code srgb}, {@code linear} or {@code gamma G}); {@code focus_distance_m}, the distance that the lens was focused at
+ * when the camera was calibrated (0.01 to 1000 m); and {@code cellgauge_calibration}, how well the intrinsics are
  * known ({@code parameters}, {@code covariance}, {@link CameraCalibration}). Of BoofCV's, {@code skew}, the radial
  * coefficients (up to 3) and {@code t1}, {@code t2} are 0 where they are left out. Of a fisheye, {@code symmetric}
  * holds up to 5 coefficients of the angle's odd powers; the first is taken into the focal lengths and the skew. Its
@@ -38,6 +40,13 @@ public final class CameraReader {
 
     /** The key of a camera file, and of a cell file, that states the tone curve. */
     public static final String TONE_CURVE = "tone_curve";
+
+    /** The key of a camera file that states the distance which its lens was focused at. */
+    public static final String FOCUS_DISTANCE = "focus_distance_m";
+    /** Nearest distance that a lens is focused at, m. */
+    public static final double LEAST_FOCUS_DISTANCE_M = 0.01;
+    /** Farthest distance that is told from infinity, m. */
+    public static final double LARGEST_FOCUS_DISTANCE_M = 1000;
 
     private static final CellPhrase WHAT = CellPhrase.CAMERA_FILE;
     private static final Refusal EXAMPLE = Refusal.of(CellPhrase.CAMERA_KEYS, BoofCamera.example());
@@ -107,6 +116,7 @@ public final class CameraReader {
         PinholeCamera camera = format == CameraFormat.BOOFCV ? BoofCamera.of(keys) : OtherCamera.of(keys, format);
         return new CameraFile(camera, format,
                 calibrationOf(keys, camera.lens()), toneCurve(keys.optional(TONE_CURVE)),
+                focusDistanceM(keys.optional(FOCUS_DISTANCE)),
                 OtherCamera.statesDeviationsAlone(keys));
     }
 
@@ -175,6 +185,29 @@ public final class CameraReader {
         YamlValue photos = stated.optional("photos");
         return new CameraCalibration(names, covariance,
                 photos == null ? 0 : photos.whole(0, Integer.MAX_VALUE, CellPhrase.PHOTOS_OF_CALIBRATION));
+    }
+
+    /** The distance that a lens was focused at, m; empty where nothing stands. */
+    static OptionalDouble focusDistanceM(@Nullable YamlValue value) {
+        if (value == null) {
+            return OptionalDouble.empty();
+        }
+        double distance = value.number(CellPhrase.FOCUS_DISTANCE);
+        if (!isFocusDistance(distance)) {
+            throw value.refused(CellRefusal.OUT_OF_RANGE, plain(LEAST_FOCUS_DISTANCE_M),
+                    plain(LARGEST_FOCUS_DISTANCE_M), plain(distance), CellPhrase.FOCUS_DISTANCE);
+        }
+        return OptionalDouble.of(distance);
+    }
+
+    /**
+     * Whether a lens can be focused at a distance, as far as camera files go.
+     *
+     * @param distanceM in m
+     * @return false where a camera file that states it is refused
+     */
+    public static boolean isFocusDistance(double distanceM) {
+        return distanceM >= LEAST_FOCUS_DISTANCE_M && distanceM <= LARGEST_FOCUS_DISTANCE_M;
     }
 
     /** The value at the top of a camera file. */

@@ -18,6 +18,7 @@ public final class Cell {
     private final Target target;
     private final @Nullable ToneCurve toneCurve;
     private final @Nullable CameraCalibration calibration;
+    private final OptionalDouble focusDistanceM;
     private final PrintPrecision prints;
     private final Planning planning;
     private final JointPlacement joint;
@@ -55,13 +56,13 @@ public final class Cell {
     public Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, OptionalDouble targetStdMm, PrintPrecision prints) {
         this(camera, family, references, objects, pixelStdPx, Target.ofStdMm(targetStdMm), prints, null, null,
-                Planning.NONE, JointPlacement.NONE);
+                OptionalDouble.empty(), Planning.NONE, JointPlacement.NONE);
     }
 
     private Cell(PinholeCamera camera, MarkerFamily family, List<Reference> references, List<ObjectMarker> objects,
             OptionalDouble pixelStdPx, Target target, PrintPrecision prints,
-            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration, Planning planning,
-            JointPlacement joint) {
+            @Nullable ToneCurve toneCurve, @Nullable CameraCalibration calibration, OptionalDouble focusDistanceM,
+            Planning planning, JointPlacement joint) {
         if (references.isEmpty()) {
             throw new IllegalArgumentException("a cell needs at least one reference");
         }
@@ -79,6 +80,7 @@ public final class Cell {
         this.target = target;
         this.toneCurve = toneCurve;
         this.calibration = calibration;
+        this.focusDistanceM = focusDistanceM;
         this.prints = prints;
         this.planning = planning;
         this.joint = joint;
@@ -99,7 +101,7 @@ public final class Cell {
      */
     public Cell withCamera(PinholeCamera other) {
         return new Cell(other, family, references, objects, pixelStdPx, target, prints, toneCurve, null,
-                planning, joint);
+                OptionalDouble.empty(), planning, joint);
     }
 
     /**
@@ -117,7 +119,7 @@ public final class Cell {
             throw new IllegalArgumentException(widthPx + " x " + heightPx + " px is of another shape than "
                     + camera.widthPx() + " x " + camera.heightPx() + " px");
         }
-        return withCamera(camera.resized(widthPx, heightPx)).withCalibration(
+        return withCamera(camera.resized(widthPx, heightPx)).withFocusDistanceM(focusDistanceM).withCalibration(
                 calibration == null ? null : calibration.scaled(widthPx / (double) camera.widthPx()));
     }
 
@@ -130,7 +132,7 @@ public final class Cell {
      */
     public Cell withReferences(List<Reference> others) {
         return new Cell(camera, family, others, objects, pixelStdPx, target, prints, toneCurve, calibration,
-                planning, joint);
+                focusDistanceM, planning, joint);
     }
 
     /**
@@ -142,7 +144,7 @@ public final class Cell {
      */
     public Cell withObjects(List<ObjectMarker> others) {
         return new Cell(camera, family, references, others, pixelStdPx, target, prints, toneCurve, calibration,
-                planning, joint);
+                focusDistanceM, planning, joint);
     }
 
     /**
@@ -164,7 +166,7 @@ public final class Cell {
      */
     public Cell withTarget(Target other) {
         return new Cell(camera, family, references, objects, pixelStdPx, other, prints, toneCurve, calibration,
-                planning, joint);
+                focusDistanceM, planning, joint);
     }
 
     /**
@@ -176,7 +178,7 @@ public final class Cell {
      */
     public Cell withPixelStdPx(OptionalDouble px) {
         return new Cell(camera, family, references, objects, px, target, prints, toneCurve, calibration,
-                planning, joint);
+                focusDistanceM, planning, joint);
     }
 
     /**
@@ -187,7 +189,7 @@ public final class Cell {
      */
     public Cell withToneCurve(@Nullable ToneCurve stated) {
         return new Cell(camera, family, references, objects, pixelStdPx, target, prints, stated, calibration,
-                planning, joint);
+                focusDistanceM, planning, joint);
     }
 
     /**
@@ -202,7 +204,23 @@ public final class Cell {
             stated.indices(camera.lens());
         }
         return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, stated,
-                planning, joint);
+                focusDistanceM, planning, joint);
+    }
+
+    /**
+     * The same cell with another statement about how the lens was focused when its camera was calibrated. No figure
+     * depends on it: it is for whoever can focus a lens.
+     *
+     * @param stated distance in m, positive; empty where it is not known
+     * @return a new cell
+     * @throws IllegalArgumentException if the distance is not positive
+     */
+    public Cell withFocusDistanceM(OptionalDouble stated) {
+        if (stated.isPresent() && !(stated.getAsDouble() > 0)) {
+            throw new IllegalArgumentException("a lens is focused at a positive distance");
+        }
+        return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration,
+                stated, planning, joint);
     }
 
     /**
@@ -213,7 +231,7 @@ public final class Cell {
      */
     public Cell withPlanning(Planning other) {
         return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration,
-                other, joint);
+                focusDistanceM, other, joint);
     }
 
     /**
@@ -242,7 +260,7 @@ public final class Cell {
         }));
         stated.measurements().forEach(m -> m.members().forEach(id -> requireReference(ids, id)));
         return new Cell(camera, family, references, objects, pixelStdPx, target, prints, toneCurve, calibration,
-                planning, stated);
+                focusDistanceM, planning, stated);
     }
 
     private static void requireReference(java.util.Set<Integer> ids, int id) {
@@ -267,6 +285,16 @@ public final class Cell {
      */
     public @Nullable CameraCalibration calibration() {
         return calibration;
+    }
+
+    /**
+     * The distance that the camera's lens was focused at when it was calibrated: a lens that focuses elsewhere has
+     * another focal length.
+     *
+     * @return m; empty where that is not known
+     */
+    public OptionalDouble focusDistanceM() {
+        return focusDistanceM;
     }
 
     /**

@@ -63,6 +63,7 @@ public final class CellReader {
     private @Nullable YamlValue generalSize;
     private @Nullable ToneCurve cameraToneCurve;
     private @Nullable CameraCalibration calibration;
+    private OptionalDouble focusDistanceM = OptionalDouble.empty();
 
     private CellReader() {
     }
@@ -204,7 +205,7 @@ public final class CellReader {
                 .withTarget(new Target(target, ownTargets))
                 .withPlanning(planning(file.optional("plan"), objects))
                 .withToneCurve(toneCurve == null ? cameraToneCurve : CameraReader.toneCurve(toneCurve))
-                .withCalibration(calibration);
+                .withCalibration(calibration).withFocusDistanceM(focusDistanceM);
     }
 
     private static PrintPrecision prints(YamlMapping markers) {
@@ -248,6 +249,7 @@ public final class CellReader {
     private PinholeCamera kept(CameraFile camera) {
         cameraToneCurve = camera.toneCurve();
         calibration = camera.calibration();
+        focusDistanceM = camera.focusDistanceM();
         return camera.camera();
     }
 

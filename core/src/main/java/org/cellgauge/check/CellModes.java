@@ -20,6 +20,7 @@ import org.cellgauge.internal.pose.CameraState;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.InitialPose;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
+import org.cellgauge.internal.pose.MarkerPoseFinder;
 import org.cellgauge.internal.pose.NoiseBelief;
 import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.PosePrior;
@@ -196,6 +197,7 @@ final class CellModes {
         private final CornerErrors errors;
         private final @Nullable RigidTransform worldFromCameraStart;
         private final List<Warning> warnings;
+        private final MarkerPoseFinder finder = new MarkerPoseFinder();
         private @Nullable Contradiction contradiction;
 
         Search(Observed observed, @Nullable RigidTransform worldFromCameraStart) {
@@ -555,7 +557,7 @@ final class CellModes {
         }
 
         private ObjectFit objectFit(ObjectMarker marker, CameraState atMode) {
-            List<PoseMode> modes = ObjectFit.modes(marker, errors, atMode);
+            List<PoseMode> modes = ObjectFit.modes(marker, errors, atMode, finder);
             if (modes.isEmpty()) {
                 throw new InputRefusedException(detections.imageName(), CheckRefusal.NO_OBJECT_POSE, marker.id());
             }

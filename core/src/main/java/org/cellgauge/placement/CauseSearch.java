@@ -89,9 +89,10 @@ final class CauseSearch {
         degrees = 8 * stated.view.size() - 6;
         misfit = stated.modes.isEmpty() ? 0 : 2 * stated.mode().halfChiSquare() - degrees;
         double[] observed = stated.view.observedPx();
+        MarkerPoseFinder finder = new MarkerPoseFinder();
         for (int m = 0; m < stated.view.size(); m++) {
             List<RigidTransform> poses = new ArrayList<>();
-            for (PoseMode mode : MarkerPoseFinder.modes(Arrays.copyOfRange(observed, 8 * m, 8 * m + 8),
+            for (PoseMode mode : finder.modes(Arrays.copyOfRange(observed, 8 * m, 8 * m + 8),
                     stated.view.references().get(m).sizeMm(), stated.lens, 1)) {
                 poses.add(mode.state().cameraFromSet());
             }

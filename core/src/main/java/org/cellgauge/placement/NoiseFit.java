@@ -12,6 +12,7 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
+import org.cellgauge.internal.pose.MarkerPoseFinder;
 import org.cellgauge.internal.statistics.ChiSquare;
 import org.cellgauge.internal.statistics.CoverageRegion;
 import org.cellgauge.internal.warning.Decimal;
@@ -79,13 +80,17 @@ public final class NoiseFit {
         if (errors.added() != null) {
             return new NoiseFit(Double.NaN, Collections.emptyMap(), errors.noSquares(LEVEL));
         }
+        return of(cell, errors, lens, new MarkerPoseFinder());
+    }
+
+    private static NoiseFit of(Cell cell, CornerErrors errors, PinholeCamera lens, MarkerPoseFinder finder) {
         Map<Integer, Double> markers = new LinkedHashMap<>();
         if (!Double.isNaN(errors.statedStdPx())) {
             for (Reference reference : cell.references()) {
-                add(reference.id(), reference.sizeMm(), errors, lens, markers);
+                add(reference.id(), reference.sizeMm(), errors, lens, finder, markers);
             }
             for (ObjectMarker object : cell.objects()) {
-                add(object.id(), object.sizeMm(), errors, lens, markers);
+                add(object.id(), object.sizeMm(), errors, lens, finder, markers);
             }
         }
         return new NoiseFit(errors.statedStdPx(), markers, Collections.emptyMap());
@@ -105,12 +110,13 @@ public final class NoiseFit {
         if (errors.added() != null) {
             return of(cell, errors, cell.camera());
         }
+        MarkerPoseFinder finder = new MarkerPoseFinder();
         double[] at = new double[prior.count()];
         NoiseFit best = null;
         for (double k = -SEARCHED_STDS; k <= SEARCHED_STDS; k += FIRST_STEP_STDS) {
             double[] there = at.clone();
             there[0] = k;
-            NoiseFit fit = at(cell, errors, prior, there);
+            NoiseFit fit = at(cell, errors, prior, there, finder);
             if (fit != null && fit.isSquarerThan(best)) {
                 best = fit;
                 at = there;
@@ -122,7 +128,8 @@ public final class NoiseFit {
                 for (int side = -1; side <= 1; side += 2) {
                     double[] there = at.clone();
                     there[i] += side * step;
-                    NoiseFit fit = Math.abs(there[i]) > SEARCHED_STDS ? null : at(cell, errors, prior, there);
+                    NoiseFit fit = Math.abs(there[i]) > SEARCHED_STDS ? null
+                            : at(cell, errors, prior, there, finder);
                     if (fit != null && fit.isSquarerThan(best)) {
                         best = fit;
                         at = there;
@@ -133,11 +140,12 @@ public final class NoiseFit {
         return best == null ? untested() : best;
     }
 
-    private static @Nullable NoiseFit at(Cell cell, CornerErrors errors, IntrinsicsPrior prior, double[] rows) {
+    private static @Nullable NoiseFit at(Cell cell, CornerErrors errors, IntrinsicsPrior prior, double[] rows,
+            MarkerPoseFinder finder) {
         double[] intrinsics = cell.camera().intrinsics();
         prior.setWhitened(rows, intrinsics);
         return intrinsics[PinholeCamera.FX] > 0 && intrinsics[PinholeCamera.FY] > 0 ? of(cell, errors,
-                cell.camera().withIntrinsics(intrinsics)) : null;
+                cell.camera().withIntrinsics(intrinsics), finder) : null;
     }
 
     private boolean isSquarerThan(@Nullable NoiseFit other) {
@@ -177,8 +185,9 @@ public final class NoiseFit {
         return new NoiseFit(Double.NaN, Collections.emptyMap(), Collections.emptyMap());
     }
 
-    private static void add(int id, double sizeMm, CornerErrors errors, PinholeCamera lens, Map<Integer, Double> to) {
-        double squares = errors.has(id) ? errors.squareChiSquare(id, sizeMm, lens) : Double.NaN;
+    private static void add(int id, double sizeMm, CornerErrors errors, PinholeCamera lens, MarkerPoseFinder finder,
+            Map<Integer, Double> to) {
+        double squares = errors.has(id) ? errors.squareChiSquare(id, sizeMm, lens, finder) : Double.NaN;
         if (!Double.isNaN(squares)) {
             to.put(id, squares);
         }

@@ -150,6 +150,15 @@ final class MarkerEdges {
     private final double[] shiftByLine = new double[2 * CORNERS];
     private final double[] shiftByBlur = new double[CORNERS];
     private boolean shiftMeasured;
+    /** Work space of an observation, which copies what it keeps. */
+    private final double[] byLines = new double[64];
+    private final double[] joint = new double[81];
+    private final double[] bySide = new double[9 * SIDE_UNKNOWNS.length];
+    private final double[] lines = new double[64];
+    private final double[] half = new double[64];
+    private final double[] covariance = new double[64];
+    private final double[] corners = new double[2 * CORNERS];
+    private final double[] withCorners = new double[2 * CORNERS];
 
     /**
      * Edges of markers of one family in images of one camera.
@@ -1197,18 +1206,16 @@ final class MarkerEdges {
      * @return corners with their covariance and the measured shift
      */
     MarkerObservation observation(int id, double[] noiseGrey, double shiftStdPx) {
-        double[] byLines = new double[8 * 8];
         for (int j = 0; j < CORNERS; j++) {
             int i = (j + CORNERS - 1) % CORNERS;
+            // a corner's other places are zero from the start and stay so
             cornerByLines(j, i, j, byLines);
         }
-        double[] joint = linesAndShift(noiseGrey);
-        double[] lines = new double[64];
+        linesAndShift(noiseGrey);
         for (int r = 0; r < 8; r++) {
             System.arraycopy(joint, 9 * r, lines, 8 * r, 8);
         }
-        double[] half = times(byLines, lines);
-        double[] covariance = new double[64];
+        times(byLines, lines, half);
         for (int r = 0; r < 8; r++) {
             for (int c = 0; c <= r; c++) {
                 double s = 0;
@@ -1219,11 +1226,10 @@ final class MarkerEdges {
                 covariance[8 * c + r] = s;
             }
         }
-        double[] corners = new double[8];
         corners(corners);
         @Nullable EdgeShift shift = null;
         if (shiftMeasured) {
-            double[] withCorners = new double[8];
+            Arrays.fill(withCorners, 0);
             for (int r = 0; r < 8; r++) {
                 for (int k = 0; k < 8; k++) {
                     withCorners[r] += byLines[8 * r + k] * joint[9 * k + 8];
@@ -1235,16 +1241,16 @@ final class MarkerEdges {
     }
 
     /**
-     * Covariance of offset and slope of the four lines and of the shift, 9x9 row by row: noise of the sides' own
-     * pixels, of the white that tells the lamp, and of the inner edges.
+     * Fills the covariance of offset and slope of the four lines and of the shift, 9x9 row by row: noise of the sides'
+     * own pixels, of the white that tells the lamp, and of the inner edges.
      *
      * <p>All of it from what every side's fit knows of offset, slope, blur and white, through their derivatives, so
      * that no part of it is left out that another has: what errors of white and blur share was, and where lamp and blur
      * are uncertain (dark photos) corners less what they share with the shift then had no covariance any more.
      */
-    private double[] linesAndShift(double[] noiseGrey) {
-        double[] joint = new double[9 * 9];
-        double[] by = new double[9 * SIDE_UNKNOWNS.length];
+    private void linesAndShift(double[] noiseGrey) {
+        Arrays.fill(joint, 0);
+        double[] by = bySide;
         int n = SIDE_UNKNOWNS.length;
         for (int i = 0; i < CORNERS; i++) {
             double variance = noiseGrey[i] * noiseGrey[i];
@@ -1286,11 +1292,10 @@ final class MarkerEdges {
                 joint[9 * c + r] = joint[9 * r + c];
             }
         }
-        return joint;
     }
 
-    private static double[] times(double[] a, double[] b) {
-        double[] out = new double[64];
+    private static void times(double[] a, double[] b, double[] out) {
+        Arrays.fill(out, 0);
         for (int r = 0; r < 8; r++) {
             for (int k = 0; k < 8; k++) {
                 double v = a[8 * r + k];
@@ -1301,7 +1306,6 @@ final class MarkerEdges {
                 }
             }
         }
-        return out;
     }
 
     /** Rows of corner j by the lines (offset, slope) of sides i and j, through the lens. */

@@ -50,6 +50,7 @@ final class SquareResidual {
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
     private final double[] row = new double[POSE];
+    private final Pose pose = new Pose();
 
     SquareResidual(PinholeCamera camera) {
         this.camera = camera;
@@ -84,30 +85,32 @@ final class SquareResidual {
         if (!ippe.process(correspondences, cameraFromSquare)) {
             return Double.POSITIVE_INFINITY;
         }
-        double[] rotation = cameraFromSquare.R.data.clone();
-        double[] translation = {cameraFromSquare.T.x, cameraFromSquare.T.y, cameraFromSquare.T.z};
-        if (plane != null) {
-            RigidTransform pose = plane.inCamera(RigidTransform.of(rotation, translation));
-            rotation = pose.rotation();
-            translation = pose.translationMm();
-        }
-        double sum = solver.minimise(new Pose(cornersPx, rotation, translation));
+        pose.start(cornersPx);
+        double sum = solver.minimise(pose);
         return Math.sqrt(sum / DEGREES_OF_FREEDOM);
     }
 
     /** The pose as the solver sees it: steps turn it by a rotation vector in the camera frame, and shift it. */
     private final class Pose implements DampedGaussNewton.Problem {
-        private final double[] observed;
-        private final double[] rotation;
-        private final double[] translation;
+        private final double[] observed = new double[2 * MarkerGeometry.CORNERS];
+        private final double[] rotation = new double[9];
+        private final double[] translation = new double[3];
         private final double[] turn = new double[9];
         private final double[] trialRotation = new double[9];
         private final double[] trialTranslation = new double[3];
 
-        Pose(double[] observed, double[] rotation, double[] translation) {
-            this.observed = observed;
-            this.rotation = rotation;
-            this.translation = translation;
+        /** Stands where {@link #cameraFromSquare} is. */
+        void start(double[] cornersPx) {
+            System.arraycopy(cornersPx, 0, observed, 0, observed.length);
+            System.arraycopy(cameraFromSquare.R.data, 0, rotation, 0, 9);
+            translation[0] = cameraFromSquare.T.x;
+            translation[1] = cameraFromSquare.T.y;
+            translation[2] = cameraFromSquare.T.z;
+            if (plane != null) {
+                RigidTransform inCamera = plane.inCamera(RigidTransform.of(rotation, translation));
+                System.arraycopy(inCamera.rotation(), 0, rotation, 0, 9);
+                System.arraycopy(inCamera.translationMm(), 0, translation, 0, 3);
+            }
         }
 
         @Override

@@ -9,12 +9,17 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.cellgauge.geometry.BrownLens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.cell.CalibratedCameraText;
+import org.cellgauge.internal.cell.CameraExport;
 import org.cellgauge.internal.cell.CameraWriter;
+import org.cellgauge.internal.cell.CellWriter;
 import org.cellgauge.internal.cell.InputChecks;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Camera files that say how well their intrinsics are known. */
 class CameraCalibrationTest {
@@ -27,6 +32,42 @@ class CameraCalibrationTest {
 
     private static InputRefusedException refused(String text) {
         return assertThrows(InputRefusedException.class, () -> CameraReader.file(text, "camera.yaml", null));
+    }
+
+    /** It goes along with the camera wherever that goes: into a cell, into other sizes, and into a file again. */
+    @Test
+    void distanceOfTheFocusGoesWithTheCamera() {
+        assertEquals(OptionalDouble.empty(), CameraReader.file(TEXT, "camera.yaml", null).focusDistanceM());
+        String text = TEXT + CameraWriter.focusDistance(1 / 1.3);
+        CameraFile file = CameraReader.file(text, "camera.yaml", null);
+        assertEquals(OptionalDouble.of(1 / 1.3), file.focusDistanceM());
+        String noCamera = CellReaderTest.CELL.replaceFirst("camera: .*\n", "");
+        Cell cell = CellReader.read(noCamera, "cell.yaml", file);
+        assertEquals(file.focusDistanceM(), cell.focusDistanceM());
+        assertEquals(file.focusDistanceM(), cell.scaledTo(640, 360).focusDistanceM());
+        assertEquals(file.focusDistanceM(), cell.withTarget(Target.NONE).withToneCurve(null).withCalibration(null)
+                .withReferences(cell.references()).withObjects(cell.objects()).withPlanning(cell.planning())
+                .withPixelStdPx(cell.pixelStdPx()).withJointPlacement(cell.joint()).focusDistanceM());
+        assertEquals(OptionalDouble.empty(), cell.withCamera(CAMERA).focusDistanceM());
+        assertEquals(file.focusDistanceM(), CellReader.read(CellWriter.text(cell, List.of()), "kept.yaml", name -> {
+            throw new AssertionError("the camera is inline");
+        }).focusDistanceM());
+        for (CameraFormat format : CameraExport.FORMS.values()) {
+            assertEquals(OptionalDouble.of(0.9), CameraReader.file(CameraExport.text(CAMERA, format)
+                    + "focus_distance_m: 0.9\n", "camera.yaml", null).focusDistanceM());
+        }
+        assertThrows(IllegalArgumentException.class, () -> cell.withFocusDistanceM(OptionalDouble.of(0)));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, must be from 0.01 to 1000", "-1, must be from 0.01 to 1000", "1200, must be from 0.01 to 1000",
+        ".inf, finite", "near, number", "0.9 m, without"})
+    void distancesOfNoFocusAreRefusedInWords(String stated, String words) {
+        InputRefusedException refused = refused(TEXT + "focus_distance_m: " + stated + "\n");
+        assertTrue(refused.getMessage().startsWith("camera.yaml, line 14"), refused.getMessage());
+        assertTrue(refused.getMessage().contains("focus_distance_m"), refused.getMessage());
+        assertTrue(refused.getMessage().contains(words), refused.getMessage());
+        assertTrue(refused.getMessage().contains("that the lens was focused at"), refused.getMessage());
     }
 
     /**

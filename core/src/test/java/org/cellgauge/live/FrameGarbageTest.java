@@ -3,114 +3,32 @@ package org.cellgauge.live;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import io.reactivex.rxjava3.core.Flowable;
-import io.reactivex.rxjava3.processors.PublishProcessor;
-import io.reactivex.rxjava3.schedulers.TestScheduler;
-import java.util.ArrayList;
-import java.util.HashSet;
-import java.util.List;
-import java.util.Set;
-import java.util.concurrent.TimeUnit;
 import org.cellgauge.Allocated;
-import org.cellgauge.cell.Cell;
-import org.cellgauge.cell.MarkerFamily;
-import org.cellgauge.check.ThesisScene;
-import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.internal.overlay.CellOverlay;
-import org.cellgauge.internal.overlay.OverlayStyle;
-import org.cellgauge.internal.overlay.Pen;
-import org.cellgauge.internal.overlay.Shape;
 import org.cellgauge.internal.vision.BoofThreads;
-import org.cellgauge.settings.CheckSettings;
-import org.cellgauge.vision.BoofMarkerDetector;
-import org.cellgauge.vision.Detections;
-import org.cellgauge.vision.DrawnMarkers;
-import org.cellgauge.vision.GreyImage;
-import org.cellgauge.vision.MarkerObservation;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
-/**
- * What a second of a moving camera leaves to the garbage collector: markers of 30 frames of 1080p, the looks at them,
- * and what is drawn over each state. All on the test's thread, so that all is counted.
- */
+/** What a second of a moving camera leaves to the garbage collector. */
 class FrameGarbageTest {
-    private static final int WIDTH = 1920;
-    private static final int HEIGHT = 1080;
-    /** As many as come between two looks, and some more: no frame is of the place of the last look. */
-    private static final int PLACES = 11;
-    private static final int FRAME_MS = 33;
-
-    private final PublishProcessor<Detections> frames = PublishProcessor.create();
-    private final TestScheduler watch = new TestScheduler();
-    private final List<GreyImage> images = new ArrayList<>();
-    private final Set<Long> looks = new HashSet<>();
-    private int drawn;
+    private static final int ROUNDS = 3;
+    /** A good second. */
+    private static final int FRAMES = 3 * MovingCamera.PLACES;
 
     @BeforeAll
     static void staysOnThisThread() {
         BoofThreads.useOne();
     }
 
-    private static ThesisScene scene(int place) {
-        return ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.1).target(3).grip(20, 0, 0, 100)
-                .cameraAt(RigidTransform.ofEuler(418 + 30 * (7 * place % PLACES - 5), 106, 1070, 3.08, 0.10, 0.02));
-    }
-
-    private static GreyImage image(int place) {
-        DrawnMarkers picture = new DrawnMarkers(WIDTH, HEIGHT, 130);
-        for (MarkerObservation marker : scene(place).exactDetections().markers()) {
-            double[] corners = marker.cornersPx();
-            for (int i = 0; i < corners.length; i++) {
-                corners[i] *= WIDTH / (double) ThesisScene.CAMERA.widthPx();
-            }
-            picture.draw(MarkerFamily.SQUARE_BINARY, marker.id(), corners);
-        }
-        return picture.image();
-    }
-
     @Test
     void aMovingCameraLeavesLittle() {
-        Cell cell = scene(0).cell().scaledTo(WIDTH, HEIGHT);
-        for (int place = 0; place < PLACES; place++) {
-            images.add(image(place));
-        }
-        BoofMarkerDetector detector = BoofMarkerDetector.forFrames(cell);
-        OverlayStyle style = OverlayStyle.PHOTO.withoutPanels();
-        Pen pen = new Pen() {
-            @Override
-            public void moveTo(double u, double v) {
-                drawn++;
-            }
-
-            @Override
-            public void lineTo(double u, double v) {
-                drawn++;
-            }
-        };
-        LiveCheck.states(frames, cell, CheckSettings.builder().threads(1).build(), Flowable.just(LivePace.FULL), watch,
-                new TestScheduler()).subscribe(state -> {
-                    looks.add(state.keyFrameNumber());
-                    assertEquals(LiveState.Phase.QUICK_LOOK, state.phase());
-                    for (Shape shape : CellOverlay.of(cell, state.keyFrame(), state.update(), style).shapes()) {
-                        shape.draw(pen);
-                    }
-                });
-        watch.triggerActions();
-        int count = 3 * PLACES;
-        Runnable second = () -> {
-            for (int i = 0; i < count; i++) {
-                frames.onNext(detector.detect(images.get(i % PLACES), "frame"));
-                watch.advanceTimeBy(FRAME_MS, TimeUnit.MILLISECONDS);
-            }
-        };
-        second.run();
-        looks.clear();
-        drawn = 0;
-        long bytes = Allocated.leastBytes(3, second) / count;
-        assertTrue(looks.size() >= 12, "looks in three seconds: " + looks.size());
-        assertTrue(drawn > 10_000, "points drawn: " + drawn);
+        MovingCamera camera = new MovingCamera();
+        camera.move(FRAMES);
+        camera.forget();
+        long bytes = Allocated.leastBytes(ROUNDS, () -> camera.move(FRAMES)) / FRAMES;
+        assertEquals(LiveState.Phase.QUICK_LOOK, camera.phase());
+        assertTrue(camera.looks() >= 4 * ROUNDS, "looks in three seconds: " + camera.looks());
+        assertTrue(camera.drawn() > 10_000, "points drawn: " + camera.drawn());
         // a look at every frame, and its overlay in lists of boxed numbers, were 2300 kB
-        assertTrue(bytes < 280_000, bytes + " bytes a frame");
+        assertTrue(bytes < 200_000, bytes + " bytes a frame");
     }
 }

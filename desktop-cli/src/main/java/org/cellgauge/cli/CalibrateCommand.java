@@ -10,12 +10,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.cellgauge.calibration.Calibration;
 import org.cellgauge.calibration.CalibrationOptions;
 import org.cellgauge.calibration.CalibrationResult;
 import org.cellgauge.cell.CalibrationTargetReader;
 import org.cellgauge.cell.CameraFormat;
+import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.desktop.CalibrationJson;
 import org.cellgauge.desktop.CalibrationReport;
@@ -106,6 +108,11 @@ public final class CalibrateCommand implements Callable<Integer> {
             description = "Distance at which the uncertainty of the projection is stated in mm (that of the photos).")
     private double distanceMm;
 
+    @Option(names = "--focus-distance-m", paramLabel = "M",
+            description = "Distance that the lens was focused at in the photos, m, where it was set by hand. The "
+                    + "camera file states it, and the tablet app focuses its own lens there.")
+    private Double focusDistanceM;
+
     @Option(names = "--threads", paramLabel = "N",
             description = "Photos looked at at once (as many as the machine has processors).")
     private Integer threads;
@@ -149,6 +156,12 @@ public final class CalibrateCommand implements Callable<Integer> {
         }
         if (!(distanceMm >= 0 && distanceMm < 1e7)) {
             throw new ParameterException(spec.commandLine(), "--distance: must be a distance in mm");
+        }
+        if (focusDistanceM != null && !CameraReader.isFocusDistance(focusDistanceM)) {
+            throw new ParameterException(spec.commandLine(), "--focus-distance-m: must be from "
+                    + CameraReader.plain(CameraReader.LEAST_FOCUS_DISTANCE_M) + " to "
+                    + CameraReader.plain(CameraReader.LARGEST_FOCUS_DISTANCE_M) + " m, not "
+                    + CameraReader.plain(focusDistanceM));
         }
         return new CalibrationOptions(lens, coefficients, choice, distanceMm);
     }
@@ -194,7 +207,8 @@ public final class CalibrateCommand implements Callable<Integer> {
         Path file = out == null ? Path.of("camera.yaml") : out;
         Path page = file.resolveSibling(CheckInput.baseName(file) + ".html");
         Map<Path, WholeFiles.Content> contents = new LinkedHashMap<>();
-        contents.put(file, text(CalibrationJson.cameraFile(result, format)));
+        contents.put(file, text(CalibrationJson.cameraFile(result, format,
+                focusDistanceM == null ? OptionalDouble.empty() : OptionalDouble.of(focusDistanceM))));
         contents.put(page, text(CalibrationReport.of(result, Main.version(), command)));
         try {
             Files.createDirectories(file.toAbsolutePath().getParent());

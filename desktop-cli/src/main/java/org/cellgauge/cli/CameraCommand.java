@@ -18,6 +18,7 @@ import org.cellgauge.desktop.WholeFiles;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RationalLens;
 import org.cellgauge.internal.cell.CameraExport;
+import org.cellgauge.internal.cell.CameraWriter;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 import picocli.CommandLine.Command;
@@ -92,6 +93,8 @@ public final class CameraCommand implements Callable<Integer> {
         try {
             text = CameraExport.text(read.camera(), format)
                     + (calibration == null ? "" : CameraExport.calibration(calibration))
+                    + (read.focusDistanceM().isPresent()
+                            ? CameraWriter.focusDistance(read.focusDistanceM().getAsDouble()) : "")
                     + (read.toneCurve() == null ? ""
                             : CameraReader.TONE_CURVE + ": " + read.toneCurve().words() + "\n");
         } catch (InputRefusedException e) {
@@ -128,6 +131,10 @@ public final class CameraCommand implements Callable<Integer> {
                     known < 0 ? "" : CalibrationText.value(calibration.std(known)));
         }
         text.append(table.text(""));
+        if (read.focusDistanceM().isPresent()) {
+            text.append("The lens was focused at ").append(CameraReader.plain(read.focusDistanceM().getAsDouble()))
+                    .append(" m when it was calibrated.\n");
+        }
         if (read.format().principalPointShiftPx() != 0) {
             text.append("cx and cy stand with ").append(CameraReader.plain(read.format().principalPointShiftPx()))
                     .append(" px less in the file, which counts from the middle of the first pixel.\n");

@@ -48,6 +48,23 @@ class CameraFilesTest {
     }
 
     @Test
+    void distanceOfTheFocusIsSaidAndConverted() throws IOException {
+        Path camera = Files.writeString(folder.resolve("near.yaml"), KNOWN + "focus_distance_m: 0.9\n");
+        for (String form : new String[] {"ros", "opencv", "boofcv"}) {
+            assertTrue(CommandCall.of("camera", camera.toString(), "--to", form).out()
+                    .contains("\nfocus_distance_m: 0.9\n"), form);
+        }
+        String said = CommandCall.of("camera", camera.toString()).out();
+        assertTrue(said.contains("The lens was focused at 0.9 m when it was calibrated."), said);
+        for (String distance : new String[] {"0", "-1", "2000", "NaN"}) {
+            CommandCall call = CommandCall.of("calibrate", "--target", "t.yaml", "--focus-distance-m", distance,
+                    "a.png");
+            assertEquals(2, call.code());
+            assertTrue(call.err().contains("--focus-distance-m: must be from 0.01 to 1000 m"), call.err());
+        }
+    }
+
+    @Test
     void cameraFilesAreConvertedAndMeanTheSame() throws IOException {
         Path cell = cell(KNOWN);
         Path corners = SmallCell.writeDetections(folder.resolve("a.json"), 4);

@@ -4,11 +4,13 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
+import java.util.OptionalDouble;
 import org.cellgauge.calibration.CalibrationResult;
 import org.cellgauge.cell.CameraFormat;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.internal.cell.CalibratedCameraText;
 import org.cellgauge.internal.cell.CameraExport;
+import org.cellgauge.internal.cell.CameraWriter;
 import org.cellgauge.warning.Warning;
 
 /** A calibration for programs and as a camera file. */
@@ -28,11 +30,15 @@ public final class CalibrationJson {
      *
      * @param result a calibration
      * @param format BoofCV, OpenCV or ROS
+     * @param focusDistanceM distance that the lens was focused at in the photos, m; empty where that is not known
      * @return YAML
      * @throws InputRefusedException if that program has no such camera
      */
-    public static String cameraFile(CalibrationResult result, CameraFormat format) {
-        return CameraExport.text(result.camera(), format) + CalibratedCameraText.block(
+    public static String cameraFile(CalibrationResult result, CameraFormat format,
+            OptionalDouble focusDistanceM) {
+        return CameraExport.text(result.camera(), format)
+                + (focusDistanceM.isPresent() ? CameraWriter.focusDistance(focusDistanceM.getAsDouble()) : "")
+                + CalibratedCameraText.block(
                 result.parameters().stream().map(p -> bare(p.name())).toList(), result.covariance(),
                 result.photos().size(), result.figures().rmsPx(), result.widenedBy());
     }

@@ -1,6 +1,7 @@
 package org.cellgauge.desktop;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -8,12 +9,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.apache.commons.math3.random.Well19937c;
 import org.cellgauge.calibration.CalibrationOptions;
 import org.cellgauge.calibration.CalibrationResult;
 import org.cellgauge.cell.CalibrationTarget;
 import org.cellgauge.cell.CalibrationTargetReader;
+import org.cellgauge.cell.CameraFile;
+import org.cellgauge.cell.CameraFormat;
+import org.cellgauge.cell.CameraReader;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.desktop.render.GreyPng;
 import org.cellgauge.desktop.render.Scene;
@@ -22,6 +27,7 @@ import org.cellgauge.desktop.render.SceneRenderer;
 import org.cellgauge.desktop.render.Sensor;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.cell.CameraExport;
 import org.cellgauge.internal.vision.MarkerPattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -59,6 +65,14 @@ class MarkerPlateCalibrationTest {
             CalibrationResult.Parameter p = result.parameters().get(k);
             assertEquals(truth.get(k), p.value(), 5 * p.std(), p.name());
             assertTrue(p.std() < 0.5, p.name() + " +- " + p.std());
+        }
+        for (CameraFormat format : CameraExport.FORMS.values()) {
+            CameraFile near = CameraReader.file(CalibrationJson.cameraFile(result, format, OptionalDouble.of(0.4)),
+                    "camera.yaml", null);
+            assertEquals(OptionalDouble.of(0.4), near.focusDistanceM());
+            assertNotNull(near.calibration());
+            assertEquals(OptionalDouble.empty(), CameraReader.file(CalibrationJson.cameraFile(result, format,
+                    OptionalDouble.empty()), "camera.yaml", null).focusDistanceM());
         }
     }
 }

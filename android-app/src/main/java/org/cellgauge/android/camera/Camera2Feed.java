@@ -2,6 +2,7 @@ package org.cellgauge.android.camera;
 
 import android.content.Context;
 import android.graphics.SurfaceTexture;
+import java.util.OptionalDouble;
 import java.util.concurrent.CountDownLatch;
 import org.cellgauge.geometry.PinholeCamera;
 
@@ -28,9 +29,10 @@ public final class Camera2Feed implements CameraFeed {
     }
 
     @Override
-    public void open(PinholeCamera calibration, SurfaceTexture preview, Listener listener) {
+    public void open(PinholeCamera calibration, OptionalDouble focusDistanceM, SurfaceTexture preview,
+            Listener listener) {
         close();
-        run = new CameraRun(context, lastEnd, calibration, preview, listener);
+        run = new CameraRun(context, lastEnd, calibration, focusDistanceM, preview, listener);
         lastEnd = run.ended();
         run.start();
     }

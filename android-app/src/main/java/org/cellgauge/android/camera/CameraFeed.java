@@ -1,6 +1,7 @@
 package org.cellgauge.android.camera;
 
 import android.graphics.SurfaceTexture;
+import java.util.OptionalDouble;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
@@ -43,10 +44,12 @@ public interface CameraFeed {
      * Opens the camera; a call while it is open closes it first.
      *
      * @param calibration intrinsics that the user has for the camera, or null: the device's own model
+     * @param focusDistanceM distance that the lens was focused at for that calibration, m, which it is set to where it
+     *     can be; empty where that is not known
      * @param preview where the camera shows its picture, or null for none
      * @param listener gets set-up, frames and faults
      */
-    void open(PinholeCamera calibration, SurfaceTexture preview, Listener listener);
+    void open(PinholeCamera calibration, OptionalDouble focusDistanceM, SurfaceTexture preview, Listener listener);
 
     /**
      * Focuses once more and then holds the focus, as after opening. No frames come while the lens moves. Does nothing

@@ -6,6 +6,12 @@ public enum CameraNote {
     FOCUS_NOT_LOCKED,
     /** The last scan of the focus found nothing sharp. */
     FOCUS_NOT_FOUND,
+    /** The lens is held at the distance that the calibration states. */
+    FOCUS_AS_CALIBRATED,
+    /** The calibration states a distance that this camera's lens cannot be set to. */
+    FOCUS_NOT_AS_CALIBRATED,
+    /** Too little light for exposures that a hand does not blur. */
+    LIGHT_SHORT,
     /** Optical or video stabilisation cannot be switched off: it shifts the image against the calibration. */
     STABILISATION_ON,
     /**

@@ -25,6 +25,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -54,6 +55,7 @@ final class CameraRun {
 
     private final Context context;
     private final PinholeCamera calibration;
+    private final OptionalDouble focusDistanceM;
     private final SurfaceTexture preview;
     private final CameraFeed.Listener listener;
     private final HandlerThread thread = new HandlerThread("camera");
@@ -72,6 +74,7 @@ final class CameraRun {
     private RequestSettings settings;
     private List<StreamChoice> streams;
     private FocusHold focus;
+    private ExposureCap exposure;
     private final FocusWatch watch = new FocusWatch();
     private boolean shining;
     /** Where markers were when the camera was told last where to meter. */
@@ -95,14 +98,16 @@ final class CameraRun {
      * @param context of the app
      * @param previousEnd counts down when the run before, which is closed, has let go of its camera and its listener
      * @param calibration the user's intrinsics, or null
+     * @param focusDistanceM distance that the lens was focused at for them, m; empty where that is not known
      * @param preview where the camera shows its picture, or null
      * @param listener gets set-up, frames and faults
      */
-    CameraRun(Context context, CountDownLatch previousEnd, PinholeCamera calibration, SurfaceTexture preview,
-            CameraFeed.Listener listener) {
+    CameraRun(Context context, CountDownLatch previousEnd, PinholeCamera calibration, OptionalDouble focusDistanceM,
+            SurfaceTexture preview, CameraFeed.Listener listener) {
         this.context = context;
         this.previousEnd = previousEnd;
         this.calibration = calibration;
+        this.focusDistanceM = focusDistanceM;
         this.preview = preview;
         this.listener = listener;
     }
@@ -166,8 +171,9 @@ final class CameraRun {
                 fault(CameraFault.NO_CAMERA_MODEL, null);
                 return;
             }
-            settings = RequestSettings.of(traits);
-            focus = new FocusHold(settings.focus());
+            settings = RequestSettings.of(traits, focusDistanceM);
+            focus = new FocusHold(settings.focus(), settings.focusDpt());
+            exposure = new ExposureCap(traits.exposureLimits());
             opening = true;
             handler.postDelayed(patience, PATIENCE_MS);
             manager.openCamera(traits.id(), new DeviceEvents(), handler);
@@ -312,6 +318,9 @@ final class CameraRun {
         handler.removeCallbacks(patience);
         handler.postDelayed(patience, PATIENCE_MS);
         if (repeat()) {
+            if (!focus.isStill()) {
+                handler.postDelayed(scanPatience, SCAN_MS);
+            }
             scan();
         }
     }
@@ -319,7 +328,7 @@ final class CameraRun {
     /** Asks for frames as the request has it by now; whether that was possible. */
     private boolean repeat() {
         try {
-            session.setRepeatingRequest(request.build(), new FocusReports(), handler);
+            session.setRepeatingRequest(request.build(), new FrameReports(), handler);
             return true;
         } catch (CameraAccessException | RuntimeException e) {
             fault(CameraFaults.of(e), e);
@@ -335,6 +344,9 @@ final class CameraRun {
         // before there is a request it is told when it is made
         if (session != null) {
             shine();
+            if (exposure.measureAgain()) {
+                expose();
+            }
             repeat();
         }
     }
@@ -403,7 +415,7 @@ final class CameraRun {
 
         @Override
         public void onCaptureCompleted(CameraCaptureSession which, CaptureRequest what, TotalCaptureResult result) {
-            focusReported(result);
+            reported(result);
         }
 
         @Override
@@ -413,15 +425,38 @@ final class CameraRun {
         }
     }
 
-    private final class FocusReports extends CameraCaptureSession.CaptureCallback {
+    private final class FrameReports extends CameraCaptureSession.CaptureCallback {
         @Override
         public void onCaptureCompleted(CameraCaptureSession which, CaptureRequest what, TotalCaptureResult result) {
-            focusReported(result);
+            reported(result);
         }
     }
 
+    private void reported(CaptureResult result) {
+        if (closed.get() || session == null) {
+            return;
+        }
+        focusReported(result);
+        boolean other = exposure.report(result.get(CaptureResult.CONTROL_AE_STATE),
+                result.get(CaptureResult.SENSOR_EXPOSURE_TIME), result.get(CaptureResult.SENSOR_SENSITIVITY),
+                result.get(CaptureResult.CONTROL_POST_RAW_SENSITIVITY_BOOST),
+                result.get(CaptureResult.STATISTICS_SCENE_FLICKER));
+        note(CameraNote.LIGHT_SHORT, exposure.isLightShort());
+        if (other) {
+            expose();
+            repeat();
+        }
+    }
+
+    /** Writes into the request how frames are exposed by now. */
+    private void expose() {
+        settings.expose(request::set, exposure.held(), streams.get(0).frame());
+    }
+
     private void focusReported(CaptureResult result) {
-        if (focus.report(result.getFrameNumber(), result.get(CaptureResult.CONTROL_AF_STATE))) {
+        if (focus.report(result.getFrameNumber(), result.get(CaptureResult.CONTROL_AF_STATE))
+                || focus.lensReport(result.get(CaptureResult.LENS_STATE),
+                        result.get(CaptureResult.LENS_FOCUS_DISTANCE))) {
             handler.removeCallbacks(scanPatience);
             // reports and images come on ways of their own: an image may still be from before
             Long exposureNs = result.get(CaptureResult.SENSOR_TIMESTAMP);
@@ -441,11 +476,42 @@ final class CameraRun {
 
     /** Says how the focus is, where that is news. */
     private void noteFocus(boolean notLocked, boolean notFound) {
+        Set<CameraNote> notes = notes();
+        with(notes, CameraNote.FOCUS_NOT_LOCKED, notLocked);
+        with(notes, CameraNote.FOCUS_NOT_FOUND, notFound);
+        if (settings.focus() == RequestSettings.Focus.AT_DISTANCE) {
+            // one that did not report that it is there may be anywhere
+            with(notes, CameraNote.FOCUS_AS_CALIBRATED, !notLocked);
+            with(notes, CameraNote.FOCUS_NOT_AS_CALIBRATED, notLocked);
+        }
+        say(notes);
+    }
+
+    /** Says one thing, or no longer, where that is news. */
+    private void note(CameraNote which, boolean holds) {
+        if (setup.notes().contains(which) != holds) {
+            Set<CameraNote> notes = notes();
+            with(notes, which, holds);
+            say(notes);
+        }
+    }
+
+    private Set<CameraNote> notes() {
         Set<CameraNote> notes = EnumSet.noneOf(CameraNote.class);
         notes.addAll(setup.notes());
-        boolean news = notLocked ? notes.add(CameraNote.FOCUS_NOT_LOCKED) : notes.remove(CameraNote.FOCUS_NOT_LOCKED);
-        news |= notFound ? notes.add(CameraNote.FOCUS_NOT_FOUND) : notes.remove(CameraNote.FOCUS_NOT_FOUND);
-        if (news) {
+        return notes;
+    }
+
+    private static void with(Set<CameraNote> notes, CameraNote which, boolean holds) {
+        if (holds) {
+            notes.add(which);
+        } else {
+            notes.remove(which);
+        }
+    }
+
+    private void say(Set<CameraNote> notes) {
+        if (!notes.equals(setup.notes())) {
             setup = setup.withNotes(notes);
             listener.onOpened(setup);
         }
@@ -480,6 +546,16 @@ final class CameraRun {
         Detections seen = listener.onFrame(frame, lastTimestampNs);
         if (seen != null) {
             look(seen, lastTimestampNs);
+            lookAtLight(frame, seen);
+        }
+    }
+
+    /** Has the light measured anew where the markers show that it is another one. */
+    private void lookAtLight(GreyImage frame, Detections seen) {
+        if (!closed.get() && session != null && exposure.held() != null
+                && exposure.look(MarkerWhite.of(frame, seen), lastTimestampNs)) {
+            expose();
+            repeat();
         }
     }
 

@@ -118,6 +118,16 @@ final class CameraTraits {
         return v.minFocusDistanceDpt;
     }
 
+    /** Whether its distances of focus are in 1/m, if only roughly, and not in units of its own. */
+    boolean statesFocusDistance() {
+        return v.statesFocusDistance;
+    }
+
+    /** What its sensor can be told of the exposure; null where only the device exposes. */
+    ExposureCap.Limits exposureLimits() {
+        return v.exposureLimits;
+    }
+
     /** Whether a mode is among those of one of the {@code AVAILABLE_MODES} keys. */
     static boolean has(int[] modes, int mode) {
         for (int m : modes) {
@@ -241,6 +251,11 @@ final class CameraTraits {
         // different ways, so that nobody can tell what its numbers mean
         Float closest = characteristics.get(CameraCharacteristics.LENS_INFO_MINIMUM_FOCUS_DISTANCE);
         b.minFocusDistanceDpt(closest == null ? -1 : closest);
+        Integer distances = characteristics.get(CameraCharacteristics.LENS_INFO_FOCUS_DISTANCE_CALIBRATION);
+        b.statesFocusDistance(distances != null
+                && (distances == CameraMetadata.LENS_INFO_FOCUS_DISTANCE_CALIBRATION_APPROXIMATE
+                        || distances == CameraMetadata.LENS_INFO_FOCUS_DISTANCE_CALIBRATION_CALIBRATED));
+        b.exposureLimits(exposureLimits(characteristics, capabilities));
         Range<Integer>[] rates = characteristics.get(CameraCharacteristics.CONTROL_AE_AVAILABLE_TARGET_FPS_RANGES);
         b.frameRates(rates == null ? Collections.emptyList() : Arrays.asList(rates));
         b.maxExposureAreas(count(characteristics.get(CameraCharacteristics.CONTROL_MAX_REGIONS_AE)));
@@ -255,6 +270,21 @@ final class CameraTraits {
         b.noiseReductionModes(
                 characteristics.get(CameraCharacteristics.NOISE_REDUCTION_AVAILABLE_NOISE_REDUCTION_MODES));
         return b.build();
+    }
+
+    private static ExposureCap.Limits exposureLimits(CameraCharacteristics characteristics, int[] capabilities) {
+        int[] modes = characteristics.get(CameraCharacteristics.CONTROL_AE_AVAILABLE_MODES);
+        Range<Long> times = characteristics.get(CameraCharacteristics.SENSOR_INFO_EXPOSURE_TIME_RANGE);
+        Range<Integer> sensitivities = characteristics.get(CameraCharacteristics.SENSOR_INFO_SENSITIVITY_RANGE);
+        if (capabilities == null || modes == null || times == null || sensitivities == null
+                || !has(capabilities, CameraMetadata.REQUEST_AVAILABLE_CAPABILITIES_MANUAL_SENSOR)
+                || !has(modes, CameraMetadata.CONTROL_AE_MODE_OFF) || times.getLower() <= 0
+                || sensitivities.getLower() <= 0) {
+            return null;
+        }
+        Range<Integer> boosts = characteristics.get(CameraCharacteristics.CONTROL_POST_RAW_SENSITIVITY_BOOST_RANGE);
+        return new ExposureCap.Limits(times.getLower(), times.getUpper(), sensitivities.getLower(),
+                sensitivities.getUpper(), boosts == null ? 100 : Math.max(100, boosts.getUpper()));
     }
 
     private static List<PixelSize> sizes(Size[] sizes) {
@@ -305,6 +335,8 @@ final class CameraTraits {
         private float[] intrinsicCalibration;
         private float[] distortion;
         private float minFocusDistanceDpt = -1;
+        private boolean statesFocusDistance;
+        private ExposureCap.Limits exposureLimits;
         private List<Range<Integer>> frameRates = Collections.emptyList();
         private int maxExposureAreas;
         private int maxFocusAreas;
@@ -389,6 +421,16 @@ final class CameraTraits {
             return this;
         }
 
+        Builder statesFocusDistance(boolean value) {
+            statesFocusDistance = value;
+            return this;
+        }
+
+        Builder exposureLimits(ExposureCap.Limits value) {
+            exposureLimits = value;
+            return this;
+        }
+
         Builder frameRates(List<Range<Integer>> value) {
             frameRates = value;
             return this;
@@ -464,6 +506,8 @@ final class CameraTraits {
             copy.intrinsicCalibration = intrinsicCalibration;
             copy.distortion = distortion;
             copy.minFocusDistanceDpt = minFocusDistanceDpt;
+            copy.statesFocusDistance = statesFocusDistance;
+            copy.exposureLimits = exposureLimits;
             copy.frameRates = Collections.unmodifiableList(new ArrayList<>(frameRates));
             copy.maxExposureAreas = maxExposureAreas;
             copy.maxFocusAreas = maxFocusAreas;

@@ -4,22 +4,31 @@ import android.hardware.camera2.CameraMetadata;
 
 /**
  * Whether the lens stands still, so that frames may be measured in. A scan is asked for, the device reports how it
- * goes, and from its end on the lens stays where it is.
+ * goes, and from its end on the lens stays where it is. Or the lens is set to a distance, and stays once it is there.
  */
 final class FocusHold {
+    /** A lens this near to where it was set to is there, as a share and besides, 1/m. */
+    private static final double THERE_SHARE = 0.05;
+    private static final double THERE_DPT = 0.05;
+
     private final RequestSettings.Focus focus;
+    private final float setDpt;
+    /** Whether the lens moves: in a scan, or on its way to a distance. */
     private boolean scanning;
     private boolean found = true;
     /** Number of the frame with which the scan in progress was asked for; reports on earlier ones are of the past. */
     private long scanFrame = Long.MAX_VALUE;
 
     /**
-     * A lens before its first scan.
+     * A lens before its first scan, or on its way to where it is set to.
      *
      * @param focus how its focus is held
+     * @param setDpt where it is set to, 1/m; of no account with another focus
      */
-    FocusHold(RequestSettings.Focus focus) {
+    FocusHold(RequestSettings.Focus focus, float setDpt) {
         this.focus = focus;
+        this.setDpt = setDpt;
+        scanning = focus == RequestSettings.Focus.AT_DISTANCE;
     }
 
     /** Whether a scan makes sense: the lens moves, and stays where it came to. */
@@ -63,6 +72,23 @@ final class FocusHold {
             return true;
         }
         return false;
+    }
+
+    /**
+     * The device reports where the lens of a frame was.
+     *
+     * @param state one of the {@code LENS_STATE} constants; null where the device reports none
+     * @param distanceDpt 1/m; null where the device reports none
+     * @return whether a lens that was set to a distance is there with this
+     */
+    boolean lensReport(Integer state, Float distanceDpt) {
+        boolean there = distanceDpt != null && Math.abs(distanceDpt - setDpt) <= THERE_SHARE * setDpt + THERE_DPT;
+        boolean stands = state == null || state == CameraMetadata.LENS_STATE_STATIONARY;
+        if (focus != RequestSettings.Focus.AT_DISTANCE || !scanning || !there || !stands) {
+            return false;
+        }
+        scanning = false;
+        return true;
     }
 
     /** Whether the last scan that ended found a focus. */

@@ -9,6 +9,7 @@ import android.util.Range;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.cellgauge.internal.geometry.PixelArea;
 import org.cellgauge.vision.Detections;
@@ -24,6 +25,8 @@ final class RequestSettings {
         FIXED,
         /** It is focused once and then stays until it is asked again. */
         HELD,
+        /** It is set to a distance and then stays. */
+        AT_DISTANCE,
         /** The device moves it when it likes. */
         FREE
     }
@@ -46,17 +49,22 @@ final class RequestSettings {
     private static final double NS_PER_S = 1e9;
     /** A duration of 33 333 333 ns is 30 frames a second, and so is one of 33.4 ms. */
     private static final double ROUNDED_FPS = 0.5;
+    /** A lens that is set to its nearest distance is not much farther out of focus than this, as a share. */
+    private static final double NEAREST_SHARE = 1.05;
+    private static final int PLAIN_BOOST = 100;
     private static final int PER_THOUSAND_SECONDS = 1000;
 
     private final CameraTraits traits;
     private final Focus focus;
     private final int focusMode;
+    private final float focusDpt;
     private final Set<CameraNote> notes;
 
-    private RequestSettings(CameraTraits traits, Focus focus, int focusMode, Set<CameraNote> notes) {
+    private RequestSettings(CameraTraits traits, Focus focus, int focusMode, float focusDpt, Set<CameraNote> notes) {
         this.traits = traits;
         this.focus = focus;
         this.focusMode = focusMode;
+        this.focusDpt = focusDpt;
         this.notes = Collections.unmodifiableSet(notes);
     }
 
@@ -64,9 +72,10 @@ final class RequestSettings {
      * The settings for a camera.
      *
      * @param traits what it offers
+     * @param focusDistanceM distance that its calibration was made at, m; empty where that is not known
      * @return the settings
      */
-    static RequestSettings of(CameraTraits traits) {
+    static RequestSettings of(CameraTraits traits, OptionalDouble focusDistanceM) {
         Set<CameraNote> notes = EnumSet.noneOf(CameraNote.class);
         if (cannotBeOff(traits.opticalStabilisationModes(), CameraMetadata.LENS_OPTICAL_STABILIZATION_MODE_OFF)
                 || cannotBeOff(traits.videoStabilisationModes(), CameraMetadata.CONTROL_VIDEO_STABILIZATION_MODE_OFF)) {
@@ -83,7 +92,21 @@ final class RequestSettings {
         } else {
             notes.add(CameraNote.FOCUS_NOT_LOCKED);
         }
-        return new RequestSettings(traits, focus, mode, notes);
+        float dpt = Float.NaN;
+        if (focusDistanceM.isPresent() && focus != Focus.FIXED) {
+            dpt = (float) (1 / focusDistanceM.getAsDouble());
+            if (traits.statesFocusDistance() && dpt <= NEAREST_SHARE * traits.minFocusDistanceDpt()
+                    && CameraTraits.has(traits.focusModes(), CameraMetadata.CONTROL_AF_MODE_OFF)) {
+                dpt = Math.min(dpt, traits.minFocusDistanceDpt());
+                focus = Focus.AT_DISTANCE;
+                mode = CameraMetadata.CONTROL_AF_MODE_OFF;
+                notes.remove(CameraNote.FOCUS_NOT_LOCKED);
+                notes.add(CameraNote.FOCUS_AS_CALIBRATED);
+            } else {
+                notes.add(CameraNote.FOCUS_NOT_AS_CALIBRATED);
+            }
+        }
+        return new RequestSettings(traits, focus, mode, dpt, notes);
     }
 
     private static boolean cannotBeOff(int[] modes, int off) {
@@ -125,7 +148,12 @@ final class RequestSettings {
         return focus;
     }
 
-    /** What the camera cannot do. */
+    /** Where the lens is set to, 1/m; of no account where the focus is not {@link Focus#AT_DISTANCE}. */
+    float focusDpt() {
+        return focusDpt;
+    }
+
+    /** What the camera cannot do, and how its focus is held. */
     Set<CameraNote> notes() {
         return notes;
     }
@@ -139,6 +167,9 @@ final class RequestSettings {
         request.set(CaptureRequest.CONTROL_MODE, CameraMetadata.CONTROL_MODE_AUTO);
         if (focusMode != NO_MODE) {
             request.set(CaptureRequest.CONTROL_AF_MODE, focusMode);
+        }
+        if (focus == Focus.AT_DISTANCE) {
+            request.set(CaptureRequest.LENS_FOCUS_DISTANCE, focusDpt);
         }
         setIfOffered(request, CaptureRequest.LENS_OPTICAL_STABILIZATION_MODE, traits.opticalStabilisationModes(),
                 CameraMetadata.LENS_OPTICAL_STABILIZATION_MODE_OFF);
@@ -204,6 +235,30 @@ final class RequestSettings {
         }
         if (best != null) {
             request.set(CaptureRequest.CONTROL_AE_TARGET_FPS_RANGE, best);
+        }
+    }
+
+    /**
+     * Has frames exposed as the device likes, or as stated.
+     *
+     * @param request gets it
+     * @param exposure what is stated; null for the device's automatic exposure
+     * @param frame size of the frames, which bounds their rate
+     */
+    void expose(Target request, ExposureCap.Exposure exposure, PixelSize frame) {
+        if (exposure == null) {
+            request.set(CaptureRequest.CONTROL_AE_MODE, CameraMetadata.CONTROL_AE_MODE_ON);
+            return;
+        }
+        Long durationNs = traits.frameSizes().get(frame);
+        request.set(CaptureRequest.CONTROL_AE_MODE, CameraMetadata.CONTROL_AE_MODE_OFF);
+        request.set(CaptureRequest.SENSOR_EXPOSURE_TIME, exposure.timeNs());
+        request.set(CaptureRequest.SENSOR_SENSITIVITY, exposure.sensitivity());
+        // the rate of frames is the automatic exposure's to keep, and without it the sensor must be told
+        request.set(CaptureRequest.SENSOR_FRAME_DURATION, Math.max((long) (NS_PER_S / ENOUGH_FPS),
+                Math.max(exposure.timeNs(), durationNs == null ? 0 : durationNs)));
+        if (traits.exposureLimits() != null && traits.exposureLimits().mostBoost() > PLAIN_BOOST) {
+            request.set(CaptureRequest.CONTROL_POST_RAW_SENSITIVITY_BOOST, exposure.boost());
         }
     }
 

@@ -1,18 +1,21 @@
 package org.cellgauge.android.files;
 
+import org.cellgauge.cell.Target;
+
 /** What the app remembers from one start to the next, whatever became of its process and its screens meanwhile. */
 public interface AppMemory {
     /**
-     * Documents that were in use last.
+     * What was in use last.
      *
      * @param cellUri of the cell file
      * @param calibrationUri of the calibration file chosen with it, or null
+     * @param target that was chosen for this cell, or null for the cell file's own
      */
-    record Choice(String cellUri, String calibrationUri) {
+    record Choice(String cellUri, String calibrationUri, Target target) {
     }
 
     /**
-     * The cell that was chosen last, with its calibration.
+     * The cell that was chosen last, with its calibration and target.
      *
      * @return null where none was yet
      */

@@ -8,6 +8,7 @@ public final class StoredMemory implements AppMemory {
     private static final String FILE = "memory";
     private static final String CELL = "cell";
     private static final String CALIBRATION = "calibration";
+    private static final String TARGET = "target";
     private static final String GUIDE = "guide-shown";
 
     private final SharedPreferences stored;
@@ -24,13 +25,15 @@ public final class StoredMemory implements AppMemory {
     @Override
     public Choice lastChoice() {
         String cell = stored.getString(CELL, null);
-        return cell == null ? null : new Choice(cell, stored.getString(CALIBRATION, null));
+        return cell == null ? null : new Choice(cell, stored.getString(CALIBRATION, null),
+                TargetText.read(stored.getString(TARGET, null)));
     }
 
     @Override
     public void keep(Choice choice) {
         // at once, so that it holds even where the app is ended in the next moment; a null removes
-        stored.edit().putString(CELL, choice.cellUri()).putString(CALIBRATION, choice.calibrationUri()).commit();
+        stored.edit().putString(CELL, choice.cellUri()).putString(CALIBRATION, choice.calibrationUri())
+                .putString(TARGET, choice.target() == null ? null : TargetText.of(choice.target())).commit();
     }
 
     @Override

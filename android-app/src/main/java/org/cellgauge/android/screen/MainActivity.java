@@ -365,7 +365,8 @@ public final class MainActivity extends Activity {
         if (wanted && openFor != s.cell()) {
             openFor = s.cell();
             shining = false;
-            feed.open(s.liveCalibration(), surface, session.cameraListener(s.cell()));
+            feed.open(s.liveCalibration(), s.liveFocusDistanceM(), surface,
+                    session.cameraListener(s.cell()));
         } else if (!wanted && openFor != null) {
             openFor = null;
             feed.close();

@@ -65,7 +65,8 @@ final class NextStep {
             return null;
         }
         Detections seen = s.live().detections();
-        if (find(seen, DetectionWarning.NEARLY_BLACK, DetectionWarning.TOO_DARK) != null) {
+        if (find(seen, DetectionWarning.NEARLY_BLACK, DetectionWarning.TOO_DARK) != null
+                || notes(s, CameraNote.LIGHT_SHORT)) {
             return words.get(s.setup() != null && s.setup().hasTorch() && !s.torch() ? R.string.next_too_dark_torch
                     : R.string.next_too_dark);
         }
@@ -76,13 +77,19 @@ final class NextStep {
         if (glare != null) {
             return words.get(R.string.next_glare, glare.arguments().get(0));
         }
-        if (s.setup() != null && s.setup().notes().contains(CameraNote.FOCUS_NOT_FOUND)) {
+        if (notes(s, CameraNote.FOCUS_NOT_FOUND)) {
             return words.get(R.string.next_focus);
         }
-        return isBlurred(seen) ? words.get(R.string.next_steadier) : null;
+        return !isBlurred(seen) ? null : words.get(notes(s, CameraNote.FOCUS_AS_CALIBRATED)
+                ? R.string.next_steadier_or_at_distance : R.string.next_steadier);
     }
 
-    private static boolean isBlurred(Detections seen) {
+    private static boolean notes(CheckScreenState s, CameraNote note) {
+        return s.setup() != null && s.setup().notes().contains(note);
+    }
+
+    /** Whether a frame is blurred so much that something must be done. */
+    static boolean isBlurred(Detections seen) {
         if (find(seen, DetectionWarning.BLURRED, DetectionWarning.TOO_BLURRED) != null) {
             return true;
         }

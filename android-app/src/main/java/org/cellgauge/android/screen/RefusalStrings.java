@@ -338,6 +338,8 @@ final class RefusalStrings {
                 return R.string.refusal_part_camera_keys;
             case VARIANCE:
                 return R.string.refusal_part_variance;
+            case FOCUS_DISTANCE:
+                return R.string.refusal_part_focus_distance;
             case PHOTOS_OF_CALIBRATION:
                 return R.string.refusal_part_photos_of_calibration;
             case ITS_CAMERAS:

@@ -453,6 +453,12 @@ final class Wording {
                 return get(R.string.note_focus);
             case FOCUS_NOT_FOUND:
                 return get(R.string.note_focus_not_found);
+            case FOCUS_AS_CALIBRATED:
+                return get(R.string.note_focus_as_calibrated);
+            case FOCUS_NOT_AS_CALIBRATED:
+                return get(R.string.note_focus_not_as_calibrated);
+            case LIGHT_SHORT:
+                return get(R.string.note_light_short);
             case STABILISATION_ON:
                 return get(R.string.note_stabilisation);
             case DISTORTION_UNKNOWN:

@@ -480,6 +480,15 @@ public final class CheckScreenState {
     }
 
     /**
+     * The distance that the device's camera is to be focused at.
+     *
+     * @return that of {@link #liveCalibration()}, m; empty where it states none
+     */
+    public OptionalDouble liveFocusDistanceM() {
+        return liveCalibration() == null ? OptionalDouble.empty() : v.cell.cell().focusDistanceM();
+    }
+
+    /**
      * Whether there is a frame to freeze.
      *
      * @return true while live with figures

@@ -89,7 +89,7 @@ public final class CheckSession {
      *
      * @param library where cells and photos come from
      * @param archive where results are kept
-     * @param appMemory is told which cell is in use, for the next start of the app
+     * @param appMemory is told which cell and target are in use, for the next start of the app
      * @param frozenFrame where a frozen frame outlives the process
      * @param settings how checks go about it; the seed is the memory's
      * @param threads where the session works
@@ -250,10 +250,7 @@ public final class CheckSession {
             noCell(problem(Problem.Kind.CELL_REFUSED, e));
             return false;
         }
-        if (read.uri() != null) {
-            appMemory.keep(new AppMemory.Choice(read.uri(), calibrationUri));
-        }
-        take(read, calibrationUri, same);
+        take(read, calibrationUri, same, true);
         return true;
     }
 
@@ -261,7 +258,7 @@ public final class CheckSession {
         change(s -> s.change().readingCell(false).cellProblem(problem).build());
     }
 
-    private void take(CellDocument read, String calibrationUri, boolean same) {
+    private void take(CellDocument read, String calibrationUri, boolean same, boolean remember) {
         synchronized (runLock) {
             stopRun();
             document = read;
@@ -272,11 +269,12 @@ public final class CheckSession {
                     files(() -> takePhoto(s.photoUri(), photo(s.photoUri())));
                 }
                 boolean chosen = same && s.targetChosen();
-                return s.change().cell(read).readingCell(false).cellProblem(null).calibrationUri(calibrationUri)
-                        .photoWaits(false)
+                CheckScreenState taken = s.change().cell(read).readingCell(false).cellProblem(null)
+                        .calibrationUri(calibrationUri).photoWaits(false)
                         .target(chosen ? s.target() : read.cell().target(), chosen).source(ImageSource.LIVE)
                         .still(null, null).photo(null, null, false).photoProblem(null).readingPhoto(false).fault(null)
                         .setup(null).noCheck(OptionalInt.empty()).build();
+                return remember ? remembering(taken) : taken;
             });
         }
     }
@@ -287,7 +285,7 @@ public final class CheckSession {
             return takeCell(library::example, null, false);
         }
         try {
-            take(library.cell(m.cellUri(), m.calibrationUri()), m.calibrationUri(), false);
+            take(library.cell(m.cellUri(), m.calibrationUri()), m.calibrationUri(), false, false);
             return true;
         } catch (RuntimeException | OutOfMemoryError e) {
             return m.calibrationUri() == null ? lost(problem(Problem.Kind.LAST_CELL, e))
@@ -297,7 +295,7 @@ public final class CheckSession {
 
     private boolean takeWithoutCalibration(String cellUri, Problem ofCalibration) {
         try {
-            take(library.cell(cellUri, null), null, false);
+            take(library.cell(cellUri, null), null, false, false);
             change(s -> s.change().cellProblem(ofCalibration).build());
             return true;
         } catch (RuntimeException | OutOfMemoryError e) {
@@ -318,20 +316,32 @@ public final class CheckSession {
         change(s -> {
             Problem problem = s.cellProblem();
             if (problem != null && problem.kind() == Problem.Kind.LAST_CALIBRATION) {
-                String cellUri = s.cell().uri();
-                files(() -> appMemory.keep(new AppMemory.Choice(cellUri, null)));
+                remembering(s);
             }
             return s.change().cellProblem(null).build();
         });
     }
 
     /**
-     * Holds another target against the figures; nothing is sampled again.
+     * Has what is in use remembered for the next start. In the order of the states, so that a target that was chosen
+     * shortly before a calibration does not bring the calibration before it back. The example is not remembered.
+     */
+    private CheckScreenState remembering(CheckScreenState s) {
+        if (s.cell().uri() != null) {
+            AppMemory.Choice choice = new AppMemory.Choice(s.cell().uri(), s.calibrationUri(),
+                    s.targetChosen() ? s.target() : null);
+            files(() -> appMemory.keep(choice));
+        }
+        return s;
+    }
+
+    /**
+     * Holds another target against the figures; nothing is sampled again. It is remembered with the cell.
      *
      * @param target what is asked of the objects
      */
     public void chooseTarget(Target target) {
-        change(s -> s.cell() == null ? s : judged(heldAgainst(s, target).target(target, true).build()));
+        change(s -> s.cell() == null ? s : remembering(judged(heldAgainst(s, target).target(target, true).build())));
     }
 
     /**
@@ -354,14 +364,14 @@ public final class CheckSession {
                 own.put(objectId, stated);
             }
             Target target = new Target(s.target().general(), own);
-            return judged(heldAgainst(s, target).target(target, true).build());
+            return remembering(judged(heldAgainst(s, target).target(target, true).build()));
         });
     }
 
     /** Takes the cell file's target again. */
     public void resetTarget() {
-        change(s -> s.cell() == null ? s
-                : judged(heldAgainst(s, s.cell().cell().target()).target(s.cell().cell().target(), false).build()));
+        change(s -> s.cell() == null ? s : remembering(
+                judged(heldAgainst(s, s.cell().cell().target()).target(s.cell().cell().target(), false).build())));
     }
 
     /** The last verdict is another one under another target. */

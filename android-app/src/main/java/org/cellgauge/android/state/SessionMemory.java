@@ -2,6 +2,7 @@ package org.cellgauge.android.state;
 
 import android.os.Bundle;
 import org.cellgauge.android.files.AppMemory;
+import org.cellgauge.android.files.TargetText;
 import org.cellgauge.cell.Target;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Lenses;
@@ -16,7 +17,7 @@ public final class SessionMemory {
     private static final String CELL = "cell";
     private static final String CALIBRATION = "calibration";
     private static final String TARGET_CHOSEN = "target-chosen";
-    private static final String TARGET = "target";
+    private static final String TARGET = "target-text";
     private static final String SOURCE = "source";
     private static final String PHOTO = "photo";
     private static final String CAMERA = "camera";
@@ -85,12 +86,13 @@ public final class SessionMemory {
      * The memory that a start of the app has of the last one.
      *
      * @param seed of the chains
-     * @param last cell and calibration that were in use, or null
-     * @return their cell, live and with the cell file's target; without a cell where there are none
+     * @param last cell, calibration and target that were in use, or null
+     * @return their cell, live and with that target, or the cell file's; without a cell where there are none
      */
     public static SessionMemory of(long seed, AppMemory.Choice last) {
-        return last == null ? nothing(seed) : new SessionMemory(seed, last.cellUri(),
-                last.calibrationUri(), false, Target.NONE, ImageSource.LIVE, null, null, false);
+        return last == null ? nothing(seed) : new SessionMemory(seed, last.cellUri(), last.calibrationUri(),
+                last.target() != null, last.target() == null ? Target.NONE : last.target(), ImageSource.LIVE, null,
+                null, false);
     }
 
     /**
@@ -100,13 +102,14 @@ public final class SessionMemory {
      * @return the memory
      */
     public static SessionMemory read(Bundle bundle) {
-        Target target = TargetMemory.read(bundle.getBundle(TARGET));
+        Target target = TargetText.read(bundle.getString(TARGET));
         double[] intrinsics = bundle.getDoubleArray(CAMERA);
         PinholeCamera camera = intrinsics == null ? null
                 : PinholeCamera.of(Lenses.named(bundle.getString(CAMERA_LENS)), bundle.getInt(CAMERA_WIDTH),
                         bundle.getInt(CAMERA_HEIGHT), intrinsics);
         return new SessionMemory(bundle.getLong(SEED), bundle.getBoolean(HAS_CELL), bundle.getString(CELL),
-                bundle.getString(CALIBRATION), bundle.getBoolean(TARGET_CHOSEN), target,
+                bundle.getString(CALIBRATION), bundle.getBoolean(TARGET_CHOSEN) && target != null,
+                target == null ? Target.NONE : target,
                 ImageSource.valueOf(bundle.getString(SOURCE, ImageSource.LIVE.name())), bundle.getString(PHOTO), camera,
                 bundle.getBoolean(LENS));
     }
@@ -122,7 +125,7 @@ public final class SessionMemory {
         bundle.putString(CELL, cellUri);
         bundle.putString(CALIBRATION, calibrationUri);
         bundle.putBoolean(TARGET_CHOSEN, targetChosen);
-        bundle.putBundle(TARGET, TargetMemory.write(target));
+        bundle.putString(TARGET, TargetText.of(target));
         bundle.putString(SOURCE, source.name());
         bundle.putString(PHOTO, photoUri);
         if (photoCamera != null) {

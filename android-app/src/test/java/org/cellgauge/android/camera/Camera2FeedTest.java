@@ -19,6 +19,7 @@ import android.hardware.camera2.CameraDevice;
 import android.hardware.camera2.CameraManager;
 import android.hardware.camera2.CameraMetadata;
 import android.hardware.camera2.CaptureRequest;
+import android.hardware.camera2.CaptureResult;
 import android.hardware.camera2.params.MeteringRectangle;
 import android.util.Range;
 import android.util.Size;
@@ -27,6 +28,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -168,6 +171,12 @@ public class Camera2FeedTest {
         shadow.set(CameraCharacteristics.CONTROL_MAX_REGIONS_AE, 4);
         shadow.set(CameraCharacteristics.CONTROL_MAX_REGIONS_AF, withFocus ? 1 : 0);
         shadow.set(CameraCharacteristics.FLASH_INFO_AVAILABLE, true);
+        shadow.set(CameraCharacteristics.LENS_INFO_FOCUS_DISTANCE_CALIBRATION,
+                CameraMetadata.LENS_INFO_FOCUS_DISTANCE_CALIBRATION_CALIBRATED);
+        shadow.set(CameraCharacteristics.REQUEST_AVAILABLE_CAPABILITIES, new int[] {0, 1});
+        shadow.set(CameraCharacteristics.CONTROL_AE_AVAILABLE_MODES, new int[] {0, 1});
+        shadow.set(CameraCharacteristics.SENSOR_INFO_EXPOSURE_TIME_RANGE, new Range<>(100_000L, 500_000_000L));
+        shadow.set(CameraCharacteristics.SENSOR_INFO_SENSITIVITY_RANGE, new Range<>(50, 3200));
         ((FakeCameras.Manager) Shadow.extract(app.getSystemService(CameraManager.class))).addCamera("0", c);
     }
 
@@ -178,7 +187,7 @@ public class Camera2FeedTest {
 
     private FakeCameras.Device openAndStream(boolean withFocus) throws InterruptedException {
         ready(withFocus);
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("opened", heard.next());
         FakeCameras.Device device = cameras.lastDevice();
         eventually(() -> device.session != null && device.session.streams());
@@ -206,7 +215,7 @@ public class Camera2FeedTest {
     @Test
     public void aCalibrationDecidesTheSizeOfTheFrames() throws InterruptedException {
         ready(false);
-        feed.open(PinholeCamera.ideal(32, 24, 30, 30, 16, 12), null, heard);
+        feed.open(PinholeCamera.ideal(32, 24, 30, 30, 16, 12), OptionalDouble.empty(), null, heard);
         assertEquals("opened", heard.next());
         assertEquals(32, cameras.lastReader().width);
         assertEquals(CameraModelSource.CALIBRATION_FILE, heard.setup.source());
@@ -216,7 +225,7 @@ public class Camera2FeedTest {
     public void thePreviewIsAnOutputOfItsOwn() throws InterruptedException {
         ready(false);
         SurfaceTexture preview = new SurfaceTexture(0);
-        feed.open(null, preview, heard);
+        feed.open(null, OptionalDouble.empty(), preview, heard);
         assertEquals("opened", heard.next());
         assertEquals(2, cameras.lastDevice().session.outputs);
     }
@@ -226,7 +235,7 @@ public class Camera2FeedTest {
         ready(false);
         SurfaceTexture preview = new SurfaceTexture(0);
         cameras.sessionFault = new IllegalArgumentException("Surface was abandoned");
-        feed.open(null, preview, heard);
+        feed.open(null, OptionalDouble.empty(), preview, heard);
         assertEquals("fault FAILED", heard.next());
     }
 
@@ -381,7 +390,84 @@ public class Camera2FeedTest {
         assertEquals("frame 22 at 22000000000", heard.next());
     }
 
+    @Test
+    public void aLensIsSetToTheDistanceOfTheCalibrationAndWaitedFor() throws InterruptedException {
+        ready(true);
+        feed.open(PinholeCamera.ideal(64, 48, 60, 60, 32, 24), OptionalDouble.of(0.5), null, heard);
+        assertEquals("opened", heard.next());
+        assertTrue(heard.setup.notes().contains(CameraNote.FOCUS_AS_CALIBRATED));
+        FakeCameras.Device device = cameras.lastDevice();
+        eventually(() -> device.session != null && device.session.streams());
+        assertEquals(2f, device.session.settings.get(CaptureRequest.LENS_FOCUS_DISTANCE));
+        device.session.report(Map.of(CaptureResult.LENS_STATE, CameraMetadata.LENS_STATE_MOVING,
+                CaptureResult.LENS_FOCUS_DISTANCE, 1.2f));
+        FakeCameras.Frame early = cameras.lastReader().deliver(1, 1, false);
+        eventually(() -> early.closed);
+        device.session.report(Map.of(CaptureResult.LENS_STATE, CameraMetadata.LENS_STATE_STATIONARY,
+                CaptureResult.LENS_FOCUS_DISTANCE, 1.98f, CaptureResult.SENSOR_TIMESTAMP, 1000L));
+        meanwhile();
+        FakeCameras.Frame before = cameras.lastReader().deliver(2, 999, false);
+        eventually(() -> before.closed);
+        cameras.lastReader().deliver(3, 1000, false);
+        assertEquals("frame 3 at 1000", heard.next());
+        feed.refocus();
+        meanwhile();
+        assertTrue("nothing is searched", device.session.triggers.isEmpty());
+    }
+
+    @Test
+    public void aLensThatDoesNotSayThatItIsThereIsNotSaidToBe() throws InterruptedException {
+        ready(true);
+        feed.open(null, OptionalDouble.of(0.5), null, heard);
+        assertEquals("opened", heard.next());
+        eventually(() -> cameras.lastDevice().session != null && cameras.lastDevice().session.streams());
+        ShadowSystemClock.advanceBy(Duration.ofSeconds(6));
+        assertEquals("opened", heard.next());
+        assertTrue(heard.setup.notes().contains(CameraNote.FOCUS_NOT_AS_CALIBRATED));
+        assertFalse(heard.setup.notes().contains(CameraNote.FOCUS_AS_CALIBRATED));
+        cameras.lastReader().deliver(2, 2, false);
+        assertEquals("frame 2 at 2", heard.next());
+    }
+
     // ---- light
+
+    private static void measured(FakeCameras.Device device, long exposureNs, int sensitivity) {
+        for (int i = 0; i < ExposureCap.SETTLED_FRAMES; i++) {
+            device.session.report(Map.of(CaptureResult.CONTROL_AE_STATE, CameraMetadata.CONTROL_AE_STATE_CONVERGED,
+                    CaptureResult.SENSOR_EXPOSURE_TIME, exposureNs, CaptureResult.SENSOR_SENSITIVITY, sensitivity));
+        }
+    }
+
+    @Test
+    public void aLongExposureIsCutUntilTheLightChanges() throws InterruptedException {
+        FakeCameras.Device device = openAndStream(false);
+        assertNull(device.session.settings.get(CaptureRequest.SENSOR_EXPOSURE_TIME));
+        measured(device, 33_000_000, 400);
+        eventually(() -> device.session.settings.containsKey(CaptureRequest.SENSOR_EXPOSURE_TIME));
+        assertEquals(CameraMetadata.CONTROL_AE_MODE_OFF,
+                device.session.settings.get(CaptureRequest.CONTROL_AE_MODE));
+        assertEquals(10_000_000L, device.session.settings.get(CaptureRequest.SENSOR_EXPOSURE_TIME));
+        assertEquals(1320, device.session.settings.get(CaptureRequest.SENSOR_SENSITIVITY));
+        heard.seen = FocusWatchTest.seen(64, 48, 16, 12, 8, 0.7);
+        for (int i = 1; i <= 20; i++) {
+            // as bright for two seconds, then half as bright
+            cameras.lastReader().deliver(i < 10 ? 150 : 75, i * 300_000_000L, false);
+            assertTrue(heard.next().startsWith("frame"));
+        }
+        eventually(() -> device.session.settings.get(CaptureRequest.CONTROL_AE_MODE)
+                .equals(CameraMetadata.CONTROL_AE_MODE_ON));
+        measured(device, 33_000_000, 3200);
+        assertEquals("opened", heard.next());
+        assertTrue(heard.setup.notes().contains(CameraNote.LIGHT_SHORT));
+        assertEquals(16_500_000L, device.session.settings.get(CaptureRequest.SENSOR_EXPOSURE_TIME));
+        feed.torch(true);
+        eventually(() -> device.session.settings.get(CaptureRequest.CONTROL_AE_MODE)
+                .equals(CameraMetadata.CONTROL_AE_MODE_ON));
+        measured(device, 8_000_000, 200);
+        assertEquals("opened", heard.next());
+        assertFalse(heard.setup.notes().contains(CameraNote.LIGHT_SHORT));
+        assertEquals(CameraMetadata.CONTROL_AE_MODE_ON, device.session.settings.get(CaptureRequest.CONTROL_AE_MODE));
+    }
 
     @Test
     public void lightIsMeteredAtTheMarkersThatWereSeen() throws InterruptedException {
@@ -436,7 +522,7 @@ public class Camera2FeedTest {
     public void aLampThatIsWantedBeforeTheCameraIsOpenShinesFromItsFirstFrame() throws InterruptedException {
         ready(false);
         cameras.openLate = true;
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         feed.torch(true);
         eventually(() -> cameras.devices.size() == 1);
         meanwhile();
@@ -452,7 +538,7 @@ public class Camera2FeedTest {
     @Test
     public void withoutThePermissionNothingIsOpened() throws InterruptedException {
         addCamera(false);
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("fault NOT_PERMITTED", heard.next());
         assertTrue(cameras.devices.isEmpty());
     }
@@ -460,14 +546,14 @@ public class Camera2FeedTest {
     @Test
     public void aDeviceWithoutACameraSaysSo() throws InterruptedException {
         permit();
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("fault NO_CAMERA", heard.next());
     }
 
     @Test
     public void aCalibrationOfAnotherShapeIsRefused() throws InterruptedException {
         ready(false);
-        feed.open(PinholeCamera.ideal(1920, 1080, 1500, 1500, 960, 540), null, heard);
+        feed.open(PinholeCamera.ideal(1920, 1080, 1500, 1500, 960, 540), OptionalDouble.empty(), null, heard);
         assertEquals("fault NO_SUITABLE_SIZE", heard.next());
         assertTrue(cameras.devices.isEmpty());
     }
@@ -480,9 +566,9 @@ public class Camera2FeedTest {
                 StreamConfigurationMapBuilder.newBuilder()
                         .addOutputSize(ImageFormat.YUV_420_888, new Size(64, 48)).build());
         ((FakeCameras.Manager) Shadow.extract(app.getSystemService(CameraManager.class))).addCamera("0", c);
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("fault NO_CAMERA_MODEL", heard.next());
-        feed.open(PinholeCamera.ideal(64, 48, 60, 60, 32, 24), null, heard);
+        feed.open(PinholeCamera.ideal(64, 48, 60, 60, 32, 24), OptionalDouble.empty(), null, heard);
         assertEquals("opened", heard.next());
     }
 
@@ -499,13 +585,13 @@ public class Camera2FeedTest {
         assertFaultOnOpening(new IllegalStateException("dying"), "FAILED");
         cameras.openFault = null;
         cameras.listFault = new CameraAccessException(CameraAccessException.CAMERA_DISABLED);
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("fault DISABLED", heard.next());
     }
 
     private void assertFaultOnOpening(Exception e, String fault) throws InterruptedException {
         cameras.openFault = e;
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("fault " + fault, heard.next());
     }
 
@@ -518,7 +604,7 @@ public class Camera2FeedTest {
         String[] faults = {"IN_USE", "IN_USE", "DISABLED", "FAILED", "FAILED", "FAILED"};
         for (int i = 0; i < codes.length; i++) {
             cameras.openError = codes[i];
-            feed.open(null, null, heard);
+            feed.open(null, OptionalDouble.empty(), null, heard);
             assertEquals("fault " + faults[i], heard.next());
             assertTrue(cameras.lastDevice().closed);
         }
@@ -531,7 +617,7 @@ public class Camera2FeedTest {
         assertEquals("fault DISCONNECTED", heard.next());
         assertTrue(device.closed);
         assertTrue(cameras.lastReader().closed);
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("opened", heard.next());
     }
 
@@ -549,7 +635,7 @@ public class Camera2FeedTest {
     public void sizesThatTheCameraRefusesGiveWayToTheNext() throws InterruptedException {
         ready(false);
         cameras.refuse = 1;
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("opened", heard.next());
         assertEquals(32, heard.setup.camera().widthPx());
         assertEquals(2, cameras.readers.size());
@@ -560,10 +646,10 @@ public class Camera2FeedTest {
     public void aCameraThatRefusesEverySizeFails() throws InterruptedException {
         ready(false);
         cameras.refuse = 2;
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("fault FAILED", heard.next());
         cameras.refuse = 2;
-        feed.open(PinholeCamera.ideal(64, 48, 60, 60, 32, 24), null, heard);
+        feed.open(PinholeCamera.ideal(64, 48, 60, 60, 32, 24), OptionalDouble.empty(), null, heard);
         assertEquals("fault NO_SUITABLE_SIZE", heard.next());
     }
 
@@ -571,7 +657,7 @@ public class Camera2FeedTest {
     public void framesThatCannotBeAskedForAreAFault() throws InterruptedException {
         ready(false);
         cameras.streamFault = new IllegalStateException("session was closed");
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         assertEquals("opened", heard.next());
         assertEquals("fault FAILED", heard.next());
     }
@@ -580,7 +666,7 @@ public class Camera2FeedTest {
     public void aCameraThatNeverAnswersIsGivenUpAndClosedWhenItDoes() throws InterruptedException {
         ready(false);
         cameras.openLate = true;
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         eventually(() -> cameras.devices.size() == 1);
         ShadowSystemClock.advanceBy(Duration.ofSeconds(9));
         assertEquals("fault FAILED", heard.next());
@@ -629,7 +715,7 @@ public class Camera2FeedTest {
     public void closingWhileTheCameraOpensClosesItWhenItIsOpen() throws InterruptedException {
         ready(false);
         cameras.openLate = true;
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         eventually(() -> cameras.devices.size() == 1);
         feed.close();
         meanwhile();
@@ -644,10 +730,10 @@ public class Camera2FeedTest {
     public void openingWhileTheEarlierOneStillOpensWaitsForIt() throws InterruptedException {
         ready(false);
         cameras.openLate = true;
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         eventually(() -> cameras.devices.size() == 1);
         Heard second = new Heard();
-        feed.open(null, null, second);
+        feed.open(null, OptionalDouble.empty(), null, second);
         meanwhile();
         assertEquals(1, cameras.devices.size());
         cameras.openLate = false;
@@ -662,7 +748,7 @@ public class Camera2FeedTest {
     public void openingAnOpenCameraClosesItFirst() throws InterruptedException {
         FakeCameras.Device first = openAndStream(false);
         Heard second = new Heard();
-        feed.open(null, null, second);
+        feed.open(null, OptionalDouble.empty(), null, second);
         assertEquals("opened", second.next());
         assertTrue(first.closed);
         assertEquals(2, cameras.devices.size());
@@ -674,7 +760,7 @@ public class Camera2FeedTest {
         heard.hold = new CountDownLatch(1);
         cameras.lastReader().deliver(1, 1, false);
         assertEquals("frame 1 at 1", heard.next());
-        feed.open(null, null, heard);
+        feed.open(null, OptionalDouble.empty(), null, heard);
         meanwhile();
         assertEquals(1, cameras.devices.size());
         heard.hold.countDown();
@@ -699,14 +785,14 @@ public class Camera2FeedTest {
     public void openAndCloseInARowLeaveNothingOpen() throws InterruptedException {
         ready(true);
         for (int i = 0; i < 20; i++) {
-            feed.open(null, null, heard);
+            feed.open(null, OptionalDouble.empty(), null, heard);
             if (i % 3 == 0) {
                 feed.refocus();
             }
             feed.close();
         }
         Heard last = new Heard();
-        feed.open(null, null, last);
+        feed.open(null, OptionalDouble.empty(), null, last);
         assertEquals("opened", last.next());
         eventually(() -> cameras.devices.stream().filter(d -> !d.closed).count() == 1);
     }
@@ -724,7 +810,7 @@ public class Camera2FeedTest {
         BlockingQueue<Throwable> thrown = new LinkedBlockingQueue<>();
         Thread.setDefaultUncaughtExceptionHandler((t, e) -> thrown.add(e));
         try {
-            feed.open(null, null, new CameraFeed.Listener() {
+            feed.open(null, OptionalDouble.empty(), null, new CameraFeed.Listener() {
                 @Override
                 public void onOpened(CameraSetup setup) {
                     heard.onOpened(setup);

@@ -11,6 +11,7 @@ import android.graphics.Rect;
 import android.hardware.camera2.CameraCharacteristics;
 import android.hardware.camera2.CameraMetadata;
 import android.os.Build;
+import android.util.Range;
 import android.util.Size;
 import android.util.SizeF;
 import java.util.Arrays;
@@ -39,6 +40,10 @@ public class CameraTraitsTest {
         state(CameraCharacteristics.LENS_FACING, CameraMetadata.LENS_FACING_BACK);
         state(CameraCharacteristics.SENSOR_ORIENTATION, 90);
         state(CameraCharacteristics.REQUEST_AVAILABLE_CAPABILITIES, new int[] {0, 1});
+        state(CameraCharacteristics.LENS_INFO_FOCUS_DISTANCE_CALIBRATION, 1);
+        state(CameraCharacteristics.CONTROL_AE_AVAILABLE_MODES, new int[] {0, 1});
+        state(CameraCharacteristics.SENSOR_INFO_EXPOSURE_TIME_RANGE, new Range<>(9_000L, 700_000_000L));
+        state(CameraCharacteristics.SENSOR_INFO_SENSITIVITY_RANGE, new Range<>(60, 3100));
         state(CameraCharacteristics.SCALER_STREAM_CONFIGURATION_MAP, StreamConfigurationMapBuilder.newBuilder()
                 .addOutputSize(ImageFormat.YUV_420_888, new Size(1920, 1080))
                 .addOutputSize(ImageFormat.YUV_420_888, new Size(640, 480)).addOutputSize(new Size(1280, 720)).build());
@@ -79,6 +84,8 @@ public class CameraTraitsTest {
         assertArrayEquals(new float[] {3100, 3110, 2020, 1490, 0}, traits.intrinsicCalibration(), 0);
         assertArrayEquals(new float[] {0.1f, 0, 0, 0, 0}, traits.distortion(), 0);
         assertEquals(10, traits.minFocusDistanceDpt(), 0);
+        assertTrue(traits.statesFocusDistance());
+        assertEquals(new ExposureCap.Limits(9_000, 700_000_000, 60, 3100, 100), traits.exposureLimits());
         assertEquals("[[15, 30]]", traits.frameRates().toString());
         assertEquals(9, traits.maxExposureAreas());
         assertEquals(1, traits.maxFocusAreas());
@@ -122,7 +129,42 @@ public class CameraTraitsTest {
         assertTrue(traits.frameRates().isEmpty());
         assertEquals(0, traits.maxExposureAreas() + traits.maxFocusAreas());
         assertFalse(traits.hasTorch());
+        assertFalse(traits.statesFocusDistance());
+        assertNull(traits.exposureLimits());
         assertFalse(traits.alwaysCorrectsLens());
+    }
+
+    private ExposureCap.Limits limits(int[] capabilities, int[] modes, long shortestNs, Range<Integer> boosts) {
+        characteristics = ShadowCameraCharacteristics.newCameraCharacteristics();
+        state(CameraCharacteristics.REQUEST_AVAILABLE_CAPABILITIES, capabilities);
+        state(CameraCharacteristics.CONTROL_AE_AVAILABLE_MODES, modes);
+        state(CameraCharacteristics.SENSOR_INFO_EXPOSURE_TIME_RANGE, new Range<>(shortestNs, 700_000_000L));
+        state(CameraCharacteristics.SENSOR_INFO_SENSITIVITY_RANGE, new Range<>(60, 3100));
+        state(CameraCharacteristics.CONTROL_POST_RAW_SENSITIVITY_BOOST_RANGE, boosts);
+        return CameraTraits.of("0", characteristics).exposureLimits();
+    }
+
+    /** Ranges may be there where the sensor cannot be told; only the capability says that it can. */
+    @Test
+    public void aSensorThatOnlyTheDeviceExposesHasNoLimits() {
+        int[] able = {0, 1};
+        assertEquals(new ExposureCap.Limits(9_000, 700_000_000, 60, 3100, 100), limits(able, able, 9_000, null));
+        assertEquals(350, limits(able, able, 9_000, new Range<>(100, 350)).mostBoost());
+        assertNull(limits(new int[] {0}, able, 9_000, null));
+        assertNull(limits(able, new int[] {1}, 9_000, null));
+        assertNull(limits(able, able, 0, null));
+    }
+
+    @Test
+    public void distancesOfFocusInUnitsOfTheDevicesOwnMeanNothing() {
+        int[] kinds = {CameraMetadata.LENS_INFO_FOCUS_DISTANCE_CALIBRATION_UNCALIBRATED,
+            CameraMetadata.LENS_INFO_FOCUS_DISTANCE_CALIBRATION_APPROXIMATE,
+            CameraMetadata.LENS_INFO_FOCUS_DISTANCE_CALIBRATION_CALIBRATED};
+        for (int kind : kinds) {
+            characteristics = ShadowCameraCharacteristics.newCameraCharacteristics();
+            state(CameraCharacteristics.LENS_INFO_FOCUS_DISTANCE_CALIBRATION, kind);
+            assertEquals(kind != kinds[0], CameraTraits.of("0", characteristics).statesFocusDistance());
+        }
     }
 
     @Test

@@ -320,6 +320,19 @@ public final class FakeCameras {
             repeatingOn.post(() -> repeating.onCaptureCompleted(this, null, result));
         }
 
+        /** The camera says of its next frame what a test states; focus and exposure are left out where it does not. */
+        void report(Map<CaptureResult.Key<?>, Object> values) {
+            frameNumber++;
+            TotalCaptureResult result = result(frameNumber, null);
+            values.forEach((key, value) -> set(result, key, value));
+            repeatingOn.post(() -> repeating.onCaptureCompleted(this, null, result));
+        }
+
+        @SuppressWarnings("unchecked")
+        private static <T> void set(TotalCaptureResult result, CaptureResult.Key<T> key, Object value) {
+            ((ShadowTotalCaptureResult) Shadow.extract(result)).set(key, (T) value);
+        }
+
         /** The camera drops the request for a scan. */
         void failScan() {
             CaptureCallback failing = scan;

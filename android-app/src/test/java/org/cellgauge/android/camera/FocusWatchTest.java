@@ -22,7 +22,12 @@ class FocusWatchTest {
 
     /** One upright square marker 5, and how blurred it is; px. */
     static Detections seen(int width, int height, double left, double top, double side, double blurPx) {
-        MarkerObservation marker = new MarkerObservation(5, new double[] {left, top, left + side, top, left + side,
+        return seen(5, width, height, left, top, side, blurPx);
+    }
+
+    private static Detections seen(int id, int width, int height, double left, double top, double side,
+            double blurPx) {
+        MarkerObservation marker = new MarkerObservation(id, new double[] {left, top, left + side, top, left + side,
             top + side, left, top + side});
         return new Detections("frame", width, height, Collections.singletonList(marker), Collections.emptyList(),
                 new PhotoLight(ToneCurve.SRGB, true, blurPx, 1, 100, 0));
@@ -51,9 +56,47 @@ class FocusWatchTest {
     @Test
     void anotherDistanceIsFocusedAnewAfterAFewFrames() {
         assertEquals(0, scansIn(20, at(600, 60 * 1.13, 0.7)));
-        assertEquals(0, scansIn(FocusWatch.FRAMES - 1, at(594, 60 * 1.2, 0.7)));
+        // five of them
+        assertEquals(0, scansIn(4, at(594, 60 * 1.2, 0.7)));
         assertEquals(1, scansIn(1, at(594, 60 * 1.2, 0.7)));
         assertTrue(scansIn(10, at(604, 60 / 1.2, 0.7)) > 0);
+    }
+
+    /** 15 % are 15 % either way: as many times as large, or as small. */
+    @Test
+    void aSixthLargerIsAnotherDistance() {
+        assertTrue(scansIn(10, at(595, 60 * 1.155, 0.7)) > 0);
+        watch.scanned(timeNs);
+        assertEquals(0, scansIn(40, at(600, 60, 0.7)));
+        assertTrue(scansIn(10, at(604, 60 / 1.155, 0.7)) > 0);
+    }
+
+    @Test
+    void framesThatShowItMustComeInARow() {
+        for (int i = 0; i < 5; i++) {
+            assertEquals(0, scansIn(4, at(594, 72, 0.7)));
+            assertEquals(0, scansIn(1, at(600, 60, 0.7)));
+        }
+    }
+
+    /** A hand that trembles by 10 px of 1280 holds still; the view of the whole cell moves by more. */
+    @Test
+    void aTremorIsStill() {
+        int scans = 0;
+        for (int i = 0; i < 10; i++) {
+            scans += scansIn(1, at(i % 2 == 0 ? 589 : 599, 72, 0.7));
+        }
+        assertTrue(scans > 0);
+    }
+
+    @Test
+    void otherMarkersAreAnotherViewAndOnesThatTakeTurnsAreNotStill() {
+        assertTrue(scansIn(10, seen(7, 1280, 720, 600, 300, 60, 0.7)) > 0);
+        watch.scanned(timeNs);
+        assertEquals(0, scansIn(40, at(600, 60, 0.7)));
+        for (int i = 0; i < 20; i++) {
+            assertEquals(0, scansIn(1, seen(7 + i % 2, 1280, 720, 600, 300, 60, 0.7)));
+        }
     }
 
     @Test

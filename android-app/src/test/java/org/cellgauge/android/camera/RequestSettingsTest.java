@@ -3,6 +3,7 @@ package org.cellgauge.android.camera;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
 
 import android.graphics.Rect;
 import android.hardware.camera2.CameraMetadata;
@@ -15,6 +16,7 @@ import java.util.Collections;
 import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.cellgauge.internal.geometry.PixelArea;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.MarkerObservation;
@@ -41,8 +43,12 @@ public class RequestSettingsTest {
 
     private static Map<CaptureRequest.Key<?>, Object> settings(CameraTraits.Builder camera) {
         Map<CaptureRequest.Key<?>, Object> settings = new HashMap<>();
-        RequestSettings.of(camera.build()).applyTo(into(settings));
+        of(camera).applyTo(into(settings));
         return settings;
+    }
+
+    private static RequestSettings of(CameraTraits.Builder camera) {
+        return RequestSettings.of(camera.build(), OptionalDouble.empty());
     }
 
     private static RequestSettings.Target into(Map<CaptureRequest.Key<?>, Object> settings) {
@@ -69,8 +75,8 @@ public class RequestSettingsTest {
         assertEquals(CameraMetadata.NOISE_REDUCTION_MODE_FAST, settings.get(CaptureRequest.NOISE_REDUCTION_MODE));
         assertEquals(CameraMetadata.SCALER_ROTATE_AND_CROP_NONE, settings.get(CaptureRequest.SCALER_ROTATE_AND_CROP));
         assertFalse(settings.containsKey(CaptureRequest.LENS_FOCAL_LENGTH));
-        assertEquals(Collections.emptySet(), RequestSettings.of(able().build()).notes());
-        assertEquals(RequestSettings.Focus.HELD, RequestSettings.of(able().build()).focus());
+        assertEquals(Collections.emptySet(), of(able()).notes());
+        assertEquals(RequestSettings.Focus.HELD, of(able()).focus());
     }
 
     @Test
@@ -126,7 +132,7 @@ public class RequestSettingsTest {
     private static Object rate(long frameNs, int... bounds) {
         PixelSize frame = new PixelSize(1280, 720);
         Map<CaptureRequest.Key<?>, Object> settings = new HashMap<>();
-        RequestSettings.of(able().frameSize(frame, frameNs).frameRates(Arrays.asList(ranges(bounds))).build())
+        of(able().frameSize(frame, frameNs).frameRates(Arrays.asList(ranges(bounds))))
                 .keepExposureShort(into(settings), frame);
         return settings.get(CaptureRequest.CONTROL_AE_TARGET_FPS_RANGE);
     }
@@ -149,7 +155,7 @@ public class RequestSettingsTest {
                 marker(7, 800, 400, 100), marker(9, 1570, 860, 60)));
         Map<CaptureRequest.Key<?>, Object> settings = new HashMap<>();
         // a frame of 16:9 is 4000 x 2250 px in the middle of 4000 x 3000
-        RequestSettings.of(able().maxExposureAreas(8).maxFocusAreas(1).build()).meterAt(into(settings), seen);
+        of(able().maxExposureAreas(8).maxFocusAreas(1)).meterAt(into(settings), seen);
         MeteringRectangle[] light = (MeteringRectangle[]) settings.get(CaptureRequest.CONTROL_AE_REGIONS);
         assertEquals(3, light.length);
         assertEquals(new Rect(1950, 1325, 2300, 1675), light[0].getRect());
@@ -160,8 +166,8 @@ public class RequestSettingsTest {
         assertEquals(light[0], focus[0]);
 
         settings.clear();
-        assertEquals(Collections.emptyList(), RequestSettings.of(able().build()).meterAt(into(settings), seen));
-        RequestSettings.of(able().maxExposureAreas(8).build()).meterAt(into(settings),
+        assertEquals(Collections.emptyList(), of(able()).meterAt(into(settings), seen));
+        of(able().maxExposureAreas(8)).meterAt(into(settings),
                 new Detections("frame", 1600, 900, Collections.emptyList()));
         assertEquals("what is not offered, or not seen", Collections.emptyMap(), settings);
     }
@@ -174,37 +180,103 @@ public class RequestSettingsTest {
     @Test
     public void stabilisationThatCannotBeOffIsSaid() {
         assertEquals(EnumSet.of(CameraNote.STABILISATION_ON),
-                RequestSettings.of(able().opticalStabilisationModes(1).build()).notes());
+                of(able().opticalStabilisationModes(1)).notes());
         assertEquals(EnumSet.of(CameraNote.STABILISATION_ON),
-                RequestSettings.of(able().videoStabilisationModes(1, 2).build()).notes());
+                of(able().videoStabilisationModes(1, 2)).notes());
         assertNull(settings(able().opticalStabilisationModes(1)).get(CaptureRequest.LENS_OPTICAL_STABILIZATION_MODE));
     }
 
     @Test
     public void aLensThatDoesNotMoveNeedsNoLock() {
         CameraTraits.Builder fixed = able().minFocusDistanceDpt(0);
-        assertEquals(RequestSettings.Focus.FIXED, RequestSettings.of(fixed.build()).focus());
+        assertEquals(RequestSettings.Focus.FIXED, of(fixed).focus());
         assertEquals(CameraMetadata.CONTROL_AF_MODE_OFF, settings(fixed).get(CaptureRequest.CONTROL_AF_MODE));
         CameraTraits.Builder off = able().minFocusDistanceDpt(-1).focusModes(CameraMetadata.CONTROL_AF_MODE_OFF);
-        assertEquals(RequestSettings.Focus.FIXED, RequestSettings.of(off.build()).focus());
-        assertEquals(Collections.emptySet(), RequestSettings.of(off.build()).notes());
+        assertEquals(RequestSettings.Focus.FIXED, of(off).focus());
+        assertEquals(Collections.emptySet(), of(off).notes());
     }
 
     @Test
     public void aContinuousFocusIsHeldByItsTrigger() {
         CameraTraits.Builder camera = able().focusModes(CameraMetadata.CONTROL_AF_MODE_OFF,
                 CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_VIDEO);
-        assertEquals(RequestSettings.Focus.HELD, RequestSettings.of(camera.build()).focus());
+        assertEquals(RequestSettings.Focus.HELD, of(camera).focus());
         assertEquals(CameraMetadata.CONTROL_AF_MODE_CONTINUOUS_VIDEO,
                 settings(camera).get(CaptureRequest.CONTROL_AF_MODE));
     }
 
+    private static final OptionalDouble NEAR = OptionalDouble.of(0.4);
+
+    private static void assertNotAsCalibrated(CameraTraits.Builder camera, RequestSettings.Focus focus) {
+        RequestSettings settings = RequestSettings.of(camera.build(), NEAR);
+        assertEquals(focus, settings.focus());
+        assertTrue(settings.notes().contains(CameraNote.FOCUS_NOT_AS_CALIBRATED));
+        Map<CaptureRequest.Key<?>, Object> told = new HashMap<>();
+        settings.applyTo(into(told));
+        assertFalse(told.containsKey(CaptureRequest.LENS_FOCUS_DISTANCE));
+    }
+
+    @Test
+    public void aLensIsSetToTheDistanceOfItsCalibration() {
+        CameraTraits.Builder camera = able().statesFocusDistance(true);
+        RequestSettings settings = RequestSettings.of(camera.build(), NEAR);
+        assertEquals(RequestSettings.Focus.AT_DISTANCE, settings.focus());
+        assertEquals(EnumSet.of(CameraNote.FOCUS_AS_CALIBRATED), settings.notes());
+        Map<CaptureRequest.Key<?>, Object> told = new HashMap<>();
+        settings.applyTo(into(told));
+        assertEquals(CameraMetadata.CONTROL_AF_MODE_OFF, told.get(CaptureRequest.CONTROL_AF_MODE));
+        assertEquals(2.5f, told.get(CaptureRequest.LENS_FOCUS_DISTANCE));
+        // nearer than the lens goes by a hair
+        told.clear();
+        RequestSettings.of(camera.minFocusDistanceDpt(2.4f).build(), NEAR).applyTo(into(told));
+        assertEquals(2.4f, told.get(CaptureRequest.LENS_FOCUS_DISTANCE));
+        // without a distance as before
+        assertEquals(RequestSettings.Focus.HELD, of(camera).focus());
+        assertFalse(settings(camera).containsKey(CaptureRequest.LENS_FOCUS_DISTANCE));
+    }
+
+    @Test
+    public void aLensThatCannotBeSetToTheDistanceIsFocusedAsBeforeAndThatIsSaid() {
+        assertNotAsCalibrated(able(), RequestSettings.Focus.HELD);
+        assertNotAsCalibrated(able().statesFocusDistance(true).minFocusDistanceDpt(2.3f), RequestSettings.Focus.HELD);
+        assertNotAsCalibrated(able().statesFocusDistance(true).focusModes(CameraMetadata.CONTROL_AF_MODE_AUTO),
+                RequestSettings.Focus.HELD);
+        assertNotAsCalibrated(able().focusModes(CameraMetadata.CONTROL_AF_MODE_EDOF), RequestSettings.Focus.FREE);
+        // one that does not move is where it was
+        assertEquals(Collections.emptySet(),
+                RequestSettings.of(able().minFocusDistanceDpt(0).build(), NEAR).notes());
+    }
+
+    @Test
+    public void anExposureIsStatedWithTheTimeOfItsFrame() {
+        PixelSize frame = new PixelSize(1280, 720);
+        ExposureCap.Exposure exposure = new ExposureCap.Exposure(10_000_000, 1320, 180);
+        Map<CaptureRequest.Key<?>, Object> told = new HashMap<>();
+        CameraTraits.Builder camera = able().frameSize(frame, 20_000_000);
+        of(camera).expose(into(told), exposure, frame);
+        assertEquals(CameraMetadata.CONTROL_AE_MODE_OFF, told.get(CaptureRequest.CONTROL_AE_MODE));
+        assertEquals(10_000_000L, told.get(CaptureRequest.SENSOR_EXPOSURE_TIME));
+        assertEquals(1320, told.get(CaptureRequest.SENSOR_SENSITIVITY));
+        assertEquals(33_333_333L, told.get(CaptureRequest.SENSOR_FRAME_DURATION));
+        assertFalse(told.containsKey(CaptureRequest.CONTROL_POST_RAW_SENSITIVITY_BOOST));
+        camera.frameSize(frame, 66_000_000).exposureLimits(new ExposureCap.Limits(1, 2, 1, 2, 200));
+        of(camera).expose(into(told), exposure, frame);
+        assertEquals("as fast as frames of that size come", 66_000_000L,
+                told.get(CaptureRequest.SENSOR_FRAME_DURATION));
+        assertEquals(180, told.get(CaptureRequest.CONTROL_POST_RAW_SENSITIVITY_BOOST));
+        of(camera).expose(into(told), new ExposureCap.Exposure(80_000_000, 1, 100), new PixelSize(9, 9));
+        assertEquals("a frame takes its exposure", 80_000_000L, told.get(CaptureRequest.SENSOR_FRAME_DURATION));
+        told.clear();
+        of(camera).expose(into(told), null, frame);
+        assertEquals(Collections.singletonMap(CaptureRequest.CONTROL_AE_MODE, CameraMetadata.CONTROL_AE_MODE_ON), told);
+    }
+
     @Test
     public void aFocusThatNobodyHoldsIsSaid() {
-        RequestSettings edof = RequestSettings.of(able().focusModes(CameraMetadata.CONTROL_AF_MODE_EDOF).build());
+        RequestSettings edof = of(able().focusModes(CameraMetadata.CONTROL_AF_MODE_EDOF));
         assertEquals(RequestSettings.Focus.FREE, edof.focus());
         assertEquals(EnumSet.of(CameraNote.FOCUS_NOT_LOCKED), edof.notes());
         assertEquals(EnumSet.of(CameraNote.FOCUS_NOT_LOCKED),
-                RequestSettings.of(new CameraTraits.Builder("0").build()).notes());
+                of(new CameraTraits.Builder("0")).notes());
     }
 }

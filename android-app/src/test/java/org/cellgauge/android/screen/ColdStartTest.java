@@ -17,12 +17,16 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.cellgauge.android.R;
 import org.cellgauge.android.files.DocumentLibrary;
 import org.cellgauge.android.files.StoredMemory;
 import org.cellgauge.android.files.TestDocuments;
+import org.cellgauge.cell.Requirement;
+import org.cellgauge.cell.Target;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
@@ -113,6 +117,73 @@ public class ColdStartTest {
             assertEquals("shown other.yaml", screen.state().cell().name());
             assertNull(screen.state().cell().calibration());
         }
+    }
+
+    /** The calibration file says how its lens was focused, and the camera hears of it. */
+    @Test
+    public void cameraIsFocusedAsItsCalibrationFileSays() throws IOException {
+        calibration = documents.add("near.yaml", (new String(fixture("camera.yaml"), StandardCharsets.UTF_8)
+                + "focus_distance_m: 0.5\n").getBytes(StandardCharsets.UTF_8));
+        Screen.allowCamera();
+        chooseBoth();
+        try (Screen screen = coldStart()) {
+            assertEquals(OptionalDouble.of(0.5), Screen.app().feed.focusedAtM);
+            screen.session().tryExample();
+            screen.settle();
+            assertEquals("the example's camera is not this one", OptionalDouble.empty(),
+                    screen.state().liveFocusDistanceM());
+        }
+    }
+
+    /** A cell that is looked at day by day has its target day by day; another one has its own file's. */
+    @Test
+    public void chosenTargetIsInForceAgainWithItsCell() throws IOException {
+        chooseBoth();
+        Requirement tolerance = new Requirement(Requirement.Axes.NONE, new Requirement.Axes(0.1, 2, 3), 4.7, 1.5, 0.99);
+        Target target = new Target(tolerance, Map.of(5, Requirement.ofStdMm(1 / 3.0)));
+        try (Screen screen = coldStart()) {
+            assertFileTarget(screen);
+            screen.session().chooseTarget(target);
+            screen.settle();
+            screen.session().count(20, false);
+            screen.settle();
+        }
+        Target chosen = new Target(tolerance, Map.of(5, Requirement.ofStdMm(1 / 3.0), 20, Requirement.NONE));
+        try (Screen screen = coldStart()) {
+            assertEquals(chosen, screen.state().target());
+            assertNotNull(screen.state().cell().calibration());
+            screen.session().chooseCalibration(calibration);
+            screen.settle();
+        }
+        try (Screen screen = coldStart()) {
+            assertEquals("with another calibration of the same cell", chosen, screen.state().target());
+            screen.session().resetTarget();
+            screen.settle();
+        }
+        try (Screen screen = coldStart()) {
+            assertFileTarget(screen);
+            screen.session().chooseTarget(target);
+            screen.settle();
+            screen.session().tryExample();
+            screen.settle();
+            screen.session().chooseTarget(Target.NONE);
+            screen.settle();
+        }
+        String other = documents.add("other.yaml", fixture("cell.yaml"));
+        try (Screen screen = coldStart()) {
+            assertEquals("not the example's", target, screen.state().target());
+            screen.tap(R.id.cell);
+            choose(screen, other);
+            assertFileTarget(screen);
+        }
+        try (Screen screen = coldStart()) {
+            assertEquals("shown other.yaml", screen.state().cell().name());
+            assertFileTarget(screen);
+        }
+    }
+
+    private static void assertFileTarget(Screen screen) {
+        assertEquals(screen.state().cell().cell().target(), screen.state().target());
     }
 
     @Test

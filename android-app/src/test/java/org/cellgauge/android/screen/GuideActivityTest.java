@@ -164,7 +164,7 @@ public class GuideActivityTest {
         AppMemory memory = new StoredMemory(Screen.app());
         CellDocument own = Fixture.LIFTED.document(Fixture.LIFTED.doubtful());
         Screen.app().library.cells.put(own.uri(), () -> own);
-        memory.keep(new AppMemory.Choice(own.uri(), null));
+        memory.keep(new AppMemory.Choice(own.uri(), null, null));
         Screen.app().memory = memory;
         String mine = new String(saved(0, "application/pdf", "cellgauge-markers.pdf"), StandardCharsets.US_ASCII);
         assertTrue(mine.contains("(77   47 mm)"));

@@ -134,6 +134,25 @@ public class PictureAdviceTest {
     }
 
     @Test
+    public void tooLittleLightForShortExposuresIsSaid() {
+        try (Screen screen = live()) {
+            feed().opened(FIXTURE.cell().camera(), 90, false, CameraNote.LIGHT_SHORT);
+            screen.settle();
+            assertEquals("Too dark: give more light.", next(screen, FIXTURE.blank()));
+        }
+    }
+
+    @Test
+    public void whereTheFocusIsTheCalibrationsDistanceIsAWayOutOfBlur() {
+        try (Screen screen = live()) {
+            feed().opened(FIXTURE.cell().camera(), 90, false, CameraNote.FOCUS_AS_CALIBRATED);
+            screen.settle();
+            assertEquals("Blurred: hold the tablet steadier, or look from the distance that it was calibrated at.",
+                    next(screen, smeared(3)));
+        }
+    }
+
+    @Test
     public void nothingIsSaidOfAPictureThatIsAsItShouldBe() {
         try (Screen screen = live()) {
             assertEquals("Hold the camera still for a moment.", next(screen, FIXTURE.image()));

@@ -13,6 +13,7 @@ import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.cellgauge.android.AppParts;
 import org.cellgauge.android.CellGaugeApp;
@@ -130,6 +131,7 @@ public class TestApp extends CellGaugeApp implements AppParts {
     static final class FakeFeed implements CameraFeed {
         private Listener listener;
         PinholeCamera openedWith;
+        OptionalDouble focusedAtM;
         int openings;
         int closings;
         int refocusings;
@@ -139,8 +141,10 @@ public class TestApp extends CellGaugeApp implements AppParts {
         private long timeNs;
 
         @Override
-        public void open(PinholeCamera calibration, SurfaceTexture preview, Listener to) {
+        public void open(PinholeCamera calibration, OptionalDouble focusDistanceM, SurfaceTexture preview,
+                Listener to) {
             openedWith = calibration;
+            focusedAtM = focusDistanceM;
             listener = to;
             openings++;
         }

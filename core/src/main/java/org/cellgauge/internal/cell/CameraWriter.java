@@ -50,6 +50,16 @@ public final class CameraWriter {
     }
 
     /**
+     * The line of a camera file that states how the lens was focused.
+     *
+     * @param distanceM at calibration, m
+     * @return YAML, ended by a line feed
+     */
+    public static String focusDistance(double distanceM) {
+        return CameraReader.FOCUS_DISTANCE + ": " + number(distanceM) + "\n";
+    }
+
+    /**
      * The keys of a camera file, to stand in another file below a key of it.
      *
      * @param indent what every line begins with

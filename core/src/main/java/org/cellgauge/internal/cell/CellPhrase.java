@@ -133,6 +133,8 @@ public enum CellPhrase implements RefusalKind {
     VARIANCE("a variance or covariance of two parameters"),
     /** Photos of a calibration. */
     PHOTOS_OF_CALIBRATION("the number of photos that it rests on"),
+    /** How the lens was focused at calibration. */
+    FOCUS_DISTANCE("the distance in m that the lens was focused at when the camera was calibrated"),
     /** The version of BoofCV's format. */
     BOOFCV_VERSION("version: 0, or calibrate with a BoofCV of that version"),
     /** A tone curve. */

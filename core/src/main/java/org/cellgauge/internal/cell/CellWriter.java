@@ -103,7 +103,9 @@ public final class CellWriter {
     private static String camera(Cell cell) {
         CameraCalibration calibration = cell.calibration();
         return CameraWriter.text(cell.camera(), "  ") + (calibration == null ? ""
-                : CameraExport.calibration(calibration).replaceAll("(?m)^(?=.)", "  "));
+                : CameraExport.calibration(calibration).replaceAll("(?m)^(?=.)", "  "))
+                + (cell.focusDistanceM().isPresent()
+                        ? "  " + CameraWriter.focusDistance(cell.focusDistanceM().getAsDouble()) : "");
     }
 
     private static void surveyed(SurveyedPlacement surveyed, StringBuilder out) {

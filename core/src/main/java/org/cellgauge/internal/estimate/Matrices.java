@@ -1,5 +1,7 @@
 package org.cellgauge.internal.estimate;
 
+import java.util.Arrays;
+
 /** Small helpers on matrices of rows. */
 public final class Matrices {
     private Matrices() {
@@ -24,8 +26,9 @@ public final class Matrices {
 
     /** a b a^T added to a symmetric out, for a of rows x n and a symmetric b of n x n row by row. */
     public static void addSandwich(double[][] a, double[] b, int n, double[][] out) {
+        double[] ab = new double[n];
         for (int i = 0; i < a.length; i++) {
-            double[] ab = new double[n];
+            Arrays.fill(ab, 0);
             for (int k = 0; k < n; k++) {
                 for (int l = 0; l < n; l++) {
                     ab[l] += a[i][k] * b[k * n + l];

@@ -509,7 +509,6 @@ public final class LinearModel {
     private static void exchange(PoseMode mode, double[] information, int marker, double[] stays, double[] goes) {
         int columns = mode.dimension();
         double[] whitened = mode.jacobian(marker);
-        double[] whitening = mode.whitening();
         double[] plain = whitened.clone();
         double[] factor = new double[64];
         for (int i = 0; i < 64; i++) {
@@ -524,9 +523,9 @@ public final class LinearModel {
             for (int i = 0; i < 8; i++) {
                 double s = whitened[i * columns + c];
                 for (int k = 0; k < i; k++) {
-                    s -= whitening[64 * marker + 8 * i + k] * plain[k * columns + c];
+                    s -= mode.whitening(marker, i, k) * plain[k * columns + c];
                 }
-                plain[i * columns + c] = s / whitening[64 * marker + 9 * i];
+                plain[i * columns + c] = s / mode.whitening(marker, i, i);
                 column[i] = plain[i * columns + c];
             }
             Cholesky.solveLower(factor, 8, column);

@@ -43,12 +43,17 @@ public final class ObjectFit {
         cornersPx = errors.cornersPx(marker.id(), camera.unknowns);
     }
 
-    /** The modes of an object's pose at the intrinsics, shared unknowns and noise of a camera; empty where none is. */
-    public static List<PoseMode> modes(ObjectMarker marker, CornerErrors errors, CameraState camera) {
+    /**
+     * The modes of an object's pose at the intrinsics, shared unknowns and noise of a camera; empty where none is.
+     *
+     * @param finder of the caller's thread
+     */
+    public static List<PoseMode> modes(ObjectMarker marker, CornerErrors errors, CameraState camera,
+            MarkerPoseFinder finder) {
         PinholeCamera lens = PinholeCamera.of(camera.lens, 1, 1, camera.intrinsics);
         double[] corners = errors.cornersPx(marker.id(), camera.unknowns);
-        return errors.isPlain() ? MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.statedStdPx())
-                : MarkerPoseFinder.modes(corners, marker.sizeMm(), lens, errors.whitening(marker.id(), camera.noise));
+        return errors.isPlain() ? finder.modes(corners, marker.sizeMm(), lens, errors.statedStdPx())
+                : finder.modes(corners, marker.sizeMm(), lens, errors.whitening(marker.id(), camera.noise));
     }
 
     /**
@@ -67,7 +72,7 @@ public final class ObjectFit {
 
     /** The same object before another camera; the same where that leads to no pose. */
     public ObjectFit at(CameraState other) {
-        List<PoseMode> found = modes(marker, errors, other);
+        List<PoseMode> found = modes(marker, errors, other, new MarkerPoseFinder());
         return found.isEmpty() ? this : new ObjectFit(marker, errors, other, found);
     }
 

@@ -13,8 +13,9 @@ final class AverageInitialPose implements InitialPose {
         double[] sine = new double[3];
         double[] cosine = new double[3];
         int found = 0;
+        MarkerPoseFinder finder = new MarkerPoseFinder();
         for (int m = 0; m < view.size(); m++) {
-            RigidTransform worldFromCamera = ofOneReference(view, m, camera);
+            RigidTransform worldFromCamera = ofOneReference(view, m, camera, finder);
             if (worldFromCamera == null) {
                 continue;
             }
@@ -35,11 +36,12 @@ final class AverageInitialPose implements InitialPose {
     }
 
     /** Camera pose that one reference gives alone, or null. */
-    static @Nullable RigidTransform ofOneReference(ReferenceView view, int marker, PinholeCamera camera) {
+    static @Nullable RigidTransform ofOneReference(ReferenceView view, int marker, PinholeCamera camera,
+            MarkerPoseFinder finder) {
         Reference reference = view.references().get(marker);
         double[] observed = new double[8];
         System.arraycopy(view.observed(), 8 * marker, observed, 0, 8);
-        RigidTransform cameraFromMarker = MarkerPoseFinder.best(observed, reference.sizeMm(), camera);
+        RigidTransform cameraFromMarker = finder.best(observed, reference.sizeMm(), camera);
         return cameraFromMarker == null ? null : reference.worldFromMarker().compose(cameraFromMarker.inverse());
     }
 }

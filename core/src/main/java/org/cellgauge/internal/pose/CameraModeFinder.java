@@ -103,12 +103,13 @@ public final class CameraModeFinder {
         found.add(first);
         List<List<RigidTransform>> visited = new ArrayList<>();
         visited.add(poses(first));
+        MarkerPoseFinder alone = new MarkerPoseFinder();
         RigidTransform planeFromSet = NearestPlane.planeFromPoints(view.points());
         for (int v = 0; v < view.views(); v++) {
             RigidTransform cameraFromPlane = visited.get(0).get(v).compose(planeFromSet.inverse());
             follow(v, MarkerPoseFinder.mirrored(cameraFromPlane).compose(planeFromSet), found, visited);
             for (int m = 0; m < view.size(); m++) {
-                List<RigidTransform> poses = posesOf(m, v);
+                List<RigidTransform> poses = posesOf(m, v, alone);
                 double reach = poses.size() < 2 ? REACH_RAD : poses.get(0).angleRadTo(poses.get(1)) / 4;
                 for (RigidTransform pose : poses) {
                     if (!near(v, pose, visited, reach)) {
@@ -210,7 +211,7 @@ public final class CameraModeFinder {
     }
 
     /** The poses of the set in one view that explain one marker alone; none where it is not in it or is no marker. */
-    private List<RigidTransform> posesOf(int marker, int inView) {
+    private List<RigidTransform> posesOf(int marker, int inView, MarkerPoseFinder finder) {
         Body body = view.bodies().get(marker);
         List<RigidTransform> poses = new ArrayList<>();
         BlockLayout blocks = view.blocks();
@@ -220,8 +221,8 @@ public final class CameraModeFinder {
                         .compose(RigidTransform.of(IDENTITY, view.centroidMm()));
                 int first = blocks.firstRow(marker) + 2 * blocks.points(marker) * time;
                 double[] corners = Arrays.copyOfRange(view.observed(), first, first + 2 * blocks.points(marker));
-                for (PoseMode mode : MarkerPoseFinder.modes(corners, body.markerSizeMm(), camera, 1)) {
-                    poses.add(mode.state().cameraFromSet().compose(markerFromSet));
+                for (PoseMode mode : finder.modes(corners, body.markerSizeMm(), camera, 1)) {
+                    poses.add(mode.cameraFromSet().compose(markerFromSet));
                 }
             }
         }
@@ -230,13 +231,7 @@ public final class CameraModeFinder {
 
     private static boolean isKnown(CameraState state, List<PoseMode> known, double stds) {
         for (PoseMode mode : known) {
-            double[] step = state.stepFrom(mode.state());
-            double[] covariance = mode.covariance();
-            double squared = 0;
-            for (int i = 0; i < step.length; i++) {
-                squared += step[i] * step[i] / covariance[i * mode.dimension() + i];
-            }
-            if (squared < stds * stds) {
+            if (mode.squaredStdsTo(state) < stds * stds) {
                 return true;
             }
         }

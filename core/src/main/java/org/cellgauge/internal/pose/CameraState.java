@@ -27,14 +27,15 @@ public final class CameraState {
     /** The model of the lens. */
     public Lens lens = BrownLens.MODEL;
     /** Values of the lens's parameters. */
-    public double[] intrinsics = new double[BrownLens.PARAMETERS];
+    public double[] intrinsics;
     /** Unknowns that markers share, of {@link CornerErrors}, unit-normal beforehand; empty where there are none. */
     public double[] unknowns = NONE;
     /** The u of {@link AddedNoise}; of no account where the noise is stated. */
     public double noise;
 
-    private final double[] turn = new double[9];
-    private final double[] product = new double[9];
+    /** Work space of states that are moved; most are not. */
+    private double[] turn = NONE;
+    private double[] product = NONE;
 
     /** A state of one view. */
     public CameraState() {
@@ -47,8 +48,13 @@ public final class CameraState {
      * @param views number of views, at least 1
      */
     public CameraState(int views) {
+        this(views, new double[BrownLens.PARAMETERS]);
+    }
+
+    private CameraState(int views, double[] intrinsics) {
         rotation = new double[9 * views];
         offset = new double[3 * views];
+        this.intrinsics = intrinsics;
     }
 
     /**
@@ -70,14 +76,25 @@ public final class CameraState {
      * @return a new state
      */
     public static CameraState of(List<RigidTransform> cameraFromSets, PinholeCamera camera) {
-        CameraState state = new CameraState(cameraFromSets.size());
+        CameraState state = new CameraState(cameraFromSets.size(), NONE);
         for (int v = 0; v < cameraFromSets.size(); v++) {
-            System.arraycopy(cameraFromSets.get(v).rotation(), 0, state.rotation, 9 * v, 9);
-            System.arraycopy(cameraFromSets.get(v).translationMm(), 0, state.offset, 3 * v, 3);
+            state.setView(v, cameraFromSets.get(v));
         }
         state.lens = camera.lens();
         state.intrinsics = camera.intrinsics();
         return state;
+    }
+
+    /** Sets a state of one view to a pose before a camera; unknowns and noise are left as they are. */
+    void set(RigidTransform cameraFromSet, PinholeCamera camera) {
+        setView(0, cameraFromSet);
+        lens = camera.lens();
+        intrinsics = camera.intrinsics();
+    }
+
+    private void setView(int view, RigidTransform cameraFromSet) {
+        System.arraycopy(cameraFromSet.rotation(), 0, rotation, 9 * view, 9);
+        System.arraycopy(cameraFromSet.translationMm(), 0, offset, 3 * view, 3);
     }
 
     /**
@@ -95,7 +112,7 @@ public final class CameraState {
      * @return a copy that shares nothing
      */
     public CameraState copy() {
-        return new CameraState(views()).copyFrom(this);
+        return new CameraState(views(), NONE).copyFrom(this);
     }
 
     /**
@@ -120,6 +137,10 @@ public final class CameraState {
      * @param at index of the first of the 6 values per view
      */
     public void setMoved(CameraState base, double[] step, int at) {
+        if (turn.length == 0) {
+            turn = new double[9];
+            product = new double[9];
+        }
         if (offset.length > 3) {
             moveEach(base, step, at);
         } else {

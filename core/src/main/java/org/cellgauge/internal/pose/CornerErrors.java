@@ -116,9 +116,12 @@ public final class CornerErrors {
         double[] largest = unknown ? largest(seen) : null;
         Map<Integer, MarkerErrors> markers = new LinkedHashMap<>();
         List<Double> variances = new ArrayList<>();
+        // where all is stated, errors do not depend on poses
+        MarkerPoseFinder finder = unknown || !sizes.isEmpty() || cell.prints().flatnessMm() > 0
+                ? new MarkerPoseFinder() : null;
         for (MarkerErrors.Source m : seen) {
             RigidTransform pose = cameraFromMarkers.get(m.observation.id());
-            MarkerErrors errors = errors(cell, m, pose, stated, largest, edges, sizes, q);
+            MarkerErrors errors = errors(cell, m, pose, finder, stated, largest, edges, sizes, q);
             markers.put(m.observation.id(), errors);
             variances.add(meanVariance(errors.covariancePx2));
         }
@@ -162,8 +165,9 @@ public final class CornerErrors {
         return out;
     }
 
-    private static MarkerErrors errors(Cell cell, MarkerErrors.Source m, @Nullable RigidTransform known, double stated,
-            double @Nullable [] otherwise, @Nullable EdgeModel edges, List<Double> sizes, int q) {
+    private static MarkerErrors errors(Cell cell, MarkerErrors.Source m, @Nullable RigidTransform known,
+            @Nullable MarkerPoseFinder finder, double stated, double @Nullable [] otherwise, @Nullable EdgeModel edges,
+            List<Double> sizes, int q) {
         boolean unknown = Double.isNaN(stated);
         double[] corners = m.observation.cornersPx();
         double[] covariance = unknown ? m.observation.covariancePx2() : isotropic(stated * stated);
@@ -194,9 +198,9 @@ public final class CornerErrors {
         }
         Squareness squareness = null;
         double @Nullable [] flatness = null;
-        if (unknown || !sizes.isEmpty() || cell.prints().flatnessMm() > 0) {
+        if (finder != null) {
             List<PoseMode> modes = known != null && !unknown ? Collections.emptyList()
-                    : MarkerPoseFinder.modes(corners, m.sizeMm, cell.camera(), 1);
+                    : finder.modes(corners, m.sizeMm, cell.camera(), 1);
             CameraState pose = !modes.isEmpty() ? modes.get(0).state()
                     : known != null ? CameraState.of(known, cell.camera()) : null;
             double[] by = pose == null ? null : MarkerErrors.bySizeAndHeight(pose, m.sizeMm);
@@ -435,13 +439,14 @@ public final class CornerErrors {
      * @param id marker id
      * @param sizeMm its size
      * @param lens intrinsics
+     * @param finder of the caller's thread
      * @return if the errors are as known at most distributed like chi-square of 2 degrees of freedom (8 coordinates
      *     less 6 of the pose; less where a small marker seen frontally can tilt to either side, which is no linear
      *     model); NaN where the corners are of no pose
      */
-    public double squareChiSquare(int id, double sizeMm, PinholeCamera lens) {
+    public double squareChiSquare(int id, double sizeMm, PinholeCamera lens, MarkerPoseFinder finder) {
         MarkerErrors m = of(id);
-        List<PoseMode> modes = MarkerPoseFinder.modes(m.cornersPx, sizeMm, lens, 1);
+        List<PoseMode> modes = finder.modes(m.cornersPx, sizeMm, lens, 1);
         if (modes.isEmpty()) {
             return Double.NaN;
         }

@@ -14,13 +14,24 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>A small square seen nearly frontally has two poses that explain its corners almost equally well: its normal may be
  * mirrored about the line of sight (Schweighofer and Pinz, "Robust pose estimation from a planar target", PAMI 2006).
+ *
+ * <p>Not thread-safe: it holds work space, so that the markers of a photo are fitted in the same arrays, one after the
+ * other. A pose does not depend on those found before it.
  */
 public final class MarkerPoseFinder {
     /** Two fits closer than this angle are one mode, rad. */
     private static final double SAME_MODE_RAD = 1e-3;
     private static final int BASINS = 3;
 
-    private MarkerPoseFinder() {
+    private final double[] points = new double[3 * MarkerGeometry.CORNERS];
+    private final double[] observed = new double[2 * MarkerGeometry.CORNERS];
+    private final ReprojectionFit fit = new ReprojectionFit(points, observed, IntrinsicsPrior.KNOWN, null);
+    private final TargetPnp pnp = new TargetPnp();
+    private final CameraState state = new CameraState();
+
+    /** A finder for one thread. */
+    public MarkerPoseFinder() {
+        // nothing is known of any marker yet
     }
 
     /**
@@ -31,7 +42,7 @@ public final class MarkerPoseFinder {
      * @param camera intrinsics
      * @return cameraFromMarker, or null if the corners are of no pose at all
      */
-    public static @Nullable RigidTransform best(double[] cornersPx, double sizeMm, PinholeCamera camera) {
+    public @Nullable RigidTransform best(double[] cornersPx, double sizeMm, PinholeCamera camera) {
         PoseMode best = null;
         // the smallest residuals decide: weights depend on a corner noise that is not stated here
         for (PoseMode mode : modes(cornersPx, sizeMm, camera, 1)) {
@@ -52,11 +63,9 @@ public final class MarkerPoseFinder {
      * @return one or two modes, the heavier (by {@link PoseMode#logWeight()}) first; empty if the corners are of no
      *     pose
      */
-    public static List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double pixelStdPx) {
-        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(sizeMm), cornersPx, IntrinsicsPrior.KNOWN,
-                null);
+    public List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double pixelStdPx) {
         fit.setIsotropic(pixelStdPx);
-        return modes(fit, cornersPx, sizeMm, camera);
+        return modes(cornersPx, sizeMm, camera);
     }
 
     /**
@@ -68,37 +77,38 @@ public final class MarkerPoseFinder {
      * @param whitening inverse of the Cholesky factor of the covariance, 8x8 row by row, lower triangular, 1/px
      * @return one or two modes, the heavier first; empty if the corners are of no pose
      */
-    public static List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double[] whitening) {
-        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(sizeMm), cornersPx, IntrinsicsPrior.KNOWN,
-                null);
+    public List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double[] whitening) {
         fit.setWhitening(whitening);
-        return modes(fit, cornersPx, sizeMm, camera);
+        return modes(cornersPx, sizeMm, camera);
     }
 
-    private static List<PoseMode> modes(ReprojectionFit fit, double[] cornersPx, double sizeMm, PinholeCamera camera) {
-        double[] points = MarkerGeometry.cornersMm(sizeMm);
-        RigidTransform start = TargetPnp.planar(camera, points, cornersPx);
+    private List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera) {
+        System.arraycopy(MarkerGeometry.cornersMm(sizeMm), 0, points, 0, points.length);
+        System.arraycopy(cornersPx, 0, observed, 0, observed.length);
+        RigidTransform start = pnp.planar(camera, points, observed);
         if (start == null) {
-            start = TargetPnp.general(camera, points, cornersPx);
+            start = pnp.general(camera, points, observed);
         }
         if (start == null) {
             return Collections.emptyList();
         }
-        List<PoseMode> modes = new ArrayList<>();
+        List<PoseMode> modes = new ArrayList<>(2);
+        List<RigidTransform> known = new ArrayList<>(2);
         RigidTransform pose = start;
         // from each mode found the mirrored pose is tried; a third round comes back to the first
         for (int i = 0; i < BASINS; i++) {
-            PoseMode mode = fitFrom(fit, pose, camera);
-            if (mode == null) {
+            if (!fitFrom(pose, camera)) {
                 break;
             }
-            pose = mode.cameraFromSet();
-            boolean known = false;
-            for (PoseMode other : modes) {
-                known |= pose.angleRadTo(other.cameraFromSet()) < SAME_MODE_RAD;
-            }
-            if (!known) {
+            pose = state.cameraFromSet();
+            // what Laplace's method needs is not worked out for a pose that is known
+            if (!isAmong(known, pose)) {
+                PoseMode mode = fit.modeAt(state);
+                if (mode == null) {
+                    break;
+                }
                 modes.add(mode);
+                known.add(pose);
             }
             pose = mirrored(pose);
         }
@@ -106,12 +116,22 @@ public final class MarkerPoseFinder {
         return modes.size() > 2 ? modes.subList(0, 2) : modes;
     }
 
-    private static @Nullable PoseMode fitFrom(ReprojectionFit fit, RigidTransform pose, PinholeCamera camera) {
-        if (!camera.lens().isWide() && !(pose.translationMm()[2] > 0)) {
-            return null;
+    private static boolean isAmong(List<RigidTransform> known, RigidTransform pose) {
+        for (RigidTransform other : known) {
+            if (pose.angleRadTo(other) < SAME_MODE_RAD) {
+                return true;
+            }
         }
-        CameraState state = CameraState.of(pose, camera);
-        return Double.isNaN(fit.fit(state)) ? null : fit.modeAt(state);
+        return false;
+    }
+
+    /** Fits from a pose on and leaves the result in {@link #state}; false where there is none. */
+    private boolean fitFrom(RigidTransform pose, PinholeCamera camera) {
+        if (!camera.lens().isWide() && !(pose.translationMm()[2] > 0)) {
+            return false;
+        }
+        state.set(pose, camera);
+        return !Double.isNaN(fit.fit(state));
     }
 
     /**

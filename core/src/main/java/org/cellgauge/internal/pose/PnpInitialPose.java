@@ -25,7 +25,7 @@ final class PnpInitialPose implements InitialPose {
     @Override
     public @Nullable RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
         List<RigidTransform> candidates = new ArrayList<>();
-        RigidTransform joint = TargetPnp.general(camera, view.points(), view.observed());
+        RigidTransform joint = new TargetPnp().general(camera, view.points(), view.observed());
         if (joint != null) {
             candidates.add(joint);
         }
@@ -46,8 +46,9 @@ final class PnpInitialPose implements InitialPose {
     /** The poses of the references one by one; of many those that most of some all over the set agree with. */
     private static List<RigidTransform> ofSingleReferences(ReferenceView view, PinholeCamera camera) {
         List<RigidTransform> alone = new ArrayList<>();
+        MarkerPoseFinder finder = new MarkerPoseFinder();
         for (int m = 0; m < view.size(); m++) {
-            RigidTransform worldFromCamera = AverageInitialPose.ofOneReference(view, m, camera);
+            RigidTransform worldFromCamera = AverageInitialPose.ofOneReference(view, m, camera, finder);
             if (worldFromCamera != null) {
                 alone.add(view.cameraFromSet(worldFromCamera));
             }

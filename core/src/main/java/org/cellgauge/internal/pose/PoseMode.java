@@ -2,7 +2,6 @@ package org.cellgauge.internal.pose;
 
 import java.util.Arrays;
 import org.cellgauge.geometry.RigidTransform;
-import org.cellgauge.internal.geometry.Cholesky;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -39,8 +38,8 @@ public final class PoseMode {
      */
     static @Nullable PoseMode of(ReprojectionFit fit, CameraState state, double halfChiSquare,
             @Nullable PlacedReferences placed) {
-        double[] covariance = Cholesky.inverse(fit.information(), fit.columns());
-        return covariance == null ? null : new PoseMode(fit, state, halfChiSquare, placed, covariance);
+        double[] covariance = new double[fit.columns() * fit.columns()];
+        return fit.invertInformation(covariance) ? new PoseMode(fit, state, halfChiSquare, placed, covariance) : null;
     }
 
     private PoseMode(ReprojectionFit fit, CameraState state, double halfChiSquare,
@@ -58,8 +57,6 @@ public final class PoseMode {
         this.layout = fit.layout();
         this.blocks = fit.blocks();
         this.halfChiSquare = halfChiSquare;
-        double[] factor = covariance.clone();
-        Cholesky.factor(factor, columns);
         double logWhitening = 0;
         for (int m = 0; m < blocks.blocks(); m++) {
             int rows = blocks.rows(m);
@@ -67,7 +64,7 @@ public final class PoseMode {
                 logWhitening += Math.log(whitening[blocks.firstEntry(m) + (rows + 1) * i]);
             }
         }
-        logWeight = logWhitening - halfChiSquare + Cholesky.halfLogDeterminant(factor, columns);
+        logWeight = logWhitening - halfChiSquare + fit.halfLogDeterminant(covariance);
     }
 
     /**
@@ -125,6 +122,22 @@ public final class PoseMode {
     }
 
     /**
+     * How far another state is from this mode in each unknown, in the standard deviations that Laplace's method gives
+     * it.
+     *
+     * @param other a state of as many views, with any intrinsics
+     * @return the sum of squares over the unknowns of the poses
+     */
+    double squaredStdsTo(CameraState other) {
+        double[] step = other.stepFrom(state);
+        double squared = 0;
+        for (int i = 0; i < step.length; i++) {
+            squared += step[i] * step[i] / covariance[i * columns + i];
+        }
+        return squared;
+    }
+
+    /**
      * Half the sum of squared whitened residuals, priors included.
      *
      * @return not negative
@@ -164,6 +177,18 @@ public final class PoseMode {
      */
     public double[] whitening() {
         return whitening.clone();
+    }
+
+    /**
+     * An entry of the whitening matrix of one marker.
+     *
+     * @param marker index of the marker
+     * @param row its row, of a marker in one view 0 to 7
+     * @param column its column, likewise
+     * @return 1/px; 0 above the diagonal
+     */
+    public double whitening(int marker, int row, int column) {
+        return whitening[blocks.firstEntry(marker) + blocks.rows(marker) * row + column];
     }
 
     /**

@@ -13,7 +13,7 @@ final class RansacInitialPose implements InitialPose {
 
     @Override
     public @Nullable RigidTransform estimate(ReferenceView view, PinholeCamera camera) {
-        RigidTransform cameraFromSet = TargetPnp.ransac(camera, view.points(), view.observed(), THRESHOLD_PX,
+        RigidTransform cameraFromSet = new TargetPnp().ransac(camera, view.points(), view.observed(), THRESHOLD_PX,
                 SAMPLING_SEED);
         return cameraFromSet == null ? null : view.worldFromCamera(cameraFromSet);
     }

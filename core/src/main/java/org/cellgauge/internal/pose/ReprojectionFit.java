@@ -42,6 +42,8 @@ public final class ReprojectionFit {
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
     private double[] byIntrinsics = {};
+    private final double[] factor;
+    private final double[] inverseFactor;
     private final double[] plainResiduals;
     private final double[] plainJacobian;
 
@@ -106,6 +108,8 @@ public final class ReprojectionFit {
         jacobian = new double[rows * columns];
         information = new double[columns * columns];
         gradient = new double[columns];
+        factor = new double[columns * columns];
+        inverseFactor = new double[columns * columns];
         solver = new DampedGaussNewton(columns, DampedGaussNewton.Damping.NIELSEN, MAX_STEPS);
         candidate = new CameraState(blocks.views());
         plainResiduals = new double[blocks.mostRows()];
@@ -493,6 +497,19 @@ public final class ReprojectionFit {
     /** J^T J of the last evaluation, the Fisher information of the whitened problem; shared. */
     double[] information() {
         return information;
+    }
+
+    /** Inverts the information of the last evaluation; false, with {@code out} as it was, where it is singular. */
+    boolean invertInformation(double[] out) {
+        System.arraycopy(information, 0, factor, 0, factor.length);
+        return Cholesky.inverse(factor, columns, inverseFactor, out);
+    }
+
+    /** Half the logarithm of the determinant of a covariance of the unknowns; NaN where it is not positive definite. */
+    double halfLogDeterminant(double[] covariance) {
+        System.arraycopy(covariance, 0, factor, 0, factor.length);
+        Cholesky.factor(factor, columns);
+        return Cholesky.halfLogDeterminant(factor, columns);
     }
 
     /** Covariances by placement that were frozen, block by block; shared. */

@@ -53,7 +53,8 @@ final class Squareness {
         double[][] basis = new double[8][8];
         int count = 0;
         for (int c = 0; c < 14 && count < 8; c++) {
-            double[] v = new double[8];
+            // what does not count is written over by the next
+            double[] v = basis[count];
             double before = 0;
             for (int i = 0; i < 8; i++) {
                 v[i] = c < 6 ? jacobian[6 * i + c] : i == c - 6 ? 1 : 0;
@@ -78,7 +79,7 @@ final class Squareness {
             // a derivative always counts; a unit vector only if enough of it is new
             if (c < 6 || after > 0.05 * before) {
                 for (int i = 0; i < 8; i++) {
-                    basis[count][i] = v[i] / Math.sqrt(after);
+                    v[i] /= Math.sqrt(after);
                 }
                 count++;
             }

@@ -14,16 +14,28 @@ import java.util.List;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.TangentPlane;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.SingularOps_DDRM;
+import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.SingularValueDecomposition_F64;
 import org.jspecify.annotations.Nullable;
 
-/** BoofCV's perspective-n-point solvers over this project's types. */
+/** BoofCV's perspective-n-point solvers over this project's types; holds their work space, for one thread. */
 final class TargetPnp {
     private static final int RANSAC_ITERATIONS = 500;
+    private static final int SPACE = 3;
 
-    private TargetPnp() {
-    }
+    private final List<Point2D3D> spare = new ArrayList<>();
+    private final List<Point2D3D> pairs = new ArrayList<>();
+    private final Se3_F64 found = new Se3_F64();
+    private final SingularValueDecomposition_F64<DMatrixRMaj> svd =
+            DecompositionFactory_DDRM.svd(SPACE, SPACE, true, true, false);
+    private final DMatrixRMaj copy = new DMatrixRMaj(SPACE, SPACE);
+    private final DMatrixRMaj left = new DMatrixRMaj(SPACE, SPACE);
+    private final DMatrixRMaj right = new DMatrixRMaj(SPACE, SPACE);
+    private final DMatrixRMaj nearest = new DMatrixRMaj(SPACE, SPACE);
+    private @Nullable Estimate1ofPnP ofPlanes;
 
     /** The plane in which a wide lens's corners are looked at; null for other lenses, which have one for all. */
     private static @Nullable TangentPlane plane(PinholeCamera camera, double[] observed) {
@@ -41,15 +53,18 @@ final class TargetPnp {
     }
 
     /** Pairs of undistorted normalised image point and point in space; corners beyond the lens model are left out. */
-    private static List<Point2D3D> pairs(PinholeCamera camera, @Nullable TangentPlane plane, double[] points,
+    private List<Point2D3D> pairs(PinholeCamera camera, @Nullable TangentPlane plane, double[] points,
             double[] observed) {
-        List<Point2D3D> pairs = new ArrayList<>();
+        pairs.clear();
         double[] normalised = new double[2];
         for (int k = 0; k < points.length / 3; k++) {
             double u = observed[2 * k];
             double v = observed[2 * k + 1];
             if (plane != null ? plane.toNormalised(u, v, normalised) : camera.toNormalised(u, v, normalised)) {
-                Point2D3D pair = new Point2D3D();
+                if (pairs.size() == spare.size()) {
+                    spare.add(new Point2D3D());
+                }
+                Point2D3D pair = spare.get(pairs.size());
                 pair.observation.setTo(normalised[0], normalised[1]);
                 pair.location.setTo(points[3 * k], points[3 * k + 1], points[3 * k + 2]);
                 pairs.add(pair);
@@ -63,10 +78,12 @@ final class TargetPnp {
      *
      * @return cameraFromPlane, or null where none was found
      */
-    static @Nullable RigidTransform planar(PinholeCamera camera, double[] points, double[] observed) {
+    @Nullable RigidTransform planar(PinholeCamera camera, double[] points, double[] observed) {
+        if (ofPlanes == null) {
+            ofPlanes = FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0);
+        }
         TangentPlane plane = plane(camera, observed);
-        return inCamera(plane, single(FactoryMultiView.pnp_1(EnumPNP.IPPE, -1, 0),
-                pairs(camera, plane, points, observed)));
+        return inCamera(plane, single(ofPlanes, pairs(camera, plane, points, observed)));
     }
 
     /**
@@ -74,18 +91,17 @@ final class TargetPnp {
      *
      * @return cameraFromPoints, or null where none was found
      */
-    static @Nullable RigidTransform general(PinholeCamera camera, double[] points, double[] observed) {
+    @Nullable RigidTransform general(PinholeCamera camera, double[] points, double[] observed) {
         TangentPlane plane = plane(camera, observed);
         return inCamera(plane, single(FactoryMultiView.pnp_1(EnumPNP.EPNP, 50, 0),
                 pairs(camera, plane, points, observed)));
     }
 
-    private static @Nullable RigidTransform single(Estimate1ofPnP estimator, List<Point2D3D> pairs) {
-        if (pairs.size() < 4) {
+    private @Nullable RigidTransform single(Estimate1ofPnP estimator, List<Point2D3D> of) {
+        if (of.size() < 4) {
             return null;
         }
-        Se3_F64 found = new Se3_F64();
-        return estimator.process(pairs, found) ? toTransform(found) : null;
+        return estimator.process(of, found) ? toTransform(found) : null;
     }
 
     /**
@@ -95,11 +111,10 @@ final class TargetPnp {
      * @param seed seed of the sampling
      * @return cameraFromPoints, or null where no consensus was found
      */
-    static @Nullable RigidTransform ransac(PinholeCamera camera, double[] points, double[] observed, double thresholdPx,
+    @Nullable RigidTransform ransac(PinholeCamera camera, double[] points, double[] observed, double thresholdPx,
             long seed) {
         TangentPlane plane = plane(camera, observed);
-        List<Point2D3D> pairs = pairs(camera, plane, points, observed);
-        if (pairs.size() < 4) {
+        if (pairs(camera, plane, points, observed).size() < 4) {
             return null;
         }
         ConfigRansac config = new ConfigRansac(RANSAC_ITERATIONS, thresholdPx);
@@ -110,7 +125,7 @@ final class TargetPnp {
         return matcher.process(pairs) ? inCamera(plane, toTransform(matcher.getModelParameters())) : null;
     }
 
-    private static @Nullable RigidTransform toTransform(Se3_F64 pose) {
+    private @Nullable RigidTransform toTransform(Se3_F64 pose) {
         double[] t = {pose.T.x, pose.T.y, pose.T.z};
         for (double v : t) {
             if (!Double.isFinite(v)) {
@@ -118,18 +133,15 @@ final class TargetPnp {
             }
         }
         // solvers return matrices that are rotations only to rounding or worse: take the nearest rotation
-        SingularValueDecomposition_F64<org.ejml.data.DMatrixRMaj> svd =
-                org.ejml.dense.row.factory.DecompositionFactory_DDRM.svd(3, 3, true, true, false);
-        if (!svd.decompose(pose.R.copy())) {
+        // a decomposition may destroy what it is given
+        copy.setTo(pose.R);
+        if (!svd.decompose(copy)) {
             return null;
         }
-        org.ejml.data.DMatrixRMaj u = svd.getU(null, false);
-        org.ejml.data.DMatrixRMaj vt = svd.getV(null, true);
-        org.ejml.data.DMatrixRMaj r = new org.ejml.data.DMatrixRMaj(3, 3);
-        org.ejml.dense.row.CommonOps_DDRM.mult(u, vt, r);
-        if (org.ejml.dense.row.CommonOps_DDRM.det(r) < 0 || SingularOps_DDRM.rank(svd, 1e-9) < 3) {
+        CommonOps_DDRM.mult(svd.getU(left, false), svd.getV(right, true), nearest);
+        if (CommonOps_DDRM.det(nearest) < 0 || SingularOps_DDRM.rank(svd, 1e-9) < SPACE) {
             return null;
         }
-        return RigidTransform.of(r.data, t);
+        return RigidTransform.of(nearest.data, t);
     }
 }

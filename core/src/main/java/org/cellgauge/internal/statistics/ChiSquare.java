@@ -1,11 +1,23 @@
 package org.cellgauge.internal.statistics;
 
-import org.apache.commons.math3.distribution.ChiSquaredDistribution;
+import org.apache.commons.math3.distribution.GammaDistribution;
 
 /** Sums of squares of independent standard normal variables, held against their distribution. */
 public final class ChiSquare {
+    private static final double DEFAULT_ACCURACY = GammaDistribution.DEFAULT_INVERSE_ABSOLUTE_ACCURACY;
 
     private ChiSquare() {
+    }
+
+    /**
+     * The distribution, as the gamma distribution that it is: the library's own class for it makes a random generator
+     * of 2.5 kB beside that.
+     *
+     * @param degreesOfFreedom at least 1
+     * @param accuracy absolute, of its quantiles
+     */
+    static GammaDistribution distribution(int degreesOfFreedom, double accuracy) {
+        return new GammaDistribution(null, degreesOfFreedom / 2.0, 2, accuracy);
     }
 
     /**
@@ -17,6 +29,6 @@ public final class ChiSquare {
      */
     public static double pValue(double chiSquare, int degreesOfFreedom) {
         return degreesOfFreedom == 0 || !Double.isFinite(chiSquare) ? Double.NaN
-                : 1 - new ChiSquaredDistribution(null, degreesOfFreedom).cumulativeProbability(chiSquare);
+                : 1 - distribution(degreesOfFreedom, DEFAULT_ACCURACY).cumulativeProbability(chiSquare);
     }
 }

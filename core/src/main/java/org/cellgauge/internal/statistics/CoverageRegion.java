@@ -1,7 +1,6 @@
 package org.cellgauge.internal.statistics;
 
 import java.util.Arrays;
-import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
@@ -108,7 +107,7 @@ public final class CoverageRegion {
         if (degreesOfFreedom == 2) {
             return -2 * Math.log1p(-probability);
         }
-        return new ChiSquaredDistribution(null, degreesOfFreedom, 1e-12).inverseCumulativeProbability(probability);
+        return ChiSquare.distribution(degreesOfFreedom, 1e-12).inverseCumulativeProbability(probability);
     }
 
     /**

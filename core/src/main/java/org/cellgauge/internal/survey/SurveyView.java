@@ -107,7 +107,8 @@ final class SurveyView {
     /** The poses in the camera frame that explain a marker alone, the likelier first. */
     List<RigidTransform> posesAlone(int marker) {
         List<RigidTransform> poses = new ArrayList<>();
-        for (PoseMode mode : MarkerPoseFinder.modes(cornersPx[marker], sizesMm[marker], camera, whitening[marker])) {
+        for (PoseMode mode : new MarkerPoseFinder().modes(cornersPx[marker], sizesMm[marker], camera,
+                whitening[marker])) {
             poses.add(mode.state().cameraFromSet());
         }
         return poses;

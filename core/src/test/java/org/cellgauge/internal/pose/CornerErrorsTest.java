@@ -186,7 +186,8 @@ class CornerErrorsTest {
         }
         SimpleMatrix factor = jointFactor().scale(2);
         double[] covariance = factor.mult(factor.transpose()).extractMatrix(0, 8, 0, 8).getDDRM().getData();
-        Squareness squareness = new Squareness(MarkerPoseFinder.modes(seen, SIZES[marker], CAMERA, 1), covariance);
+        List<PoseMode> modes = new MarkerPoseFinder().modes(seen, SIZES[marker], CAMERA, 1);
+        Squareness squareness = new Squareness(modes, covariance);
         assertEquals(byFits(seen, marker, covariance, to) - byFits(seen, marker, covariance, from),
                 squareness.logLikelihood(to, 1) - squareness.logLikelihood(from, 1), 0.1);
     }
@@ -202,7 +203,7 @@ class CornerErrorsTest {
         org.cellgauge.internal.geometry.Cholesky.invertLower(sum, 8, whitening);
         assertTrue(lower.determinant() > 0);
         double mass = 0;
-        for (PoseMode mode : MarkerPoseFinder.modes(seen, SIZES[marker], CAMERA, whitening)) {
+        for (PoseMode mode : new MarkerPoseFinder().modes(seen, SIZES[marker], CAMERA, whitening)) {
             mass += Math.exp(mode.logWeight());
         }
         return Math.log(mass);

@@ -1,5 +1,6 @@
 package org.cellgauge.internal.pose;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -65,7 +66,7 @@ class MarkerPoseFinderTest {
                         700 + 600 * random.nextDouble()})
                     .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 3 * random.nextDouble()));
             for (PinholeCamera camera : new PinholeCamera[] {CAMERA, InitialPoseTest.STRONG}) {
-                RigidTransform best = MarkerPoseFinder.best(corners(truth, camera), SIZE, camera);
+                RigidTransform best = new MarkerPoseFinder().best(corners(truth, camera), SIZE, camera);
                 assertTrue(truth.angleRadTo(best) < 1e-5, "off by " + truth.angleRadTo(best) + " at " + truth);
             }
         }
@@ -76,7 +77,7 @@ class MarkerPoseFinderTest {
         RigidTransform truth = RigidTransform.ofRotationVector(new double[] {0.2, 0.1, 0}, new double[] {30, -40, 1070})
                 .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 0.4));
         double[] observed = corners(truth, CAMERA);
-        List<PoseMode> modes = MarkerPoseFinder.modes(observed, SIZE, CAMERA, 0.3);
+        List<PoseMode> modes = new MarkerPoseFinder().modes(observed, SIZE, CAMERA, 0.3);
         assertEquals(2, modes.size());
         RigidTransform a = modes.get(0).state().cameraFromSet();
         RigidTransform b = modes.get(1).state().cameraFromSet();
@@ -100,7 +101,7 @@ class MarkerPoseFinderTest {
         RigidTransform truth = RigidTransform.ofRotationVector(new double[] {0.25, 0, 0}, new double[] {0, 0, 600})
                 .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 0));
         double[] observed = corners(truth, CAMERA);
-        List<PoseMode> modes = MarkerPoseFinder.modes(observed, SIZE, CAMERA, 0.3);
+        List<PoseMode> modes = new MarkerPoseFinder().modes(observed, SIZE, CAMERA, 0.3);
         assertEquals(2, modes.size());
         double expected = 0;
         for (int m = 0; m < 2; m++) {
@@ -116,8 +117,55 @@ class MarkerPoseFinderTest {
     void largeTiltedMarkerHasOneModeOfAnyWeight() {
         RigidTransform truth = RigidTransform.ofRotationVector(new double[] {0.7, 0, 0}, new double[] {0, 0, 120})
                 .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 0));
-        List<PoseMode> modes = MarkerPoseFinder.modes(corners(truth, CAMERA), SIZE, CAMERA, 0.3);
+        List<PoseMode> modes = new MarkerPoseFinder().modes(corners(truth, CAMERA), SIZE, CAMERA, 0.3);
         assertTrue(truth.angleRadTo(modes.get(0).state().cameraFromSet()) < 1e-6);
         assertTrue(modes.size() == 1 || modes.get(0).logWeight() - modes.get(1).logWeight() > 100);
+    }
+
+    /** Work space is used again: nothing of one marker may be left in the figures of the next. */
+    @Test
+    void aPoseDoesNotDependOnThoseFoundBefore() {
+        RandomGenerator random = new Well19937c(5);
+        MarkerPoseFinder used = new MarkerPoseFinder();
+        double[] whitening = new double[64];
+        for (int i = 0; i < 8; i++) {
+            whitening[9 * i] = 1 + random.nextDouble();
+            whitening[8 * i] += i == 0 ? 0 : 0.2;
+        }
+        PinholeCamera[] cameras = {CAMERA, InitialPoseTest.STRONG};
+        for (int i = 0; i < 30; i++) {
+            RigidTransform truth = RigidTransform.ofRotationVector(
+                    new double[] {0.6 * random.nextDouble(), 0.6 * random.nextDouble(), 0},
+                    new double[] {100 * random.nextGaussian(), 100 * random.nextGaussian(),
+                        700 + 600 * random.nextDouble()})
+                    .compose(RigidTransform.ofEuler(0, 0, 0, Math.PI, 0, 3 * random.nextDouble()));
+            PinholeCamera camera = cameras[i % 2];
+            double size = i % 3 == 0 ? SIZE : 2 * SIZE;
+            double[] observed = MarkerGeometry.cornersPx(camera, truth, size);
+            // corners of nothing in between: a search that fails must leave nothing behind either
+            used.modes(new double[8], size, camera, 1);
+            assertSame(new MarkerPoseFinder().modes(observed, size, camera, 0.3),
+                    used.modes(observed, size, camera, 0.3));
+            assertSame(new MarkerPoseFinder().modes(observed, size, camera, whitening),
+                    used.modes(observed, size, camera, whitening));
+        }
+    }
+
+    private static void assertSame(List<PoseMode> expected, List<PoseMode> actual) {
+        assertEquals(expected.size(), actual.size());
+        for (int m = 0; m < expected.size(); m++) {
+            PoseMode a = expected.get(m);
+            PoseMode b = actual.get(m);
+            assertArrayEquals(a.state().rotation, b.state().rotation);
+            assertArrayEquals(a.state().offset, b.state().offset);
+            assertArrayEquals(a.covariance(), b.covariance());
+            assertArrayEquals(a.whitening(), b.whitening());
+            assertArrayEquals(a.placementPx2(), b.placementPx2());
+            assertArrayEquals(a.comparedPx(), b.comparedPx());
+            assertArrayEquals(a.pointsMm(), b.pointsMm());
+            assertArrayEquals(a.jacobian(0), b.jacobian(0));
+            assertArrayEquals(a.whitenedResiduals(0), b.whitenedResiduals(0));
+            assertEquals(a.logWeight(), b.logWeight());
+        }
     }
 }
