@@ -167,6 +167,16 @@ public final class PoseMode {
     }
 
     /**
+     * The same of one block.
+     *
+     * @param marker index of the block
+     * @return a copy, rows x rows row by row, lower triangular, 1/px
+     */
+    public double[] whitening(int marker) {
+        return Arrays.copyOfRange(whitening, blocks.firstEntry(marker), blocks.firstEntry(marker + 1));
+    }
+
+    /**
      * Covariances of residuals by placement, frozen at this mode.
      *
      * @return a copy in the order of {@link #blocks()}, of a marker in one view 8x8 row by row, px²; zeros where
