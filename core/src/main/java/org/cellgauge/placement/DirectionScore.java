@@ -156,11 +156,13 @@ final class DirectionScore {
         private final List<DirectionScore> tests;
         private final PlacementScores scores;
         private final double[] values;
+        private final double[] room;
 
         Joint(List<DirectionScore> tests, PlacementScores scores) {
             this.tests = tests;
             this.scores = scores;
             values = new double[scores.size()];
+            room = new double[scores.size()];
         }
 
         @Override
@@ -179,7 +181,7 @@ final class DirectionScore {
         @Override
         public void correlations(int test, double[] out) {
             DirectionScore own = tests.get(test);
-            scores.covariances(own.first, own.direction, values);
+            scores.covariances(own.first, own.direction, room, values);
             for (int t = 0; t < out.length; t++) {
                 out[t] = tests.get(t).along(values) / (own.sensitivity * tests.get(t).sensitivity);
             }

@@ -248,10 +248,16 @@ final class PlacementScores {
         return a / COORDINATES == b / COORDINATES ? product(directions[a], 0, directions[b]) : 0;
     }
 
-    /** Covariances of the score of a direction with all scores. */
-    void covariances(int first, double[] direction, double[] out) {
+    /**
+     * Covariances of the score of a direction with all scores.
+     *
+     * @param first the score that it begins with
+     * @param direction by score from there on
+     * @param ofOne room for one value per score
+     * @param out receives one value per score
+     */
+    void covariances(int first, double[] direction, double[] ofOne, double[] out) {
         Arrays.fill(out, 0, size, 0);
-        double[] ofOne = new double[size];
         for (int c = 0; c < direction.length; c++) {
             if (direction[c] != 0) {
                 for (int a = 0; a < size; a++) {

@@ -2,9 +2,11 @@ package org.cellgauge.placement;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import org.cellgauge.cell.Reference;
@@ -46,6 +48,7 @@ public final class ReferenceCheck {
     public static final double LEVEL_TOGETHER = 0.001;
 
     private final List<ReferenceFit> fits;
+    private final Map<Integer, ReferenceFit> byId = new HashMap<>();
     private final List<MisplacedReference> misplaced;
     private final @Nullable WithoutMisplaced without;
     private final double chiSquare;
@@ -68,6 +71,7 @@ public final class ReferenceCheck {
         this.chiSquare = chiSquare;
         this.degreesOfFreedom = degreesOfFreedom;
         this.fits = Collections.unmodifiableList(fits);
+        fits.forEach(fit -> byId.put(fit.id(), fit));
         this.misplaced = Collections.unmodifiableList(misplaced);
         this.without = without;
     }
@@ -270,12 +274,7 @@ public final class ReferenceCheck {
      * @return its figures, or null where the camera pose does not rest on it
      */
     public @Nullable ReferenceFit fit(int id) {
-        for (ReferenceFit fit : fits) {
-            if (fit.id() == id) {
-                return fit;
-            }
-        }
-        return null;
+        return byId.get(id);
     }
 
     /**
