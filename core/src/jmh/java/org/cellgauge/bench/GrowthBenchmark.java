@@ -1,8 +1,5 @@
 package org.cellgauge.bench;
 
-import com.sun.management.OperatingSystemMXBean;
-import java.lang.management.ManagementFactory;
-import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckResult;
@@ -12,7 +9,6 @@ import org.cellgauge.settings.CheckSettings;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
-import org.openjdk.jmh.annotations.Level;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
@@ -20,7 +16,6 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
-import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
@@ -47,35 +42,6 @@ public class GrowthBenchmark {
         scene = GridScene.of(Integer.parseInt(markers.substring(0, space)),
                 Integer.parseInt(markers.substring(space + 1)));
         settings = CheckSettings.builder().threads(1).seed(1).iterations(700).build();
-    }
-
-    /**
-     * Processor time of the process, which other work on the machine leaves alone as it does not the clock: said at the
-     * end, the least that any iteration had per call.
-     */
-    @State(Scope.Thread)
-    public static class Cpu {
-        private final OperatingSystemMXBean process =
-                (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
-        private long start;
-        private int calls;
-        private double leastMs = Double.POSITIVE_INFINITY;
-
-        @Setup(Level.Iteration)
-        public void start() {
-            start = process.getProcessCpuTime();
-            calls = 0;
-        }
-
-        @TearDown(Level.Iteration)
-        public void stop() {
-            leastMs = Math.min(leastMs, (process.getProcessCpuTime() - start) / 1e6 / calls);
-        }
-
-        @TearDown(Level.Trial)
-        public void say() {
-            System.out.printf(Locale.ROOT, "%nLeast processor time of an iteration: %.1f ms/op%n", leastMs);
-        }
     }
 
     @Benchmark

@@ -13,6 +13,7 @@ import org.cellgauge.vision.Detections;
 
 /** As many references as one likes on a grid of half a metre, and as many objects above them, in one photo. */
 public final class GridScene {
+    public static final RigidTransform WORLD_FROM_CAMERA = RigidTransform.ofEuler(250, 190, 900, 3.0, 0.1, 0);
     private static final PinholeCamera CAMERA = PinholeCamera.ideal(3840, 2160, 1743, 1743, 1920, 1080);
     private static final int FIRST_OBJECT = 1000;
     private static final double WIDTH_MM = 500;
@@ -52,7 +53,7 @@ public final class GridScene {
                     0.3, 0.2 * (i % 3), 0.1 * i));
         }
         Cell cell = CellReader.read(yaml.toString(), "grid", CAMERA);
-        CellTruth truth = new CellTruth(RigidTransform.ofEuler(250, 190, 900, 3.0, 0.1, 0), worldFromObjects);
+        CellTruth truth = new CellTruth(WORLD_FROM_CAMERA, worldFromObjects);
         return new GridScene(cell, SimulatedPhoto.of(cell, truth, PIXEL_STD, RandomStreams.of(5),
                 RandomStreams.of(4)));
     }
