@@ -3,7 +3,6 @@ package org.cellgauge.check;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.cellgauge.Allocated;
-import org.cellgauge.output.ResultView;
 import org.cellgauge.settings.CheckSettings;
 import org.junit.jupiter.api.Test;
 
@@ -11,7 +10,7 @@ import org.junit.jupiter.api.Test;
 class GrowthTest {
     private static final int ROUNDS = 3;
 
-    /** One table of four times as many references by as many takes sixteen times the memory. */
+    /** A table of all tests by all would take sixteen times the memory for four times as many references. */
     @Test
     void testsOfReferencesAllocateInProportionToThem() {
         double few = bytesOfTests(GridScene.of(20, 0));
@@ -24,18 +23,22 @@ class GrowthTest {
         return Allocated.leastBytes(ROUNDS, look::referenceCheck);
     }
 
-    /** Each budget names every reference, so that budgets are left to a cell of few. */
+    /**
+     * A budget names every reference: two variances of each, in a table of its own. Carrying a reference's errors to
+     * every object took four times as much.
+     */
     @Test
-    void estimatesAndViewsOfObjectsAllocateInProportionToThem() {
-        CheckSettings settings = CheckSettings.builder().threads(1).iterations(300).warmup(100).build();
-        double few = bytesOfResults(GridScene.of(4, 10), settings);
-        double many = bytesOfResults(GridScene.of(4, 80), settings);
-        assertTrue(many < 8.8 * few, "10 objects: " + few + " bytes, 80: " + many);
+    void budgetsAllocateLittleMoreThanTheirNumbers() {
+        int references = 60;
+        int objects = 30;
+        double none = bytesOfLook(GridScene.of(references, 0));
+        double perPair = (bytesOfLook(GridScene.of(references, objects)) - none) / references / objects;
+        assertTrue(perPair < 2500, perPair + " bytes for a reference of an object");
     }
 
-    private static double bytesOfResults(GridScene scene, CheckSettings settings) {
-        // the thread that asks steps no chains: what it allocates are fits, estimates, tests and views
+    private static double bytesOfLook(GridScene scene) {
+        CheckSettings settings = CheckSettings.builder().build();
         return Allocated.leastBytes(ROUNDS,
-                () -> ResultView.of(CellCheck.run(scene.cell, scene.detections, settings)));
+                () -> CellCheck.quickLook(scene.cell, scene.detections, settings, null));
     }
 }
