@@ -124,8 +124,8 @@ final class ChainRun {
     }
 
     /**
-     * How many draws have the error asked for, where as many as there are have a larger one: it shrinks with the root of
-     * their number.
+     * How many draws have the error asked for, where as many as there are have a larger one: it shrinks with the root
+     * of their number.
      *
      * @param count draws there are
      * @param error their largest Monte Carlo error of a deviation, as a share of it
