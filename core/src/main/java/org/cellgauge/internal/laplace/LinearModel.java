@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.cellgauge.cell.Reference;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.estimate.VarianceBudget;
