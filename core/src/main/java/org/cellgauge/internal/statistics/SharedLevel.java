@@ -136,7 +136,7 @@ public final class SharedLevel {
             }
         }
 
-        /** What is added to the chosen test of a draw; by symmetry the alarm may be taken to be on the positive side. */
+        /** What the chosen test of a draw is short of its alarm, which by symmetry may be taken to be positive. */
         private double given(int draw, double scale) {
             return limit(Math.min(1, scale * weights[chosen[draw]]) * tail[draw]) - own[draw];
         }
