@@ -20,7 +20,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** A whole check from corners to verdict: three references, three objects, default settings. */
+/** A whole check from corners to verdict: four references, default settings. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -28,8 +28,8 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 2)
 @Measurement(iterations = 5, time = 2)
 public class CheckBenchmark {
-    /** Three objects that lie in the plane, each with two poses. */
-    @Param({"none", "three"})
+    /** No objects, three lifted ones, or three that lie in the plane, each with two poses or nearly. */
+    @Param({"none", "lifted", "plane"})
     public String objects = "none";
 
     private Detections detections;
@@ -38,15 +38,17 @@ public class CheckBenchmark {
 
     @Setup
     public void prepare() {
-        ThesisScene scene = ThesisScene.inPlane(4).placement(1, 0.002).pixelStd(0.1);
-        scene = objects.equals("none") ? scene.noObjects() : scene.planeObjects();
+        ThesisScene scene = (objects.equals("lifted") ? ThesisScene.oneRaised(4) : ThesisScene.inPlane(4))
+                .placement(1, 0.002).pixelStd(0.1);
+        scene = objects.equals("none") ? scene.noObjects() : objects.equals("plane") ? scene.planeObjects() : scene;
         cell = scene.cell();
         detections = scene.detections(0.1, RandomStreams.of(3), 1, 0.002);
         settings = CheckSettings.builder().threads(1).build();
     }
 
     @Benchmark
-    public CheckResult wholeCheck() {
+    public CheckResult wholeCheck(Cpu cpu) {
+        cpu.calls++;
         return CellCheck.run(cell, detections, settings);
     }
 }

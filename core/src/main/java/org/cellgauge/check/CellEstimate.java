@@ -1,7 +1,9 @@
 package org.cellgauge.check;
 
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import org.cellgauge.cell.Target;
 import org.cellgauge.estimate.IntrinsicsEstimate;
@@ -16,6 +18,7 @@ public final class CellEstimate {
     private final List<ModeEstimate> cameraModes;
     private final @Nullable IntrinsicsEstimate intrinsics;
     private final List<ObjectEstimate> objects;
+    private final Map<Integer, ObjectEstimate> byId = new HashMap<>();
 
     CellEstimate(PoseEstimate camera, List<ModeEstimate> cameraModes, @Nullable IntrinsicsEstimate intrinsics,
             List<ObjectEstimate> objects) {
@@ -23,6 +26,7 @@ public final class CellEstimate {
         this.cameraModes = Collections.unmodifiableList(cameraModes);
         this.intrinsics = intrinsics;
         this.objects = Collections.unmodifiableList(objects);
+        objects.forEach(object -> byId.put(object.id(), object));
     }
 
     /**
@@ -68,12 +72,7 @@ public final class CellEstimate {
      * @return its estimate, or null where it was not seen
      */
     public @Nullable ObjectEstimate object(int id) {
-        for (ObjectEstimate o : objects) {
-            if (o.id() == id) {
-                return o;
-            }
-        }
-        return null;
+        return byId.get(id);
     }
 
     /**

@@ -3,9 +3,11 @@ package org.cellgauge.check;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.cell.ObjectMarker;
@@ -255,10 +257,11 @@ final class CellModes {
         /** One warning for all markers of the cell that the image shows too small. */
         private void warnOfSmallMarkers() {
             List<Warning> small = new ArrayList<>();
+            Set<Integer> ofCell = new HashSet<>();
+            cell.references().forEach(reference -> ofCell.add(reference.id()));
+            cell.objects().forEach(object -> ofCell.add(object.id()));
             for (MarkerObservation m : detections.markers()) {
-                boolean ofCell = cell.references().stream().anyMatch(r -> r.id() == m.id())
-                        || cell.objects().stream().anyMatch(o -> o.id() == m.id());
-                if (ofCell && m.shortestSidePx() < SMALLEST_SIDE_PX) {
+                if (ofCell.contains(m.id()) && m.shortestSidePx() < SMALLEST_SIDE_PX) {
                     small.add(Warning.of(CheckPhrase.SMALL_MARKER, m.id(), Decimal.of(m.shortestSidePx(), 1)));
                 }
             }

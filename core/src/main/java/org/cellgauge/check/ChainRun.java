@@ -43,6 +43,12 @@ final class ChainRun {
     /** Precision of deviations that FIRST_ROUND is for; it needs draws with the square of what is asked for. */
     private static final double USUAL_PRECISION = 0.02;
 
+    /** What is added to the draws that an error asks for: it is an estimate, and the largest of many. */
+    private static final double WITH_MARGIN = 1.1;
+    /** Fewer more are not worth the diagnostics; many more, and not even the error is known yet. */
+    private static final double LEAST_GROWTH = 1.25;
+    private static final double MOST_GROWTH = 4;
+
     private final QuickLook quickLook;
     private final Observed observed;
     private final CheckSettings settings;
@@ -91,11 +97,7 @@ final class ChainRun {
         RunLength length = new RunLength(warmup,
                 settings.sampling().iterations().isPresent() ? cap - warmup : firstRound(), cap);
         ChainEnsemble ensemble = new ChainEnsemble(processes, quantities.layout, length,
-                draws -> {
-                    Diagnostics found = diagnosed(draws, judged, threads.getAsInt());
-                    return preciseEnough(found, settings) && !undecided(found, draws);
-                },
-                threads);
+                draws -> wanted(diagnosed(draws, judged, threads.getAsInt()), draws), threads);
         return ensemble.stream().map(snapshot -> {
             CellEstimate running = snapshot.summary().count() > 1 ? estimates.of(snapshot.summary(), List.of())
                     : quickLook.estimate();
@@ -106,6 +108,34 @@ final class ChainRun {
                     sampled(estimates, judged, ensemble.draws(), snapshot, threads.getAsInt()));
             return new CheckUpdate(CheckUpdate.Phase.RESULT, result.estimate(), snapshot.iterationsPerChain(), result);
         });
+    }
+
+    /**
+     * How many draws of each chain are wanted after a round. Only where they have converged does their number tell how
+     * many more make them as precise as asked: else, and where a target lies within their error, it is doubled.
+     */
+    private int wanted(Diagnostics found, List<Draws> draws) {
+        int count = draws.get(0).count();
+        if (preciseEnough(found, settings)) {
+            return undecided(found, draws) ? 2 * count : count;
+        }
+        return found.converged() ? wantedFor(count, found.mcseStdRelMax(), settings.sampling().targetMcseStdRel())
+                : 2 * count;
+    }
+
+    /**
+     * How many draws have the error asked for, where as many as there are have a larger one: it shrinks with the root
+     * of their number.
+     *
+     * @param count draws there are
+     * @param error their largest Monte Carlo error of a deviation, as a share of it
+     * @param asked the error asked for
+     * @return somewhat more than that, a quarter more to four times what there are; twice that where no error is known
+     */
+    static int wantedFor(int count, double error, double asked) {
+        double times = WITH_MARGIN * (error / asked) * (error / asked);
+        return Double.isNaN(times) ? 2 * count
+                : (int) Math.ceil(count * Math.max(LEAST_GROWTH, Math.min(MOST_GROWTH, times)));
     }
 
     private int firstRound() {

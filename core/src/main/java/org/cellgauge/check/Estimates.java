@@ -27,11 +27,21 @@ final class Estimates {
     private final Cell cell;
     private final CellQuantities quantities;
     private final CellEstimate quickLook;
+    /** One draw; only what is asked for is filled in. */
+    private final double[] values;
 
+    /**
+     * Estimates of one photo, for one thread.
+     *
+     * @param cell what stands in the cell
+     * @param quantities what a draw says
+     * @param quickLook budgets and the like, which no draw says anew
+     */
     Estimates(Cell cell, CellQuantities quantities, CellEstimate quickLook) {
         this.cell = cell;
         this.quantities = quantities;
         this.quickLook = quickLook;
+        values = new double[quantities.layout.size()];
     }
 
     /**
@@ -105,7 +115,6 @@ final class Estimates {
         int label = quantities.layout.indexOf(which);
         int[] read = IntStream.of(groups.euler, groups.tangent)
                 .flatMap(g -> IntStream.of(quantities.layout.groups().get(g))).distinct().toArray();
-        double[] values = new double[quantities.layout.size()];
         List<RunningSummary> split = new ArrayList<>();
         for (int k = 0; k < count; k++) {
             split.add(RunningSummary.ofGroups(quantities.layout, groups.euler, groups.tangent));

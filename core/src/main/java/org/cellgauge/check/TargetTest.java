@@ -2,7 +2,9 @@ package org.cellgauge.check;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Function;
@@ -27,6 +29,7 @@ public final class TargetTest {
     static final double GUARD_ERRORS = 2;
 
     private final List<JudgedObject> objects;
+    private final Map<Integer, JudgedObject> byId = new HashMap<>();
     private final List<Integer> notSeen;
     private final List<Integer> misplaced;
     private final boolean poseWithoutMisplaced;
@@ -47,6 +50,7 @@ public final class TargetTest {
     public TargetTest(List<JudgedObject> objects, List<Integer> notSeen, List<Integer> misplaced,
             boolean poseWithoutMisplaced, @Nullable Misfit misfit, Target target) {
         this.objects = Collections.unmodifiableList(new ArrayList<>(objects));
+        objects.forEach(object -> byId.put(object.id(), object));
         List<Integer> missed = new ArrayList<>(notSeen);
         // of an object of which nothing is asked, nothing is missed where it is not seen
         missed.removeIf(id -> target.isAny() && !target.of(id).isAny());
@@ -88,12 +92,7 @@ public final class TargetTest {
      * @return null where the object was not seen
      */
     public @Nullable JudgedObject object(int objectId) {
-        for (JudgedObject object : objects) {
-            if (object.id() == objectId) {
-                return object;
-            }
-        }
-        return null;
+        return byId.get(objectId);
     }
 
     /**

@@ -1,6 +1,5 @@
 package org.cellgauge.estimate;
 
-import java.util.Objects;
 import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
 
@@ -59,10 +58,13 @@ public final class VarianceSource {
 
     private final Kind kind;
     private final OptionalInt referenceId;
+    /** Budgets of many objects look each source up again and again. */
+    private final int hash;
 
     private VarianceSource(Kind kind, OptionalInt referenceId) {
         this.kind = kind;
         this.referenceId = referenceId;
+        hash = 31 * kind.hashCode() + referenceId.hashCode();
     }
 
     private static VarianceSource of(Kind kind) {
@@ -143,7 +145,7 @@ public final class VarianceSource {
 
     @Override
     public int hashCode() {
-        return Objects.hash(kind, referenceId);
+        return hash;
     }
 
     @Override

@@ -304,8 +304,15 @@ public final class PinholeCamera {
      */
     public double @Nullable [] image(double x, double y, double z) {
         double[] uv = new double[2];
+        if (!lens.project(intrinsics, x, y, z, uv, 0)) {
+            return null;
+        }
+        if (!lens.isDistorting(intrinsics)) {
+            // what does not bend does not fold over
+            return uv;
+        }
         double[] ray = new double[3];
-        if (!lens.project(intrinsics, x, y, z, uv, 0) || !lens.toRay(intrinsics, uv[0], uv[1], ray)) {
+        if (!lens.toRay(intrinsics, uv[0], uv[1], ray)) {
             return null;
         }
         double scale = Math.sqrt((ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]) / (x * x + y * y + z * z));

@@ -4,10 +4,12 @@ import com.google.gson.FormattingStyle;
 import com.google.gson.stream.JsonWriter;
 import java.io.IOException;
 import java.io.StringWriter;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.OptionalInt;
+import java.util.Set;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.Conformity;
 import org.cellgauge.geometry.BrownLens;
@@ -393,9 +395,10 @@ public final class ResultJson {
         json.name("camera_intrinsics");
         cameraIntrinsics(cell.camera());
         json.name("references").beginObject();
+        Set<Integer> used = new HashSet<>(references.used());
         for (StatedReference reference : cell.references()) {
             json.name(String.valueOf(reference.id())).beginObject();
-            json.name("used").value(references.used().contains(reference.id()));
+            json.name("used").value(used.contains(reference.id()));
             number("size_mm", reference.sizeMm());
             numbers("position_mm", reference.positionMm());
             numbers("rotation_rad", reference.rotationRad());

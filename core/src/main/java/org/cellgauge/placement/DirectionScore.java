@@ -63,6 +63,9 @@ final class DirectionScore {
     /** The score that its direction begins with. */
     final int first;
     private final double[] direction;
+    /** Where the direction begins and ends to be anything but zero. */
+    private final int from;
+    private final int to;
     private final double score;
     private final double sensitivity;
     private final double weight;
@@ -75,6 +78,16 @@ final class DirectionScore {
         this.cause = cause;
         this.first = first;
         this.direction = direction;
+        int begins = 0;
+        while (begins < direction.length - 1 && direction[begins] == 0) {
+            begins++;
+        }
+        int ends = direction.length;
+        while (ends > begins + 1 && direction[ends - 1] == 0) {
+            ends--;
+        }
+        from = begins;
+        to = ends;
         this.score = score;
         this.sensitivity = sensitivity;
         this.weight = weight;
@@ -158,11 +171,13 @@ final class DirectionScore {
         private final List<DirectionScore> tests;
         private final PlacementScores scores;
         private final double[] values;
+        private final double[] room;
 
         Joint(List<DirectionScore> tests, PlacementScores scores) {
             this.tests = tests;
             this.scores = scores;
             values = new double[scores.size()];
+            room = new double[scores.size()];
         }
 
         @Override
@@ -181,7 +196,7 @@ final class DirectionScore {
         @Override
         public void correlations(int test, double[] out) {
             DirectionScore own = tests.get(test);
-            scores.covariances(own.first, own.direction, values);
+            scores.covariances(own.first, own.direction, room, values);
             for (int t = 0; t < out.length; t++) {
                 out[t] = tests.get(t).along(values) / (own.sensitivity * tests.get(t).sensitivity);
             }
@@ -191,7 +206,7 @@ final class DirectionScore {
     /** Sum along the direction of one value per score. */
     private double along(double[] values) {
         double sum = 0;
-        for (int c = 0; c < direction.length; c++) {
+        for (int c = from; c < to; c++) {
             sum += direction[c] * values[first + c];
         }
         return sum;
@@ -236,21 +251,33 @@ final class DirectionScore {
                         evidence());
     }
 
-    /** The cause as it fits, given all tests of the photo and their scores. */
-    CauseFit fit(List<DirectionScore> tests, PlacementScores scores) {
-        return new CauseFit(explanation(), statistic(), limit(), explanation().std() * timesApart(tests, scores));
+    /** The cause as it fits, given how nearly it is like every other test of the photo. */
+    CauseFit fit(LargestCorrelation among) {
+        return new CauseFit(explanation(), statistic(), limit(), explanation().std() * timesApart(among));
     }
 
     /** How many times less well its size is told if any one other cause, or other reference, may be the reason. */
-    double timesApart(List<DirectionScore> tests, PlacementScores scores) {
-        double nearest = 0;
-        for (DirectionScore other : tests) {
-            if (!isOfTheSame(other)) {
-                double shared = scores.covariance(first, direction, other.first, other.direction);
-                nearest = Math.max(nearest, Math.abs(shared) / (sensitivity * other.sensitivity));
-            }
-        }
+    double timesApart(LargestCorrelation among) {
+        double nearest = among.of(this);
         return 1 / Math.sqrt(Math.max(0, 1 - nearest * nearest));
+    }
+
+    /** Size of the correlation with another test. */
+    double correlation(DirectionScore other, PlacementScores scores) {
+        double shared = scores.covariance(first, direction, other.first, other.direction);
+        return Math.abs(shared) / (sensitivity * other.sensitivity);
+    }
+
+    /**
+     * Its normalised score as a vector: where two tests are of different references, their correlation is minus the
+     * product of theirs.
+     */
+    double[] taken(PlacementScores scores) {
+        double[] taken = scores.taken(first, direction);
+        for (int k = 0; k < taken.length; k++) {
+            taken[k] /= sensitivity;
+        }
+        return taken;
     }
 
     /** Whether another test is about the same reference or the same cause. */

@@ -2,6 +2,7 @@ package org.cellgauge.placement;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.DoubleBinaryOperator;
 import java.util.function.Function;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.ObjectMarker;
@@ -62,21 +63,45 @@ public final class Overlap {
             }
         }
         List<Overlap> found = new ArrayList<>();
-        for (int b = 0; b < ids.size(); b++) {
-            for (int a = 0; a < b; a++) {
-                if (overlap(outlines.get(a), outlines.get(b))) {
-                    found.add(new Overlap(true, ids.get(a), ids.get(b)));
-                }
+        for (int[] pair : BoxSweep.touching(ends(outlines, Math::min), ends(outlines, Math::max))) {
+            if (overlap(outlines.get(pair[0]), outlines.get(pair[1]))) {
+                found.add(new Overlap(true, ids.get(pair[0]), ids.get(pair[1])));
             }
         }
-        for (int b = 0; b < references.size(); b++) {
-            for (int a = 0; a < b; a++) {
-                if (inOnePlace(references.get(a), references.get(b))) {
-                    found.add(new Overlap(false, references.get(a).id(), references.get(b).id()));
-                }
+        for (int[] pair : BoxSweep.touching(around(references, -1), around(references, 1))) {
+            Reference one = references.get(pair[0]);
+            Reference other = references.get(pair[1]);
+            if (inOnePlace(one, other)) {
+                found.add(new Overlap(false, one.id(), other.id()));
             }
         }
         return found;
+    }
+
+    /** The least or the most of each coordinate of some outlines. */
+    private static List<double[]> ends(List<double[]> outlines, DoubleBinaryOperator end) {
+        List<double[]> out = new ArrayList<>();
+        for (double[] outline : outlines) {
+            double[] box = {outline[0], outline[1]};
+            for (int i = 2; i < outline.length; i++) {
+                box[i % 2] = end.applyAsDouble(box[i % 2], outline[i]);
+            }
+            out.add(box);
+        }
+        return out;
+    }
+
+    /** One end of a box about each reference that reaches past its corners: two in one place touch. */
+    private static List<double[]> around(List<Reference> references, int side) {
+        List<double[]> out = new ArrayList<>();
+        for (Reference reference : references) {
+            double[] box = reference.worldFromMarker().translationMm();
+            for (int axis = 0; axis < box.length; axis++) {
+                box[axis] += side * reference.sizeMm();
+            }
+            out.add(box);
+        }
+        return out;
     }
 
     private static boolean inOnePlace(Reference a, Reference b) {

@@ -229,32 +229,67 @@ final class PlacementScores {
 
     /** Covariance of two scores. */
     private double covariance(int a, int b) {
-        double s = 0;
-        if (a >= firstOfCauses && b >= firstOfCauses) {
-            s = product(across[a - firstOfCauses], 0, across[b - firstOfCauses]);
-        } else if (a >= firstOfCauses) {
-            s = product(across[a - firstOfCauses], 8 * (b / COORDINATES), directions[b]);
-        } else if (b >= firstOfCauses) {
-            s = product(across[b - firstOfCauses], 8 * (a / COORDINATES), directions[a]);
-        } else if (a / COORDINATES == b / COORDINATES) {
-            s = product(directions[a], 0, directions[b]);
-        }
+        double s = beforeFit(a, b);
         for (double[] column : taken) {
             s -= column[a] * column[b];
         }
         return s;
     }
 
-    /** Covariances of the score of a direction with all scores. */
-    void covariances(int first, double[] direction, double[] out) {
+    /** Covariance of two scores if no unknown took anything of them: none where they are of different references. */
+    private double beforeFit(int a, int b) {
+        if (a >= firstOfCauses && b >= firstOfCauses) {
+            return product(across[a - firstOfCauses], 0, across[b - firstOfCauses]);
+        } else if (a >= firstOfCauses) {
+            return product(across[a - firstOfCauses], 8 * (b / COORDINATES), directions[b]);
+        } else if (b >= firstOfCauses) {
+            return product(across[b - firstOfCauses], 8 * (a / COORDINATES), directions[a]);
+        }
+        return a / COORDINATES == b / COORDINATES ? product(directions[a], 0, directions[b]) : 0;
+    }
+
+    /**
+     * Covariances of the score of a direction with all scores.
+     *
+     * @param first the score that it begins with
+     * @param direction by score from there on
+     * @param ofOne room for one value per score
+     * @param out receives one value per score
+     */
+    void covariances(int first, double[] direction, double[] ofOne, double[] out) {
         Arrays.fill(out, 0, size, 0);
         for (int c = 0; c < direction.length; c++) {
             if (direction[c] != 0) {
                 for (int a = 0; a < size; a++) {
-                    out[a] += direction[c] * covariance(first + c, a);
+                    ofOne[a] = beforeFit(first + c, a);
+                }
+                for (double[] column : taken) {
+                    double own = column[first + c];
+                    for (int a = 0; a < size; a++) {
+                        ofOne[a] -= own * column[a];
+                    }
+                }
+                for (int a = 0; a < size; a++) {
+                    out[a] += direction[c] * ofOne[a];
                 }
             }
         }
+    }
+
+    /**
+     * What unknowns take of the score of a direction: the covariance of two directions of different references is minus
+     * the product of what is taken of them.
+     *
+     * @return one value per unknown of the pose and per column swept out
+     */
+    double[] taken(int first, double[] direction) {
+        double[] out = new double[taken.length];
+        for (int k = 0; k < out.length; k++) {
+            for (int c = 0; c < direction.length; c++) {
+                out[k] += direction[c] * taken[k][first + c];
+            }
+        }
+        return out;
     }
 
     private static double[] whitened(double[] column, int references, double[] whitening) {

@@ -2,9 +2,13 @@ package org.cellgauge.placement;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.laplace.CameraFit;
@@ -44,6 +48,7 @@ public final class ReferenceCheck {
     public static final double LEVEL_TOGETHER = 0.001;
 
     private final List<ReferenceFit> fits;
+    private final Map<Integer, ReferenceFit> byId = new HashMap<>();
     private final List<MisplacedReference> misplaced;
     private final @Nullable WithoutMisplaced without;
     private final double chiSquare;
@@ -66,6 +71,7 @@ public final class ReferenceCheck {
         this.chiSquare = chiSquare;
         this.degreesOfFreedom = degreesOfFreedom;
         this.fits = Collections.unmodifiableList(fits);
+        fits.forEach(fit -> byId.put(fit.id(), fit));
         this.misplaced = Collections.unmodifiableList(misplaced);
         this.without = without;
     }
@@ -91,19 +97,27 @@ public final class ReferenceCheck {
             named.search(tests);
         }
         PlacementScores scores = named.first;
+        Set<Integer> leftOut = new HashSet<>(named.leftOut);
         double[] position = camera.view.worldFromCamera(mode.state().cameraFromSet()).translationMm();
+        LargestCorrelation among = new LargestCorrelation(tests, scores);
+        List<List<DirectionScore>> byReference = new ArrayList<>();
+        for (int m = 0; m < camera.view.size(); m++) {
+            byReference.add(new ArrayList<>());
+        }
+        List<CauseFit> causeFits = new ArrayList<>();
+        for (DirectionScore test : tests) {
+            if (test.reference == null) {
+                causeFits.add(test.fit(among));
+            } else {
+                byReference.get(test.index).add(test);
+            }
+        }
         List<ReferenceFit> fits = new ArrayList<>();
         for (int m = 0; m < camera.view.size(); m++) {
             Reference reference = camera.view.references().get(m);
             fits.add(new ReferenceFit(reference,
                     distance(position, reference.worldFromMarker().translationMm()), scores.chiSquare(m),
-                    named.leftOut.contains(reference.id()), tests, scores));
-        }
-        List<CauseFit> causeFits = new ArrayList<>();
-        for (DirectionScore test : tests) {
-            if (test.reference == null) {
-                causeFits.add(test.fit(tests, scores));
-            }
+                    leftOut.contains(reference.id()), byReference.get(m), among));
         }
         CameraFit rest = named.rest;
         int degrees = rest != null && rest.view.size() >= 2 && !tests.isEmpty()
@@ -260,12 +274,7 @@ public final class ReferenceCheck {
      * @return its figures, or null where the camera pose does not rest on it
      */
     public @Nullable ReferenceFit fit(int id) {
-        for (ReferenceFit fit : fits) {
-            if (fit.id() == id) {
-                return fit;
-            }
-        }
-        return null;
+        return byId.get(id);
     }
 
     /**

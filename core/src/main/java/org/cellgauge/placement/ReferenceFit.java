@@ -25,7 +25,7 @@ public final class ReferenceFit {
     private final double[] detectable = undefined();
 
     ReferenceFit(Reference reference, double distanceMm, double[] chiSquare, boolean misplaced,
-            List<DirectionScore> tests, PlacementScores scores) {
+            List<DirectionScore> tests, LargestCorrelation among) {
         this.reference = reference;
         this.distanceMm = distanceMm;
         this.chiSquare = chiSquare[0];
@@ -33,12 +33,12 @@ public final class ReferenceFit {
         this.misplaced = misplaced;
         for (DirectionScore test : tests) {
             int c = test.coordinate();
-            if (c >= 0 && test.reference().id() == reference.id()) {
+            if (c >= 0) {
                 statistic[c] = test.statistic();
                 limit[c] = test.limit();
                 offset[c] = test.offset()[c];
                 offsetStd[c] = test.offsetStd()[c];
-                apartStd[c] = offsetStd[c] * test.timesApart(tests, scores);
+                apartStd[c] = offsetStd[c] * test.timesApart(among);
                 detectable[c] = test.detectable()[c];
             }
         }

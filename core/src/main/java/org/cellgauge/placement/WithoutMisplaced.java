@@ -2,7 +2,9 @@ package org.cellgauge.placement;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.internal.laplace.CameraFit;
@@ -24,6 +26,7 @@ public final class WithoutMisplaced {
     private final PoseEstimate camera;
     private final double[] cameraMoveMm;
     private final List<ObjectWithout> objects;
+    private final Map<Integer, ObjectWithout> byId = new HashMap<>();
     private final double worstStdWithAllMm;
 
     private WithoutMisplaced(List<Integer> leftOut, PoseEstimate camera, double[] cameraMoveMm,
@@ -32,6 +35,7 @@ public final class WithoutMisplaced {
         this.camera = camera;
         this.cameraMoveMm = cameraMoveMm;
         this.objects = Collections.unmodifiableList(objects);
+        objects.forEach(object -> byId.put(object.id, object));
         this.worstStdWithAllMm = worstStdWithAllMm;
     }
 
@@ -245,11 +249,6 @@ public final class WithoutMisplaced {
      * @return what becomes of it, or null where it was not seen
      */
     public @Nullable ObjectWithout object(int id) {
-        for (ObjectWithout object : objects) {
-            if (object.id == id) {
-                return object;
-            }
-        }
-        return null;
+        return byId.get(id);
     }
 }

@@ -49,7 +49,6 @@ public final class WrongCorner {
             return null;
         }
         double[] covariance = mode.covariance();
-        double[] whitening = mode.whitening();
         int worst = -1;
         int corner = -1;
         double most = 0;
@@ -60,7 +59,7 @@ public final class WrongCorner {
             double own = 0;
             int at = -1;
             for (int k = 0; k < 4; k++) {
-                double squares = squares(k, whitening, 64 * m, residual, jacobian, covariance, mode.dimension());
+                double squares = squares(k, mode, m, residual, jacobian, covariance);
                 if (squares > own) {
                     own = squares;
                     at = k;
@@ -91,14 +90,15 @@ public final class WrongCorner {
      * and v, J that by the pose and C the pose's covariance, {@code s' V^-1 s}, where {@code s = d' r} and
      * {@code V = d' d - d' J C J' d}.
      */
-    private static double squares(int corner, double[] whitening, int from, double[] residual, double[] jacobian,
-            double[] covariance, int unknowns) {
+    private static double squares(int corner, PoseMode mode, int marker, double[] residual, double[] jacobian,
+            double[] covariance) {
+        int unknowns = mode.dimension();
         double[] score = new double[2];
         double[] byPose = new double[2 * unknowns];
         double[] variance = new double[3];
         for (int i = 2 * corner; i < 8; i++) {
-            double along = whitening[from + 8 * i + 2 * corner];
-            double down = whitening[from + 8 * i + 2 * corner + 1];
+            double along = mode.whitening(marker, i, 2 * corner);
+            double down = mode.whitening(marker, i, 2 * corner + 1);
             score[0] += along * residual[i];
             score[1] += down * residual[i];
             variance[0] += along * along;

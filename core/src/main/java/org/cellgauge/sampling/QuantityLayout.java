@@ -2,6 +2,7 @@ package org.cellgauge.sampling;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,13 +16,15 @@ import java.util.stream.Collectors;
  */
 public final class QuantityLayout {
     private final List<Quantity> quantities;
+    private final Map<Quantity, Integer> indices;
     private final List<String> names;
     private final boolean[] angle;
     private final double[] referenceRad;
     private final List<int[]> groups;
 
     private QuantityLayout(Builder b) {
-        quantities = Collections.unmodifiableList(new ArrayList<>(b.quantities));
+        quantities = Collections.unmodifiableList(new ArrayList<>(b.indices.keySet()));
+        indices = new HashMap<>(b.indices);
         names = Collections.unmodifiableList(quantities.stream().map(Quantity::name).collect(Collectors.toList()));
         angle = new boolean[names.size()];
         referenceRad = new double[names.size()];
@@ -67,8 +70,8 @@ public final class QuantityLayout {
      * @throws IllegalArgumentException if draws have no such quantity
      */
     public int indexOf(Quantity quantity) {
-        int i = quantities.indexOf(quantity);
-        if (i < 0) {
+        Integer i = indices.get(quantity);
+        if (i == null) {
             throw new IllegalArgumentException("no quantity " + quantity);
         }
         return i;
@@ -105,7 +108,7 @@ public final class QuantityLayout {
 
     /** Builds a layout. */
     public static final class Builder {
-        private final List<Quantity> quantities = new ArrayList<>();
+        private final Map<Quantity, Integer> indices = new LinkedHashMap<>();
         private final Map<Integer, Double> references = new LinkedHashMap<>();
         private final List<int[]> groups = new ArrayList<>();
 
@@ -116,11 +119,11 @@ public final class QuantityLayout {
          * @return its index
          */
         public int add(Quantity quantity) {
-            if (quantities.contains(quantity)) {
+            int index = indices.size();
+            if (indices.putIfAbsent(quantity, index) != null) {
                 throw new IllegalArgumentException("quantity " + quantity + " stands twice");
             }
-            quantities.add(quantity);
-            return quantities.size() - 1;
+            return index;
         }
 
         /**

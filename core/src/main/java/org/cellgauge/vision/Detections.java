@@ -2,7 +2,9 @@ package org.cellgauge.vision;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.cellgauge.warning.Warning;
 import org.jspecify.annotations.Nullable;
 
@@ -12,6 +14,7 @@ public final class Detections {
     private final int widthPx;
     private final int heightPx;
     private final List<MarkerObservation> markers;
+    private final Map<Integer, MarkerObservation> byId = new HashMap<>();
     private final List<Warning> warnings;
     private final @Nullable PhotoLight light;
 
@@ -57,6 +60,8 @@ public final class Detections {
         this.widthPx = widthPx;
         this.heightPx = heightPx;
         this.markers = Collections.unmodifiableList(new ArrayList<>(markers));
+        // of two of one marker the first
+        this.markers.forEach(marker -> byId.putIfAbsent(marker.id(), marker));
         this.warnings = Collections.unmodifiableList(new ArrayList<>(warnings));
         this.light = light;
     }
@@ -122,11 +127,6 @@ public final class Detections {
      * @return its observation, or null where it was not seen
      */
     public @Nullable MarkerObservation find(int id) {
-        for (MarkerObservation m : markers) {
-            if (m.id() == id) {
-                return m;
-            }
-        }
-        return null;
+        return byId.get(id);
     }
 }

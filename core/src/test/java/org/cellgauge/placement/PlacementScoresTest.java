@@ -55,7 +55,7 @@ class PlacementScoresTest {
         double[] stated = new double[n];
         double[] variances = new double[n];
         for (int a = 0; a < n; a++) {
-            scores.covariances(a, new double[] {1}, stated);
+            scores.covariances(a, new double[] {1}, new double[n], stated);
             variances[a] = stated[a];
             for (int b = 0; b <= a; b++) {
                 assertEquals(scores.covariance(a, new double[] {1}, b, new double[] {1}), stated[b],

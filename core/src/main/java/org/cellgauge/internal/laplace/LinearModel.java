@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.cellgauge.cell.Reference;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.estimate.VarianceBudget;
@@ -48,8 +47,8 @@ public final class LinearModel {
     private final CameraState state;
     private final double[] worldFromCamera = new double[9];
     private final int columns;
-    /** Covariance that a fit has which knows a source to be zero, by source; filled when a budget is asked for. */
-    private Map<VarianceSource, double[]> refitted = Collections.emptyMap();
+    /** What all budgets need of the references; filled when one is asked for. */
+    private @Nullable OfReferences ofReferences;
 
     /**
      * The model about the heaviest mode.
@@ -296,20 +295,14 @@ public final class LinearModel {
             Map<VarianceSource, double[]> variances = new LinkedHashMap<>();
             Map<VarianceSource, double[]> left = new LinkedHashMap<>();
             CornerErrors errors = target.errors;
-            ReferenceNoise atMode = noise.about(mode.placed());
-            double[] placement = new double[64];
-            double[] pixel = new double[64];
-            double[] cornerNoise = new double[3];
-            double[] bent = new double[3];
-            for (int m = 0; m < camera.view.size(); m++) {
-                atMode.covariance(state, m, placement, pixel);
-                double[][] byResidual = times(a, mode.gain(m), 8);
-                Reference reference = camera.view.references().get(m);
-                variances.put(VarianceSource.placementOf(reference.id()),
-                        diagonal(byResidual, placement, 8));
-                add(cornerNoise, diagonal(byResidual, pixel, 8));
-                add(bent, diagonal(byResidual, errors.flatness(reference.id()), 8));
+            if (ofReferences == null) {
+                ofReferences = new OfReferences(noise.about(mode.placed()), errors);
             }
+            OfReferences references = ofReferences;
+            references.placement.forEach((source, covariance) ->
+                    variances.put(source, diagonal(a, covariance, columns)));
+            double[] cornerNoise = diagonal(a, references.cornerNoise, columns);
+            double[] bent = diagonal(a, references.bent, columns);
             double[] own = ownVariance(arm, null);
             double[] ofObject = own.clone();
             if (errors.hasFlatness()) {
@@ -326,10 +319,7 @@ public final class LinearModel {
             if (errors.hasFlatness()) {
                 variances.put(VarianceSource.FLATNESS_OF_PRINTS, bent);
             }
-            if (refitted.isEmpty()) {
-                refitted = refitted(atMode, errors);
-            }
-            refitted.forEach((source, covariance) -> {
+            references.refitted.forEach((source, covariance) -> {
                 double[] variance = diagonal(a, covariance, columns);
                 add(variance, source.equals(VarianceSource.FLATNESS_OF_PRINTS)
                         ? ownVariance(arm, VarianceSource.FLATNESS_OF_PRINTS) : own);
@@ -407,6 +397,60 @@ public final class LinearModel {
         /** What a Gaussian prior of the given information contributes: a C I C a^T. */
         private double[] priorPart(double[][] a, double[] information) {
             return diagonal(times(a, mode.covariance(), columns), information, columns);
+        }
+    }
+
+    /**
+     * What the errors of references do to the camera's unknowns, source by source: the same whatever object is looked
+     * at, so that a budget is a few products for each of them.
+     */
+    private final class OfReferences {
+        /** Covariance of the unknowns that comes from where one reference stands. */
+        final Map<VarianceSource, double[]> placement = new LinkedHashMap<>();
+        /** From noise in the corners of all, and from their prints that are not flat. */
+        final double[] cornerNoise = new double[columns * columns];
+        final double[] bent = new double[columns * columns];
+        /** Covariance that a fit has which knows a source to be zero. */
+        final Map<VarianceSource, double[]> refitted;
+
+        OfReferences(ReferenceNoise atMode, CornerErrors errors) {
+            double[] ofPlacement = new double[64];
+            double[] ofPixels = new double[64];
+            for (int m = 0; m < camera.view.size(); m++) {
+                int id = camera.view.references().get(m).id();
+                double[] gain = mode.gain(m);
+                atMode.covariance(state, m, ofPlacement, ofPixels);
+                double[] own = new double[columns * columns];
+                addCarried(gain, ofPlacement, own);
+                placement.put(VarianceSource.placementOf(id), own);
+                addCarried(gain, ofPixels, cornerNoise);
+                if (errors.hasFlatness()) {
+                    addCarried(gain, errors.flatness(id), bent);
+                }
+            }
+            refitted = refitted(atMode, errors);
+        }
+
+        /** A covariance of eight residuals carried to the unknowns and added: gain, covariance, gain^T. */
+        private void addCarried(double[] gain, double[] covariance, double[] sum) {
+            double[] carried = new double[8];
+            for (int a = 0; a < columns; a++) {
+                for (int j = 0; j < 8; j++) {
+                    double s = 0;
+                    for (int i = 0; i < 8; i++) {
+                        s += gain[8 * a + i] * covariance[8 * i + j];
+                    }
+                    carried[j] = s;
+                }
+                for (int b = 0; b <= a; b++) {
+                    double s = 0;
+                    for (int j = 0; j < 8; j++) {
+                        s += carried[j] * gain[8 * b + j];
+                    }
+                    sum[a * columns + b] += s;
+                    sum[b * columns + a] = sum[a * columns + b];
+                }
+            }
         }
     }
 
@@ -559,10 +603,20 @@ public final class LinearModel {
         return out;
     }
 
+    /** The first three of the diagonal of a b a^T. */
     private static double[] diagonal(double[][] a, double[] b, int n) {
-        double[][] full = new double[a.length][a.length];
-        Matrices.addSandwich(a, b, n, full);
-        return new double[] {full[0][0], full[1][1], full[2][2]};
+        double[] out = new double[3];
+        for (int i = 0; i < out.length; i++) {
+            double[] row = a[i];
+            for (int l = 0; l < n; l++) {
+                double s = 0;
+                for (int k = 0; k < n; k++) {
+                    s += row[k] * b[k * n + l];
+                }
+                out[i] += s * row[l];
+            }
+        }
+        return out;
     }
 
     private static double[][] timesGain(double[][] a, double[] gain) {

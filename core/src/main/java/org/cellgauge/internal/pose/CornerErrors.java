@@ -59,6 +59,7 @@ public final class CornerErrors {
     private final double sizeStdMm;
     private final int unknowns;
     private final Map<Integer, Double> inflations;
+    private final boolean flat;
 
     private CornerErrors(Map<Integer, MarkerErrors> markers, double statedStdPx, @Nullable AddedNoise added,
             @Nullable EdgeModel edges, List<Double> sizesMm, double sizeStdMm, int unknowns,
@@ -71,6 +72,11 @@ public final class CornerErrors {
         this.sizeStdMm = sizeStdMm;
         this.unknowns = unknowns;
         this.inflations = inflations;
+        boolean any = false;
+        for (MarkerErrors m : markers.values()) {
+            any |= m.flatnessPx2 != null;
+        }
+        flat = any;
     }
 
     /**
@@ -521,12 +527,7 @@ public final class CornerErrors {
      * @return true if a part of the covariances comes from that
      */
     public boolean hasFlatness() {
-        for (MarkerErrors m : markers.values()) {
-            if (m.flatnessPx2 != null) {
-                return true;
-            }
-        }
-        return false;
+        return flat;
     }
 
     /**

@@ -27,8 +27,12 @@ import org.jspecify.annotations.Nullable;
 public final class RigidMarkerLikelihood implements CameraLikelihood {
     private static final int PACKED = NoiseWhitening.PACKED;
 
-    private final double[] points;
-    private final double[] observed;
+    /** Corners of all references, each coordinate in an array of its own: a loop over them takes several at once. */
+    private final double[] xs;
+    private final double[] ys;
+    private final double[] zs;
+    private final double[] observedU;
+    private final double[] observedV;
     private final double[] columns;
     private final int unknowns;
     private final double[] stated;
@@ -38,7 +42,10 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
     private final double[] byShift;
     private final double[] shift;
     private final double[] offset = new double[3];
-    private final double[] residuals = new double[8];
+    /** Residuals of all corners and how far before the camera they are, of the state looked at. */
+    private final double[] residualU;
+    private final double[] residualV;
+    private final double[] depth;
     private final double[] uv = new double[2];
 
     /**
@@ -63,8 +70,15 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
 
     private RigidMarkerLikelihood(ReferenceView view, double[] points, double[] observed, double[] whitening,
             @Nullable PoseMode mode) {
-        this.points = points;
-        this.observed = observed;
+        int corners = 4 * view.size();
+        xs = coordinate(points, 0, 3);
+        ys = coordinate(points, 1, 3);
+        zs = coordinate(points, 2, 3);
+        observedU = coordinate(observed, 0, 2);
+        observedV = coordinate(observed, 1, 2);
+        residualU = new double[corners];
+        residualV = new double[corners];
+        depth = new double[corners];
         loose = mode == null ? null : loose(view, mode);
         shift = new double[loose == null ? 0 : loose.count()];
         byShift = loose == null || mode == null ? shift : loose.columns(points, mode.state());
@@ -98,8 +112,17 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
      * @param errors errors of these corners, with an added noise
      */
     public RigidMarkerLikelihood(ReferenceView view, PoseMode mode, CornerErrors errors) {
-        points = mode.pointsMm();
-        observed = mode.comparedPx();
+        double[] points = mode.pointsMm();
+        double[] observed = mode.comparedPx();
+        int corners = 4 * view.size();
+        xs = coordinate(points, 0, 3);
+        ys = coordinate(points, 1, 3);
+        zs = coordinate(points, 2, 3);
+        observedU = coordinate(observed, 0, 2);
+        observedV = coordinate(observed, 1, 2);
+        residualU = new double[corners];
+        residualV = new double[corners];
+        depth = new double[corners];
         loose = loose(view, mode);
         shift = new double[loose == null ? 0 : loose.count()];
         byShift = loose == null ? shift : loose.columns(points, mode.state());
@@ -110,6 +133,15 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         List<Integer> ids = new ArrayList<>();
         view.references().forEach(r -> ids.add(r.id()));
         noise = new NoiseWhitening(errors, ids, mode.placementPx2());
+    }
+
+    /** Every so manieth value from the first one asked for on. */
+    private static double[] coordinate(double[] values, int first, int every) {
+        double[] out = new double[values.length / every];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = values[every * i + first];
+        }
+        return out;
     }
 
     private static @Nullable LooseAxes loose(ReferenceView view, PoseMode mode) {
@@ -126,16 +158,13 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
             loose.shift(state, shift, offset);
             t = offset;
         }
-        double tx = t[0];
-        double ty = t[1];
-        double tz = t[2];
         Lens lens = state.lens;
         // a skew is rare; written out as well it would cost every likelihood a tenth
-        boolean written = !lens.isDistorting(intrinsics) && intrinsics[PinholeCamera.SKEW] == 0;
-        double fx = intrinsics[PinholeCamera.FX];
-        double fy = intrinsics[PinholeCamera.FY];
-        double cx = intrinsics[PinholeCamera.CX];
-        double cy = intrinsics[PinholeCamera.CY];
+        boolean seen = !lens.isDistorting(intrinsics) && intrinsics[PinholeCamera.SKEW] == 0
+                ? project(r, t, intrinsics) : project(lens, r, t, intrinsics);
+        if (!seen) {
+            return Double.NEGATIVE_INFINITY;
+        }
         double[] packed = stated;
         double logDiagonal = logDeterminant;
         if (noise != null) {
@@ -144,84 +173,133 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
             logDiagonal = noise.logDeterminant(node);
         }
         double squares = 0;
-        for (int p = 0, o = 0, w = 0; p < points.length; o += 8, w += PACKED) {
-            for (int k = 0; k < 8; k += 2, p += 3) {
-                double px = points[p];
-                double py = points[p + 1];
-                double pz = points[p + 2];
-                double x = r[0] * px + r[1] * py + r[2] * pz + tx;
-                double y = r[3] * px + r[4] * py + r[5] * pz + ty;
-                double z = r[6] * px + r[7] * py + r[8] * pz + tz;
-                if (!written) {
-                    if (!lens.project(intrinsics, x, y, z, uv, 0)) {
-                        return Double.NEGATIVE_INFINITY;
-                    }
-                    residuals[k] = uv[0] - observed[o + k];
-                    residuals[k + 1] = uv[1] - observed[o + k + 1];
-                } else {
-                    if (!(z > 0)) {
-                        return Double.NEGATIVE_INFINITY;
-                    }
-                    double inverseZ = 1 / z;
-                    residuals[k] = fx * x * inverseZ + cx - observed[o + k];
-                    residuals[k + 1] = fy * y * inverseZ + cy - observed[o + k + 1];
-                }
-            }
+        int references = depth.length / 4;
+        for (int m = 0; m < references; m++) {
             if (unknowns > 0) {
-                alongColumns(state.unknowns, o);
+                alongColumns(state.unknowns, 4 * m);
             }
             if (loose != null) {
-                alongLooseAxes(o);
+                alongLooseAxes(4 * m);
             }
-            squares += whitenedSquares(packed, w);
+            int w = PACKED * m;
+            squares += withLastSquares(firstSquares(packed, w, 4 * m), packed, w, 4 * m);
         }
         double value = logDiagonal - 0.5 * squares;
         return Double.isNaN(value) ? Double.NEGATIVE_INFINITY : value;
     }
 
-    /** Moves the residuals of the reference whose corners start at an index by what markers share. */
-    private void alongColumns(double[] nu, int o) {
-        for (int i = 0, c = o * unknowns; i < 8; i++) {
-            double sum = 0;
-            for (int j = 0; j < unknowns; j++) {
-                sum += columns[c++] * nu[j];
+    /** Residuals of all corners of a lens that does not distort; false where one is not in front of the camera. */
+    private boolean project(double[] r, double[] t, double[] intrinsics) {
+        double r0 = r[0];
+        double r1 = r[1];
+        double r2 = r[2];
+        double r3 = r[3];
+        double r4 = r[4];
+        double r5 = r[5];
+        double r6 = r[6];
+        double r7 = r[7];
+        double r8 = r[8];
+        double tx = t[0];
+        double ty = t[1];
+        double tz = t[2];
+        double fx = intrinsics[PinholeCamera.FX];
+        double fy = intrinsics[PinholeCamera.FY];
+        double cx = intrinsics[PinholeCamera.CX];
+        double cy = intrinsics[PinholeCamera.CY];
+        // no branch, so that the processor takes several corners at once
+        for (int i = 0; i < depth.length; i++) {
+            double x = r0 * xs[i] + r1 * ys[i] + r2 * zs[i] + tx;
+            double y = r3 * xs[i] + r4 * ys[i] + r5 * zs[i] + ty;
+            double z = r6 * xs[i] + r7 * ys[i] + r8 * zs[i] + tz;
+            double inverseZ = 1 / z;
+            depth[i] = z;
+            residualU[i] = fx * x * inverseZ + cx - observedU[i];
+            residualV[i] = fy * y * inverseZ + cy - observedV[i];
+        }
+        for (double z : depth) {
+            if (!(z > 0)) {
+                return false;
             }
-            residuals[i] += sum;
+        }
+        return true;
+    }
+
+    /** The same of any lens. */
+    private boolean project(Lens lens, double[] r, double[] t, double[] intrinsics) {
+        for (int i = 0; i < depth.length; i++) {
+            if (!lens.project(intrinsics, r[0] * xs[i] + r[1] * ys[i] + r[2] * zs[i] + t[0],
+                    r[3] * xs[i] + r[4] * ys[i] + r[5] * zs[i] + t[1],
+                    r[6] * xs[i] + r[7] * ys[i] + r[8] * zs[i] + t[2], uv, 0)) {
+                return false;
+            }
+            residualU[i] = uv[0] - observedU[i];
+            residualV[i] = uv[1] - observedV[i];
+        }
+        return true;
+    }
+
+    /** Moves the residuals of the reference whose corners start at an index by what markers share. */
+    private void alongColumns(double[] nu, int corner) {
+        for (int k = corner, c = 2 * corner * unknowns; k < corner + 4; k++, c += 2 * unknowns) {
+            residualU[k] += along(columns, c, nu);
+            residualV[k] += along(columns, c + unknowns, nu);
         }
     }
 
+    private static double along(double[] row, int first, double[] by) {
+        double sum = 0;
+        for (int j = 0; j < by.length; j++) {
+            sum += row[first + j] * by[j];
+        }
+        return sum;
+    }
+
     /** The same by where the references have moved with the camera; a loop of its own, since it is rarely needed. */
-    private void alongLooseAxes(int o) {
-        for (int i = 0, c = o * shift.length; i < 8; i++) {
+    private void alongLooseAxes(int corner) {
+        for (int k = corner, c = 2 * corner * shift.length; k < corner + 4; k++) {
             for (double by : shift) {
-                residuals[i] -= byShift[c++] * by;
+                residualU[k] -= byShift[c++] * by;
+            }
+            for (double by : shift) {
+                residualV[k] -= byShift[c++] * by;
             }
         }
     }
 
     /**
-     * Squared length of the whitened residuals of the reference whose matrix starts at an index. Written out: with a
-     * loop over rows of growing length the whole likelihood takes twice as long.
+     * Squared length of the first six whitened residuals of the reference whose matrix and corners start at these
+     * indices. Written out: with a loop over rows of growing length the whole likelihood takes twice as long. In two
+     * methods, since the compiler puts none of more than 325 bytes into the loop that calls it.
      */
-    private double whitenedSquares(double[] m, int w) {
-        double r0 = residuals[0];
-        double r1 = residuals[1];
-        double r2 = residuals[2];
-        double r3 = residuals[3];
-        double r4 = residuals[4];
-        double r5 = residuals[5];
-        double r6 = residuals[6];
-        double r7 = residuals[7];
+    private double firstSquares(double[] m, int w, int corner) {
+        double r0 = residualU[corner];
+        double r1 = residualV[corner];
+        double r2 = residualU[corner + 1];
+        double r3 = residualV[corner + 1];
+        double r4 = residualU[corner + 2];
+        double r5 = residualV[corner + 2];
         double s0 = m[w] * r0;
         double s1 = m[w + 1] * r0 + m[w + 2] * r1;
         double s2 = m[w + 3] * r0 + m[w + 4] * r1 + m[w + 5] * r2;
         double s3 = m[w + 6] * r0 + m[w + 7] * r1 + m[w + 8] * r2 + m[w + 9] * r3;
         double s4 = m[w + 10] * r0 + m[w + 11] * r1 + m[w + 12] * r2 + m[w + 13] * r3 + m[w + 14] * r4;
         double s5 = m[w + 15] * r0 + m[w + 16] * r1 + m[w + 17] * r2 + m[w + 18] * r3 + m[w + 19] * r4 + m[w + 20] * r5;
+        return s0 * s0 + s1 * s1 + s2 * s2 + s3 * s3 + s4 * s4 + s5 * s5;
+    }
+
+    /** The same with the last two added. */
+    private double withLastSquares(double first, double[] m, int w, int corner) {
+        double r0 = residualU[corner];
+        double r1 = residualV[corner];
+        double r2 = residualU[corner + 1];
+        double r3 = residualV[corner + 1];
+        double r4 = residualU[corner + 2];
+        double r5 = residualV[corner + 2];
+        double r6 = residualU[corner + 3];
         double s6 = m[w + 21] * r0 + m[w + 22] * r1 + m[w + 23] * r2 + m[w + 24] * r3 + m[w + 25] * r4 + m[w + 26] * r5
                 + m[w + 27] * r6;
         double s7 = m[w + 28] * r0 + m[w + 29] * r1 + m[w + 30] * r2 + m[w + 31] * r3 + m[w + 32] * r4 + m[w + 33] * r5
-                + m[w + 34] * r6 + m[w + 35] * r7;
-        return s0 * s0 + s1 * s1 + s2 * s2 + s3 * s3 + s4 * s4 + s5 * s5 + s6 * s6 + s7 * s7;
+                + m[w + 34] * r6 + m[w + 35] * residualV[corner + 3];
+        return first + s6 * s6 + s7 * s7;
     }
 }

@@ -14,7 +14,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntSupplier;
-import java.util.function.Predicate;
+import java.util.function.ToIntFunction;
 import org.cellgauge.sampling.AcceptanceCount;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.QuantityLayout;
@@ -36,7 +36,7 @@ public final class ChainEnsemble {
     private final List<? extends ChainProcess> processes;
     private final QuantityLayout layout;
     private final RunLength length;
-    private final Predicate<List<Draws>> enough;
+    private final ToIntFunction<List<Draws>> wanted;
     private final IntSupplier threads;
     private final List<Draws> draws = new ArrayList<>();
     private final List<RunningSummary> summaries = new ArrayList<>();
@@ -48,12 +48,13 @@ public final class ChainEnsemble {
      * @param processes one per chain
      * @param layout quantities of their draws
      * @param length warm-up, rounds and cap
-     * @param enough asked at the end of each round with the draws of all chains whether they suffice
+     * @param wanted asked at the end of each round with the draws of all chains how many of each are wanted: no more
+     *     than there are where they suffice
      * @param threads number of threads, at least 1
      */
     public ChainEnsemble(List<? extends ChainProcess> processes, QuantityLayout layout, RunLength length,
-            Predicate<List<Draws>> enough, int threads) {
-        this(processes, layout, length, enough, () -> threads);
+            ToIntFunction<List<Draws>> wanted, int threads) {
+        this(processes, layout, length, wanted, () -> threads);
     }
 
     /**
@@ -62,15 +63,16 @@ public final class ChainEnsemble {
      * @param processes one per chain
      * @param layout quantities of their draws
      * @param length warm-up, rounds and cap
-     * @param enough asked at the end of each round with the draws of all chains whether they suffice
+     * @param wanted asked at the end of each round with the draws of all chains how many of each are wanted: no more
+     *     than there are where they suffice
      * @param threads asked before each part of a round, so that a device that gets warm can step down
      */
     public ChainEnsemble(List<? extends ChainProcess> processes, QuantityLayout layout, RunLength length,
-            Predicate<List<Draws>> enough, IntSupplier threads) {
+            ToIntFunction<List<Draws>> wanted, IntSupplier threads) {
         this.processes = Collections.unmodifiableList(new ArrayList<>(processes));
         this.layout = layout;
         this.length = length;
-        this.enough = enough;
+        this.wanted = wanted;
         this.threads = threads;
         for (int i = 0; i < processes.size(); i++) {
             draws.add(new Draws(layout));
@@ -126,15 +128,18 @@ public final class ChainEnsemble {
                 if (emitter.isCancelled()) {
                     return;
                 }
-                boolean last = done == roundEnd && (done == length.iterations() || enough.test(draws()));
+                boolean last = false;
+                if (done == roundEnd) {
+                    last = done == length.iterations();
+                    int kept = done - length.warmup();
+                    int asked = last ? kept : wanted.applyAsInt(draws());
+                    last |= asked <= kept;
+                    roundEnd = (int) Math.min(length.iterations(), (long) length.warmup() + asked);
+                }
                 emitter.onNext(snapshot(done, last));
                 if (last) {
                     emitter.onComplete();
                     return;
-                }
-                if (done == roundEnd) {
-                    long kept = done - (long) length.warmup();
-                    roundEnd = (int) Math.min(length.iterations(), done + kept);
                 }
             }
         } catch (ExecutionException e) {

@@ -4,7 +4,7 @@ package org.cellgauge.internal.sampling;
  * How long an ensemble runs.
  *
  * @param warmup iterations of each chain that are not kept, at least 0
- * @param firstRound iterations of the first round after the warm-up, at least 1; later rounds double the total
+ * @param firstRound iterations of the first round after the warm-up, at least 1; later ones as the draws ask for
  * @param iterations largest number of iterations of each chain, warm-up included; more than the warm-up
  */
 public record RunLength(int warmup, int firstRound, int iterations) {

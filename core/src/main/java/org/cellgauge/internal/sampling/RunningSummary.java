@@ -1,5 +1,6 @@
 package org.cellgauge.internal.sampling;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.cellgauge.internal.statistics.Angles;
 import org.cellgauge.internal.statistics.CircularMoments;
@@ -13,11 +14,12 @@ import org.jspecify.annotations.Nullable;
  */
 public final class RunningSummary {
     private final QuantityLayout layout;
-    /** Groups that are summarised, and the angles among their quantities. */
+    /** Groups that are summarised, and the angles among their quantities, both ascending. */
     private final int[] groups;
     private final int[] angles;
+    /** By place among these: a summary of few quantities is small however many there are. */
     private final RunningMoments[] moments;
-    private final @Nullable CircularMoments[] directions;
+    private final CircularMoments[] directions;
     private final double[][] scratch;
     private long count;
 
@@ -43,20 +45,21 @@ public final class RunningSummary {
 
     private RunningSummary(QuantityLayout layout, int[] groups, boolean all) {
         this.layout = layout;
+        Arrays.sort(groups);
         this.groups = groups;
-        scratch = new double[layout.groups().size()][];
-        moments = new RunningMoments[scratch.length];
+        scratch = new double[groups.length][];
+        moments = new RunningMoments[groups.length];
         IntStream quantities = all ? IntStream.range(0, layout.size())
                 : IntStream.of(groups).flatMap(g -> IntStream.of(layout.groups().get(g))).distinct();
-        angles = quantities.filter(layout::isAngle).toArray();
-        for (int g : groups) {
-            int size = layout.groups().get(g).length;
+        angles = quantities.filter(layout::isAngle).sorted().toArray();
+        for (int g = 0; g < groups.length; g++) {
+            int size = layout.groups().get(groups[g]).length;
             moments[g] = new RunningMoments(size);
             scratch[g] = new double[size];
         }
-        directions = new CircularMoments[layout.size()];
-        for (int q : angles) {
-            directions[q] = new CircularMoments();
+        directions = new CircularMoments[angles.length];
+        for (int a = 0; a < angles.length; a++) {
+            directions[a] = new CircularMoments();
         }
     }
 
@@ -67,8 +70,8 @@ public final class RunningSummary {
      */
     public void add(double[] quantities) {
         count++;
-        for (int g : groups) {
-            int[] indices = layout.groups().get(g);
+        for (int g = 0; g < groups.length; g++) {
+            int[] indices = layout.groups().get(groups[g]);
             double[] values = scratch[g];
             for (int i = 0; i < indices.length; i++) {
                 int q = indices[i];
@@ -79,8 +82,8 @@ public final class RunningSummary {
             }
             moments[g].add(values);
         }
-        for (int q : angles) {
-            directions[q].add(quantities[q]);
+        for (int a = 0; a < angles.length; a++) {
+            directions[a].add(quantities[angles[a]]);
         }
     }
 
@@ -91,11 +94,11 @@ public final class RunningSummary {
      */
     public void merge(RunningSummary other) {
         count += other.count;
-        for (int g : groups) {
+        for (int g = 0; g < groups.length; g++) {
             moments[g].merge(other.moments[g]);
         }
-        for (int q : angles) {
-            directions[q].merge(other.directions[q]);
+        for (int a = 0; a < angles.length; a++) {
+            directions[a].merge(other.directions[a]);
         }
     }
 
@@ -125,10 +128,10 @@ public final class RunningSummary {
      */
     public double[] mean(int group) {
         int[] indices = layout.groups().get(group);
-        double[] mean = moments[group].mean();
+        double[] mean = moments[placeOf(group)].mean();
         for (int i = 0; i < indices.length; i++) {
             if (layout.isAngle(indices[i])) {
-                double direction = directions[indices[i]].meanDirectionRad();
+                double direction = directions[Arrays.binarySearch(angles, indices[i])].meanDirectionRad();
                 mean[i] = Double.isNaN(direction) ? Angles.wrapToPi(mean[i]) : direction;
             }
         }
@@ -142,7 +145,15 @@ public final class RunningSummary {
      * @return a new matrix, unbiased (divided by count - 1)
      */
     public double[][] covariance(int group) {
-        return moments[group].covariance();
+        return moments[placeOf(group)].covariance();
+    }
+
+    private int placeOf(int group) {
+        int place = Arrays.binarySearch(groups, group);
+        if (place < 0) {
+            throw new IllegalArgumentException("group " + group + " is not summarised");
+        }
+        return place;
     }
 
     /**
@@ -152,7 +163,7 @@ public final class RunningSummary {
      * @return a copy, or null for what is no angle of a group
      */
     public @Nullable CircularMoments direction(int index) {
-        CircularMoments own = directions[index];
-        return own == null ? null : own.copy();
+        int place = Arrays.binarySearch(angles, index);
+        return place < 0 ? null : directions[place].copy();
     }
 }

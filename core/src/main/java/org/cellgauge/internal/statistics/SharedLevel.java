@@ -1,5 +1,6 @@
 package org.cellgauge.internal.statistics;
 
+import java.util.Arrays;
 import org.apache.commons.math3.random.RandomGenerator;
 
 /**
@@ -14,7 +15,8 @@ import org.apache.commons.math3.random.RandomGenerator;
  *
  * <pre>P(any) = sum_j p_j E[1 / number of alarms], j drawn with chance p_j / sum p, the draw given an alarm of j,</pre>
  *
- * whose relative error is that of a mean of values between 0 and 1, however rare the alarm.
+ * whose relative error is that of a mean of values between 0 and 1, however rare the alarm. Time is proportional to the
+ * tests, and memory too.
  */
 public final class SharedLevel {
     /** The relative error of the level reached is then about 1.5 %. */
@@ -64,41 +66,56 @@ public final class SharedLevel {
     public static double[] limits(Statistics of, double[] weights, double level, RandomGenerator random) {
         int tests = of.count();
         double sum = 0;
+        double heaviest = 0;
         for (double weight : weights) {
             if (!(weight > 0 && Double.isFinite(weight))) {
                 throw new IllegalArgumentException("weights must be positive, not " + weight);
             }
             sum += weight;
+            heaviest = Math.max(heaviest, weight);
         }
         if (tests == 0 || weights.length != tests || !(level > 0 && level < 1)) {
             throw new IllegalArgumentException("needs as many weights as tests and a level between 0 and 1");
         }
-        Simulation simulation = new Simulation(of, weights, sum, random);
         // Bonferroni's limits first
         double scale = level / sum;
+        // where the heaviest test alone has the whole level
+        double widest = level / heaviest;
+        Simulation simulation = new Simulation(of, weights, sum, scale, widest, random);
         double[] limits = new double[tests];
         for (int round = 0; round < MOST_ROUNDS; round++) {
             double chance = simulation.chance(scale, limits);
             if (Math.abs(chance / level - 1) < AGREEMENT) {
                 break;
             }
-            scale *= level / chance;
+            scale = Math.min(widest, scale * (level / chance));
         }
         return limits;
     }
 
-    /** Draws that stay the same while the limits move, so that the chance is a smooth function of them. */
+    /**
+     * Draws that stay the same while the limits move, so that the chance is a smooth function of them. Of each draw
+     * only those tests are kept that raise an alarm at any of the limits between the first and the widest: a few, so
+     * that what a draw costs is one look at every test.
+     */
     private static final class Simulation {
         private final double[] weights;
         private final int[] chosen = new int[DRAWS];
         private final double[] tail = new double[DRAWS];
-        private final double[][] statistics = new double[DRAWS][];
-        private final double[][] correlations;
+        private final double[] own = new double[DRAWS];
+        private final Others[] others = new Others[DRAWS];
 
-        Simulation(Statistics of, double[] weights, double sumOfWeights, RandomGenerator random) {
+        Simulation(Statistics of, double[] weights, double sumOfWeights, double scale, double widest,
+                RandomGenerator random) {
             this.weights = weights;
             int tests = of.count();
-            correlations = new double[tests][];
+            double[] lowest = new double[tests];
+            for (int l = 0; l < tests; l++) {
+                lowest[l] = limit(widest * weights[l]);
+            }
+            double[] t = new double[tests];
+            double[] correlation = new double[tests];
+            int known = -1;
             int at = 0;
             double upTo = weights[0];
             for (int i = 0; i < DRAWS; i++) {
@@ -109,13 +126,19 @@ public final class SharedLevel {
                 }
                 chosen[i] = at;
                 tail[i] = 1 - random.nextDouble();
-                statistics[i] = new double[tests];
-                of.draw(random, statistics[i]);
-                if (correlations[at] == null) {
-                    correlations[at] = new double[tests];
-                    of.correlations(at, correlations[at]);
+                of.draw(random, t);
+                if (known != at) {
+                    of.correlations(at, correlation);
+                    known = at;
                 }
+                own[i] = t[at];
+                others[i] = new Others(t, correlation, lowest, at, given(i, scale), given(i, widest));
             }
+        }
+
+        /** What the chosen test of a draw is short of its alarm, which by symmetry may be taken to be positive. */
+        private double given(int draw, double scale) {
+            return limit(Math.min(1, scale * weights[chosen[draw]]) * tail[draw]) - own[draw];
         }
 
         /**
@@ -129,18 +152,55 @@ public final class SharedLevel {
             }
             double mean = 0;
             for (int i = 0; i < DRAWS; i++) {
-                int j = chosen[i];
-                double[] t = statistics[i];
-                double[] correlation = correlations[j];
-                // by symmetry the alarm may be taken to be on the positive side
-                double given = limit(Math.min(1, scale * weights[j]) * tail[i]) - t[j];
-                int alarms = 0;
-                for (int l = 0; l < limits.length; l++) {
-                    alarms += l == j || Math.abs(t[l] + correlation[l] * given) > limits[l] ? 1 : 0;
-                }
-                mean += 1.0 / alarms / DRAWS;
+                mean += 1.0 / (1 + others[i].alarms(given(i, scale), limits)) / DRAWS;
             }
             return all * mean;
+        }
+    }
+
+    /** The tests of one draw that may raise an alarm beside the chosen one. */
+    private static final class Others {
+        /** Rounding must not lose an alarm. */
+        private static final double SLACK = 1e-9;
+
+        private final int[] tests;
+        private final double[] statistics;
+        private final double[] correlations;
+
+        /** Statistics move in a straight line from what is given first to what is given last. */
+        Others(double[] statistics, double[] correlations, double[] lowest, int chosen, double first, double last) {
+            int count = 0;
+            for (int l = 0; l < lowest.length; l++) {
+                count += isCandidate(statistics[l], correlations[l], lowest[l], first, last) ? 1 : 0;
+            }
+            int[] found = new int[count];
+            int next = 0;
+            for (int l = 0; l < lowest.length; l++) {
+                if (isCandidate(statistics[l], correlations[l], lowest[l], first, last) && l != chosen) {
+                    found[next++] = l;
+                }
+            }
+            tests = Arrays.copyOf(found, next);
+            this.statistics = new double[next];
+            this.correlations = new double[next];
+            for (int k = 0; k < next; k++) {
+                this.statistics[k] = statistics[tests[k]];
+                this.correlations[k] = correlations[tests[k]];
+            }
+        }
+
+        private static boolean isCandidate(double statistic, double correlation, double lowest, double first,
+                double last) {
+            return Math.max(Math.abs(statistic + correlation * first), Math.abs(statistic + correlation * last))
+                    > lowest - SLACK;
+        }
+
+        int alarms(double given, double[] limits) {
+            int alarms = 0;
+            for (int k = 0; k < tests.length; k++) {
+                alarms += Math.abs(statistics[k] + correlations[k] * given) > limits[tests[k]] ? 1 : 0;
+            }
+            return alarms;
         }
     }
 

@@ -80,7 +80,7 @@ class ChainEnsembleTest {
     }
 
     private static ChainEnsemble ensemble(List<? extends ChainProcess> processes, RunLength length, int threads) {
-        return new ChainEnsemble(processes, layout(), length, draws -> false, threads);
+        return new ChainEnsemble(processes, layout(), length, draws -> 2 * draws.get(0).count(), threads);
     }
 
     @Test
@@ -132,7 +132,7 @@ class ChainEnsembleTest {
                 }
             });
         }
-        ChainEnsemble changing = new ChainEnsemble(processes, layout(), new RunLength(100, 1000, 1100), draws -> true,
+        ChainEnsemble changing = new ChainEnsemble(processes, layout(), new RunLength(100, 1000, 1100), draws -> 0,
                 threads::get);
         changing.stream().doOnNext(snapshot -> {
             assertEquals(1, most.get());
@@ -214,17 +214,18 @@ class ChainEnsembleTest {
     }
 
     @Test
-    void roundsDoubleWhatIsKeptUntilItSuffices() {
+    void roundsGoOnToWhatIsWantedUntilItSuffices() {
         List<Integer> asked = new ArrayList<>();
         List<Walk> walks = walks(2);
         ChainEnsemble ensemble = new ChainEnsemble(walks, layout(), new RunLength(100, 200, 100_000), draws -> {
             asked.add(draws.get(1).count());
-            return draws.get(0).count() >= 1000;
+            int count = draws.get(0).count();
+            return count == 200 ? 250 : count >= 1000 ? count : 4 * count;
         }, 2);
         EnsembleSnapshot last = ensemble.stream().blockingLast();
-        assertEquals(List.of(200, 400, 800, 1600), asked);
-        assertEquals(1700, last.iterationsPerChain());
-        assertEquals(1700, walks.get(0).steps.get());
+        assertEquals(List.of(200, 250, 1000), asked);
+        assertEquals(1100, last.iterationsPerChain());
+        assertEquals(1100, walks.get(0).steps.get());
         assertEquals(List.of(100), walks.get(0).warmedUpAt);
         assertTrue(last.last());
     }
@@ -234,7 +235,7 @@ class ChainEnsembleTest {
         List<Integer> asked = new ArrayList<>();
         ChainEnsemble ensemble = new ChainEnsemble(walks(1), layout(), new RunLength(0, 200, 700), draws -> {
             asked.add(draws.get(0).count());
-            return false;
+            return 2 * draws.get(0).count();
         }, 1);
         assertEquals(700, ensemble.stream().blockingLast().iterationsPerChain());
         assertEquals(List.of(200, 400), asked);
