@@ -21,7 +21,8 @@ public final class WrongCorner {
     static final double LEVEL = 0.0002;
     /**
      * A shift in the image has two numbers where one of a reference or a cause has one, and may be of a size within
-     * some twenty deviations: so much more it must explain to be as likely, and again so much to be likelier beyond doubt.
+     * some twenty deviations: so much more it must explain to be as likely, and again so much to be likelier beyond
+     * doubt.
      */
     private static final double MARGIN = 2 * ReferenceCheck.DOUBT;
 
