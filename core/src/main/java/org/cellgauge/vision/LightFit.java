@@ -33,7 +33,7 @@ final class LightFit {
     /** Edges that have moved by more than this leave the light that was taken as given about them stale, px. */
     private static final double STALE_PX = 0.03;
     /** Where to look first when nothing is known of the curve. */
-    private static final double[] SCANNED = {1.1, 2.2};
+    private static final double[] SCANNED = {1, 1.4, 1.8, 2.3};
     /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
     private static final double SURPRISE_PX = 0.1;
     /** A marker whose edges are shifted by so much more than the others', or whose noise is so many times theirs. */

@@ -48,10 +48,11 @@ public final class MainActivity extends Activity {
     private static final int REQUEST_CALIBRATION = 2;
     private static final int REQUEST_PHOTO = 3;
     private static final int REQUEST_PERMISSION = 4;
-    private static final String TARGET_TEXT = "target-text";
-    private static final String LICENCES_TOP = "licences-top";
-    private static final String FIGURES = "figures";
-    private static final String FROZEN_FRAME = "frozen-frame";
+    // the session's memory is in the same bundle, with names of its own
+    private static final String TARGET_TEXT = "screen-target-text";
+    private static final String LICENCES_TOP = "screen-licences-top";
+    private static final String FIGURES = "screen-figures";
+    private static final String FROZEN_FRAME = "screen-frozen-frame";
     /** A finger may miss a marker by so much. */
     private static final float REACH_DP = 32;
     private static final int QUARTER_DEG = 90;

@@ -459,7 +459,9 @@ public class Camera2FeedTest {
         measured(device, 33_000_000, 3200);
         assertEquals("opened", heard.next());
         assertTrue(heard.setup.notes().contains(CameraNote.LIGHT_SHORT));
-        assertEquals(16_500_000L, device.session.settings.get(CaptureRequest.SENSOR_EXPOSURE_TIME));
+        // the request that follows what is said comes from the camera's thread
+        eventually(() -> Long.valueOf(16_500_000L).equals(
+                device.session.settings.get(CaptureRequest.SENSOR_EXPOSURE_TIME)));
         feed.torch(true);
         eventually(() -> device.session.settings.get(CaptureRequest.CONTROL_AE_MODE)
                 .equals(CameraMetadata.CONTROL_AE_MODE_ON));
