@@ -78,7 +78,7 @@ final class LightFit {
     /** How alike the blur of sides is, as a share of it: focus, motion and the lens make some more blurred. */
     private static final double EXPECTED_BLUR_STD = 0.25;
     /** Markers by which the curve is looked for first: a start within the reach of Gauss-Newton is enough. */
-    private static final int MOST_SCANNED = 2;
+    private static final int MOST_SCANNED = 3;
     private static final int MAX_ROUNDS = 6;
     /** A change of the power that moves edges by less is none, px. */
     private static final double SETTLED_PX = 0.002;
@@ -264,7 +264,7 @@ final class LightFit {
             stale = anew ? 0 : stale;
             for (int m = 0; m < some.size(); m++) {
                 if (anew) {
-                    some.get(m).refitNearly(image, scale, patterns.get(m), MarkerEdges.MAX_PASSES);
+                    some.get(m).refitNearly(image, scale, patterns.get(m));
                 } else {
                     some.get(m).refitSamePixels(scale);
                 }
@@ -581,19 +581,15 @@ final class LightFit {
         return Math.max(least, Math.min(most, value));
     }
 
-    /** Starts at the power, of the one at hand and a few others, under which the sides leave the smallest residuals. */
+    /** Starts at the power, of a few, under which the sides leave the smallest residuals. */
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
         ToneCurve best = curve;
+        double least = Double.POSITIVE_INFINITY;
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
-        for (MarkerEdges marker : few) {
-            marker.conclude(scale, false);
-        }
-        setNoise(few);
-        double least = noiseGrey;
         for (double power : SCANNED) {
             scale.set(curve.withPower(power));
             for (int m = 0; m < few.size(); m++) {
-                few.get(m).refitNearly(image, scale, patterns.get(m), 1);
+                few.get(m).refit(image, scale, patterns.get(m));
                 few.get(m).conclude(scale, false);
             }
             setNoise(few);
@@ -605,7 +601,7 @@ final class LightFit {
         curve = best;
         scale.set(curve);
         for (int m = 0; m < some.size(); m++) {
-            some.get(m).refitNearly(image, scale, patterns.get(m), 1);
+            some.get(m).refit(image, scale, patterns.get(m));
         }
     }
 

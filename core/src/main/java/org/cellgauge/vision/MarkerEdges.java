@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class MarkerEdges {
     private static final int CORNERS = 4;
-    static final int MAX_PASSES = 6;
+    private static final int MAX_PASSES = 6;
     /** A line that moved further than this has left the band it was fitted in: its pixels are chosen again. */
     private static final double BAND_STILL_GOOD_PX = 0.05;
     /** The same while the tone curve is not known yet. */
@@ -208,7 +208,7 @@ final class MarkerEdges {
         if (distorted) {
             clearCache(cornersPx);
         }
-        settledPx = SideFit.NEARLY_SETTLED_PX;
+        settledPx = SideFit.SETTLED_PX;
         return passes(image, scale, MAX_PASSES, FIRST_BAND_STILL_GOOD_PX);
     }
 
@@ -232,13 +232,12 @@ final class MarkerEdges {
      * @param image the same image
      * @param scale tone curve and noise
      * @param pattern white cells; kept, not copied
-     * @param mostPasses how often at most pixels are gathered about the sides, positive
      * @return whether all sides were found
      */
-    boolean refitNearly(GreyImage image, GreyScale scale, boolean[] pattern, int mostPasses) {
+    boolean refitNearly(GreyImage image, GreyScale scale, boolean[] pattern) {
         white = pattern;
         settledPx = SideFit.NEARLY_SETTLED_PX;
-        return passes(image, scale, mostPasses, BAND_STILL_GOOD_PX);
+        return passes(image, scale, MAX_PASSES, BAND_STILL_GOOD_PX);
     }
 
     /**
