@@ -27,12 +27,10 @@ public final class WrongCorner {
     private static final double MARGIN = 2 * ReferenceCheck.DOUBT;
 
     private final int id;
-    private final int corner;
     private final double chiSquare;
 
-    private WrongCorner(int id, int corner, double chiSquare) {
+    private WrongCorner(int id, double chiSquare) {
         this.id = id;
-        this.corner = corner;
         this.chiSquare = chiSquare;
     }
 
@@ -40,7 +38,7 @@ public final class WrongCorner {
      * Looks for one.
      *
      * @param camera the camera from all references, with a mode, of the likelihood with rigid placements
-     * @return the corner for which most speaks; null where all are within what is stated or something else explains as
+     * @return the one for which most speaks; null where all are within what is stated or something else explains as
      *     much
      */
     public static @Nullable WrongCorner in(CameraFit camera) {
@@ -51,26 +49,19 @@ public final class WrongCorner {
         }
         double[] covariance = mode.covariance();
         int worst = -1;
-        int corner = -1;
         double most = 0;
         double ofAnother = 0;
         for (int m = 0; m < references; m++) {
             double[] residual = mode.whitenedResiduals(m);
             double[] jacobian = mode.jacobian(m);
             double own = 0;
-            int at = -1;
             for (int k = 0; k < 4; k++) {
-                double squares = squares(k, mode, m, residual, jacobian, covariance);
-                if (squares > own) {
-                    own = squares;
-                    at = k;
-                }
+                own = Math.max(own, squares(k, mode, m, residual, jacobian, covariance));
             }
             if (own > most) {
                 ofAnother = most;
                 most = own;
                 worst = m;
-                corner = at;
             } else {
                 ofAnother = Math.max(ofAnother, own);
             }
@@ -83,7 +74,7 @@ public final class WrongCorner {
         double ofPlacements = DirectionScore.mostExplained(camera.view, causes,
                 new PlacementScores(camera.view, mode, causes));
         return most - ofPlacements < MARGIN ? null
-                : new WrongCorner(camera.view.references().get(worst).id(), corner, most);
+                : new WrongCorner(camera.view.references().get(worst).id(), most);
     }
 
     /**
@@ -132,15 +123,6 @@ public final class WrongCorner {
      */
     public int id() {
         return id;
-    }
-
-    /**
-     * Which of its corners.
-     *
-     * @return 0 to 3: top-left, top-right, bottom-right, bottom-left of the upright marker
-     */
-    public int corner() {
-        return corner;
     }
 
     /**

@@ -70,6 +70,24 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
 
     private RigidMarkerLikelihood(ReferenceView view, double[] points, double[] observed, double[] whitening,
             @Nullable PoseMode mode) {
+        this(view, points, observed, mode, packed(whitening, view.size()), logDeterminant(whitening), null);
+    }
+
+    /**
+     * The likelihood frozen at a mode, with an unknown noise: corners where the mode's placement errors have moved
+     * them, and what placement adds to the covariances there.
+     *
+     * @param view references and their observed corners
+     * @param mode a mode of the camera pose that shows them, at any added noise
+     * @param errors errors of these corners, with an added noise
+     */
+    public RigidMarkerLikelihood(ReferenceView view, PoseMode mode, CornerErrors errors) {
+        this(view, mode.pointsMm(), mode.comparedPx(), mode, new double[0], 0,
+                new NoiseWhitening(errors, ids(view), mode.placementPx2()));
+    }
+
+    private RigidMarkerLikelihood(ReferenceView view, double[] points, double[] observed, @Nullable PoseMode mode,
+            double[] stated, double logDeterminant, @Nullable NoiseWhitening noise) {
         int corners = 4 * view.size();
         xs = coordinate(points, 0, 3);
         ys = coordinate(points, 1, 3);
@@ -84,55 +102,42 @@ public final class RigidMarkerLikelihood implements CameraLikelihood {
         byShift = loose == null || mode == null ? shift : loose.columns(points, mode.state());
         columns = view.columnsPx();
         unknowns = view.unknowns();
-        noise = null;
-        int markers = view.size();
+        this.stated = stated;
+        this.logDeterminant = logDeterminant;
+        this.noise = noise;
+    }
+
+    /** The lower triangles of all references, one after the other. */
+    private static double[] packed(double[] whitening, int markers) {
         if (whitening.length != 64 * markers) {
             throw new IllegalArgumentException("needs 64 whitening values per reference");
         }
-        stated = new double[PACKED * markers];
-        double sum = 0;
+        double[] out = new double[PACKED * markers];
+        int at = 0;
         for (int m = 0; m < markers; m++) {
-            int at = PACKED * m;
             for (int i = 0; i < 8; i++) {
                 for (int j = 0; j <= i; j++) {
-                    stated[at++] = whitening[64 * m + 8 * i + j];
+                    out[at++] = whitening[64 * m + 8 * i + j];
                 }
+            }
+        }
+        return out;
+    }
+
+    private static double logDeterminant(double[] whitening) {
+        double sum = 0;
+        for (int m = 0; m < whitening.length / 64; m++) {
+            for (int i = 0; i < 8; i++) {
                 sum += Math.log(whitening[64 * m + 9 * i]);
             }
         }
-        logDeterminant = sum;
+        return sum;
     }
 
-    /**
-     * The likelihood frozen at a mode, with an unknown noise: corners where the mode's placement errors have moved
-     * them, and what placement adds to the covariances there.
-     *
-     * @param view references and their observed corners
-     * @param mode a mode of the camera pose that shows them, at any added noise
-     * @param errors errors of these corners, with an added noise
-     */
-    public RigidMarkerLikelihood(ReferenceView view, PoseMode mode, CornerErrors errors) {
-        double[] points = mode.pointsMm();
-        double[] observed = mode.comparedPx();
-        int corners = 4 * view.size();
-        xs = coordinate(points, 0, 3);
-        ys = coordinate(points, 1, 3);
-        zs = coordinate(points, 2, 3);
-        observedU = coordinate(observed, 0, 2);
-        observedV = coordinate(observed, 1, 2);
-        residualU = new double[corners];
-        residualV = new double[corners];
-        depth = new double[corners];
-        loose = loose(view, mode);
-        shift = new double[loose == null ? 0 : loose.count()];
-        byShift = loose == null ? shift : loose.columns(points, mode.state());
-        columns = view.columnsPx();
-        unknowns = view.unknowns();
-        stated = new double[0];
-        logDeterminant = 0;
+    private static List<Integer> ids(ReferenceView view) {
         List<Integer> ids = new ArrayList<>();
         view.references().forEach(r -> ids.add(r.id()));
-        noise = new NoiseWhitening(errors, ids, mode.placementPx2());
+        return ids;
     }
 
     /** Every so manieth value from the first one asked for on. */

@@ -1,7 +1,7 @@
 package org.cellgauge.internal.sampling;
 
-import org.apache.commons.math3.random.BitsStreamGenerator;
 import org.apache.commons.math3.random.RandomGenerator;
+import org.apache.commons.math3.random.Well19937c;
 
 /**
  * Independent random streams of one seed, told apart by a path of numbers (purpose, chain, object): what a stream
@@ -34,74 +34,16 @@ public final class RandomStreams {
     }
 
     /**
-     * WELL19937c with the numbers of Commons Math's, which keeps five tables of indices beside each generator's words:
-     * many generators in turn, one per object and chain, then come from memory and not from the processor's cache.
-     * Normal numbers are with the processor's logarithm, sine and cosine in place of that library's slower ones, which
-     * differ in the last bit.
+     * The library's generator with its own numbers, but with the processor's logarithm, sine and cosine in place of the
+     * library's slower ones, which differ in the last bit.
      */
-    private static final class Stream extends BitsStreamGenerator {
-        private static final long serialVersionUID = 2;
-        /** Words of 32 bits, and which of them are mixed (Panneton, L'Ecuyer, Matsumoto 2006, table II). */
-        private static final int WORDS = 624;
-        private static final int M1 = 70;
-        private static final int M2 = 179;
-        private static final int M3 = 449;
-        private static final long SPREAD = 1812433253L;
+    private static final class Stream extends Well19937c {
+        private static final long serialVersionUID = 1;
 
-        private final int[] words = new int[WORDS];
-        private int index;
         private double second = Double.NaN;
 
         Stream(int[] seed) {
-            setWords(seed);
-        }
-
-        private void setWords(int[] seed) {
-            System.arraycopy(seed, 0, words, 0, Math.min(seed.length, WORDS));
-            for (int i = seed.length; i < WORDS; i++) {
-                long word = words[i - seed.length];
-                words[i] = (int) (SPREAD * (word ^ (word >> 30)) + i);
-            }
-            index = 0;
-        }
-
-        @Override
-        public void setSeed(int seed) {
-            setSeed(new int[] {seed});
-        }
-
-        @Override
-        public void setSeed(long seed) {
-            setSeed(new int[] {(int) (seed >>> 32), (int) seed});
-        }
-
-        @Override
-        public void setSeed(int[] seed) {
-            setWords(seed);
-            clear();
-        }
-
-        @Override
-        protected int next(int bits) {
-            int before = index == 0 ? WORDS - 1 : index - 1;
-            int twoBefore = before == 0 ? WORDS - 1 : before - 1;
-            int v0 = words[index];
-            int v1 = words[index < WORDS - M1 ? index + M1 : index + M1 - WORDS];
-            int v2 = words[index < WORDS - M2 ? index + M2 : index + M2 - WORDS];
-            int v3 = words[index < WORDS - M3 ? index + M3 : index + M3 - WORDS];
-            int z0 = 0x80000000 & words[before] ^ 0x7FFFFFFF & words[twoBefore];
-            int z1 = v0 ^ v0 << 25 ^ v1 ^ v1 >>> 27;
-            int z2 = v2 >>> 9 ^ v3 ^ v3 >>> 1;
-            int z3 = z1 ^ z2;
-            int z4 = z0 ^ z1 ^ z1 << 9 ^ z2 ^ z2 << 21 ^ z3 ^ z3 >>> 21;
-            words[index] = z3;
-            words[before] = z4;
-            words[twoBefore] &= 0x80000000;
-            index = before;
-            // tempering by Matsumoto and Kurita
-            z4 ^= z4 << 7 & 0xe46e1700;
-            z4 ^= z4 << 15 & 0x9b868000;
-            return z4 >>> 32 - bits;
+            super(seed);
         }
 
         @Override
