@@ -157,6 +157,7 @@ final class LightFit {
     private double maskOvershoot;
     /** What is seen of sharpening, undone or not, as a share of the step from black to white. */
     private double overshoot;
+    private double whiteGrey;
     /** Whether the noise is blue, as a mask alone makes it, and how many pairs of pixels say so. */
     private boolean noiseTells;
     private double pairs;
@@ -184,6 +185,7 @@ final class LightFit {
         maskRadiusPx = USUAL_RADIUS_PX;
         maskOvershoot = 0;
         overshoot = 0;
+        whiteGrey = 255;
         scale.setNoise(FIRST_NOISE_GREY);
         if (stated != null) {
             scale.set(stated);
@@ -785,6 +787,7 @@ final class LightFit {
             warnings.add(Warning.of(DetectionWarning.IN_BLOCKS));
         }
         double medianWhite = median(white);
+        whiteGrey = medianWhite;
         double medianContrast = median(contrast);
         if (medianContrast < DARK_CONTRAST && medianWhite > FAINT_WHITE) {
             warnings.add(Warning.of(DetectionWarning.FAINT, (int) Math.round(medianWhite - medianContrast),
@@ -836,6 +839,7 @@ final class LightFit {
     PhotoLight light() {
         PhotoLight light = new PhotoLight(scale.curve(), estimated, blurPx, noiseGrey, degreesOfFreedom,
                 edgeShiftStdPx);
+        light = light.withOutlineStdPx(PhotoLight.usualOutlineStdPx(blurPx, whiteGrey));
         double more = Math.hypot(inBlocks ? OUTLINE_STD_IN_BLOCKS_PX : 0,
                 overshoot > OVERSHOOT ? OUTLINE_STD_OF_SHARPENED_PX * blurInCells : 0);
         if (more > 0) {

@@ -6,11 +6,21 @@ import org.cellgauge.light.ToneCurve;
 public final class PhotoLight {
     /**
      * How far the outlines of all markers lie, alike, from where their inner edges say, in rendered photos: px, and a
-     * share of the blur, with which it grows, as what is left of a tone curve moves edges by a share of their blur, and
-     * so does a mask that passes for a smaller blur (0.008 px of 1.2 px at markers of 24 px).
+     * share of the blur, with which it grows, as what is left of a tone curve moves edges by a share of their blur.
      */
     private static final double LEAST_OUTLINE_STD_PX = 0.002;
     private static final double OUTLINE_STD_BY_BLUR = 0.0055;
+    /**
+     * From this blur on, px, fully at the second, nothing tells an unsharp mask any more, nor one kind of tone curve
+     * from another: rendered photos that hide a mask lie 0.003 px in the dark for each px of blur, those of sRGB taken
+     * for a power 0.0015 px, and more where white is dark, since the curve bends most near black: 0.0045 px at a white
+     * of 80 of 255.
+     */
+    private static final double TOLD_BLUR_PX = 0.5;
+    private static final double HIDDEN_BLUR_PX = 1;
+    private static final double HIDDEN_STD_BY_BLUR = 0.0085;
+    private static final double USUAL_WHITE_GREY = 230;
+    private static final double DARKEST_WHITE_GREY = 20;
 
     private final ToneCurve toneCurve;
     private final boolean toneCurveEstimated;
@@ -80,8 +90,24 @@ public final class PhotoLight {
      * @return standard deviation along the normal, px
      */
     public static double usualOutlineStdPx(double blurPx) {
-        return Double.isNaN(blurPx) ? LEAST_OUTLINE_STD_PX
-                : Math.hypot(LEAST_OUTLINE_STD_PX, OUTLINE_STD_BY_BLUR * blurPx);
+        return usualOutlineStdPx(blurPx, USUAL_WHITE_GREY);
+    }
+
+    /**
+     * The same of a photo whose white is known.
+     *
+     * @param blurPx blur of the edges, standard deviation, px; NaN: not known
+     * @param whiteGrey the markers' white, grey levels of 255
+     * @return standard deviation along the normal, px
+     */
+    public static double usualOutlineStdPx(double blurPx, double whiteGrey) {
+        if (Double.isNaN(blurPx)) {
+            return LEAST_OUTLINE_STD_PX;
+        }
+        double hidden = Math.max(0, Math.min(1, (blurPx - TOLD_BLUR_PX) / (HIDDEN_BLUR_PX - TOLD_BLUR_PX)));
+        double byBlur = Math.hypot(OUTLINE_STD_BY_BLUR,
+                hidden * HIDDEN_STD_BY_BLUR / Math.sqrt(Math.max(DARKEST_WHITE_GREY, whiteGrey) / 255));
+        return Math.hypot(LEAST_OUTLINE_STD_PX, byBlur * blurPx);
     }
 
     /**

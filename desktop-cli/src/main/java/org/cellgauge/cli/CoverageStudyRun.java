@@ -85,7 +85,8 @@ final class CoverageStudyRun {
         Sensor sensor = study.sensor();
         TruthPrior prior = priors.apply(cell, seen);
         CoverageFigures figures = run(OneCell.inFullView(prior),
-                new RenderedPhotos(sensor, study.jpegQuality(), study.printGainMm()), progress);
+                new RenderedPhotos(sensor, study.jpegQuality(), study.printGainMm(), study.outlinesDrawn()),
+                progress);
         Map<String, Object> settings = study.plain();
         addTruth(settings, cell, seen, prior);
         addSensor(settings, sensor, study.jpegQuality(), study.printGainMm());
@@ -138,7 +139,8 @@ final class CoverageStudyRun {
             Sensor sensor = study.sensor();
             cells = RandomLayouts.withNoise(MarkerFamily.SQUARE_BINARY,
                     study.get(StudyTable.STATED_PIXEL_STD_PX).orElse(OptionalDouble.empty()));
-            detections = new RenderedPhotos(sensor, study.jpegQuality(), study.printGainMm());
+            detections = new RenderedPhotos(sensor, study.jpegQuality(), study.printGainMm(),
+                    study.outlinesDrawn());
             what = "a layout for each, photos with " + sensor.toneCurve().words() + ", blur "
                     + CheckText.plain(sensor.blurPx()) + " px";
             addSensor(settings, sensor, study.jpegQuality(), study.printGainMm());
@@ -244,7 +246,8 @@ final class CoverageStudyRun {
         try {
             CellTruth seen = atSide(cell, named, row.markerPx());
             TruthPrior prior = priors.apply(cell, seen);
-            RenderedPhotos photos = new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm());
+            RenderedPhotos photos = new RenderedPhotos(row.sensor(), row.jpegQuality(), row.printGainMm(),
+                    study.outlinesDrawn());
             // a row has truths of its own, so that what chance does to one it does not do to all
             CheckSettings own = check.toBuilder()
                     .seed(check.sampling().seed() + PhotoGrid.number(study.sensor(), row)).build();

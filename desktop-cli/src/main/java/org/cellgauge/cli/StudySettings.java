@@ -51,6 +51,10 @@ final class StudySettings implements SettingSource {
         return get(StudyTable.JPEG_QUALITY).orElse(0);
     }
 
+    boolean outlinesDrawn() {
+        return !get(StudyTable.EXACT_OUTLINES);
+    }
+
     double printGainMm() {
         return get(StudyTable.PRINT_GAIN_MM);
     }

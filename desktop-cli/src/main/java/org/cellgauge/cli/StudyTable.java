@@ -83,6 +83,12 @@ final class StudyTable {
                     + "three times as fast")
             .where(StudyTable::ofPhotos);
 
+    /** Whether prints are exact. */
+    static final Setting<Boolean> EXACT_OUTLINES = Setting.of("exact_outlines", SettingForm.flag(), false,
+            "With --photos: prints are exact. Else the sides of all markers of a photo lie off their places, alike, by a "
+                    + "draw from what a check allows for that inner edges do not show")
+            .where(StudyTable::ofPhotos);
+
     /** Tone curve of the camera. */
     static final Setting<ToneCurve> TONE_CURVE = Setting.of("tone_curve",
             SettingForm.of("srgb|linear|\"gamma G\"", StudyTable::toneCurve, ToneCurve::words, ToneCurve::words),
@@ -178,8 +184,8 @@ final class StudyTable {
             .named("state-pixel-std").where(StudyTable::ofPhotos);
 
     private static final List<Setting<?>> ALL = List.of(SIMULATIONS, SPREAD, PIXEL_STD_PX, CALIBRATION_PHOTOS, OUTLIERS,
-            PHOTOS, RANDOM_LAYOUTS, GRID, CORNERS_ONLY, TONE_CURVE, BLUR_PX, MARKER_PX, EXPOSURE, JPEG_QUALITY, UNSHARP,
-            PRINT_GAIN_MM, GRADIENT, NOISE_GREY, FULL_WELL_ELECTRONS, STATED_PIXEL_STD_PX);
+            PHOTOS, RANDOM_LAYOUTS, GRID, CORNERS_ONLY, EXACT_OUTLINES, TONE_CURVE, BLUR_PX, MARKER_PX, EXPOSURE,
+            JPEG_QUALITY, UNSHARP, PRINT_GAIN_MM, GRADIENT, NOISE_GREY, FULL_WELL_ELECTRONS, STATED_PIXEL_STD_PX);
 
     private StudyTable() {
     }

@@ -212,7 +212,8 @@ public final class ValidateCommand implements Callable<Integer> {
             Cell stated = study.stated(cell);
             PhotoOptions.requirePrintable(spec.commandLine(), stated, study.printGainMm());
             return SurveyStudyRun.run(spec.commandLine(), stated, check, photosPerCell, study.simulations(),
-                    new RenderedPhotos(study.sensor(), study.jpegQuality(), study.printGainMm()), json);
+                    new RenderedPhotos(study.sensor(), study.jpegQuality(), study.printGainMm(),
+                            study.outlinesDrawn()), json);
         }
         Cell noisy = cell.withPixelStdPx(OptionalDouble.of(settings(cell).pixelStdPx()));
         if (drift != null) {

@@ -14,6 +14,7 @@ import org.cellgauge.internal.validation.SimulatedCell;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
+import org.cellgauge.vision.PhotoLight;
 import org.cellgauge.warning.Place;
 import org.cellgauge.warning.Refusal;
 import org.cellgauge.warning.RefusalKind;
@@ -26,6 +27,7 @@ public final class RenderedPhotos implements DetectionSource {
     private final Sensor sensor;
     private final int jpegQuality;
     private final double printGainMm;
+    private final boolean outlinesDrawn;
     /** Detectors that are not at work: making one takes a while where the lens distorts. */
     private final Queue<Held> idle = new ConcurrentLinkedQueue<>();
 
@@ -55,11 +57,15 @@ public final class RenderedPhotos implements DetectionSource {
      * @param sensor how they are taken
      * @param jpegQuality quality of the JPEG file that they pass through, 1 to 100; 0: none
      * @param printGainMm as {@link Scene#printGainMm}
+     * @param outlinesDrawn whether the outlines of all markers of a photo lie, alike, off where their inner edges say by
+     *     a draw from what a check allows for ({@link PhotoLight#usualOutlineStdPx(double, double)}), as references are off
+     *     their places by draws from their placement; else prints are exact
      */
-    public RenderedPhotos(Sensor sensor, int jpegQuality, double printGainMm) {
+    public RenderedPhotos(Sensor sensor, int jpegQuality, double printGainMm, boolean outlinesDrawn) {
         this.sensor = sensor;
         this.jpegQuality = jpegQuality;
         this.printGainMm = printGainMm;
+        this.outlinesDrawn = outlinesDrawn;
     }
 
     @Override
@@ -74,6 +80,27 @@ public final class RenderedPhotos implements DetectionSource {
         return found;
     }
 
+    private double outlineStdPx() {
+        double white = 255 * sensor.toneCurve().grey(sensor.exposure() * PlanarMarker.WHITE) + sensor.blackLevelGrey();
+        return PhotoLight.usualOutlineStdPx(sensor.blurPx(), Math.min(255, white));
+    }
+
+    /**
+     * Size of a print whose sides are seen so many pixels outside of where they belong: with what is printed inside, or
+     * the inner edges would tell.
+     */
+    private static double printedMm(SimulatedCell simulated, int id, double sizeMm, double outlinePx) {
+        double[] corners = outlinePx == 0 ? null : simulated.cornersPx(id);
+        if (corners == null) {
+            return sizeMm;
+        }
+        double around = 0;
+        for (int i = 0; i < 8; i += 2) {
+            around += Math.hypot(corners[(i + 2) % 8] - corners[i], corners[(i + 3) % 8] - corners[i + 1]);
+        }
+        return sizeMm * (1 + 8 * outlinePx / around);
+    }
+
     /**
      * The photo of a cell.
      *
@@ -83,17 +110,20 @@ public final class RenderedPhotos implements DetectionSource {
      */
     public GreyImage photo(SimulatedCell simulated, RandomGenerator random) {
         Cell cell = simulated.cell();
-        String family = cell.family().familyName();
         Scene.Builder scene = Scene.of(simulated.truth().camera(cell), simulated.truth().worldFromCamera())
                 .printGainMm(printGainMm);
-        for (Reference r : cell.references()) {
-            scene.marker(family, r.id(), r.sizeMm(), simulated.worldFromReferences().get(r.id()));
-        }
-        for (ObjectMarker o : cell.objects()) {
-            scene.marker(family, o.id(), o.sizeMm(), simulated.truth().worldFromObjects().get(o.id()));
-        }
+        String family = cell.family().familyName();
+        double outlinePx = outlinesDrawn ? outlineStdPx() * random.nextGaussian() : 0;
         Scene built;
         try {
+            for (Reference r : cell.references()) {
+                scene.marker(family, r.id(), printedMm(simulated, r.id(), r.sizeMm(), outlinePx),
+                        simulated.worldFromReferences().get(r.id()));
+            }
+            for (ObjectMarker o : cell.objects()) {
+                scene.marker(family, o.id(), printedMm(simulated, o.id(), o.sizeMm(), outlinePx),
+                        simulated.truth().worldFromObjects().get(o.id()));
+            }
             built = scene.build();
         } catch (IllegalArgumentException e) {
             throw new InputRefusedException(
