@@ -565,33 +565,44 @@ public final class SceneRenderer {
             return wall.reflectance(placeX, placeY, softnessPx * mmPerPx);
         }
 
-        /** Blurs the parts and sums them up to pixels, both at once: first along rows, then along columns. */
+        /**
+         * Blurs the parts and sums them up to pixels, both at once: first along rows, then along columns, weight by
+         * weight for many pixels, so that a compiler can take several at a time.
+         */
         private float[] gather(float[] parts) {
             double[] kernel = pixelKernel(sensor.blurPx(), margin);
-            int across = (columns + 2 * margin) * PARTS;
+            int wide = columns + 2 * margin;
             int down = (rows + 2 * margin) * PARTS;
             double[] narrow = new double[down * columns];
+            double[] sums = new double[columns];
+            double[][] everyFourth = new double[PARTS][wide];
             for (int j = 0; j < down; j++) {
-                for (int column = 0; column < columns; column++) {
-                    double sum = 0;
-                    int start = j * across + column * PARTS;
-                    for (int k = 0; k < kernel.length; k++) {
-                        sum += kernel[k] * parts[start + k];
-                    }
-                    narrow[j * columns + column] = sum;
+                for (int k = 0; k < wide * PARTS; k++) {
+                    everyFourth[k % PARTS][k / PARTS] = parts[j * wide * PARTS + k];
                 }
+                Arrays.fill(sums, 0);
+                for (int k = 0; k < kernel.length; k++) {
+                    addTimes(kernel[k], everyFourth[k % PARTS], k / PARTS, sums);
+                }
+                System.arraycopy(sums, 0, narrow, j * columns, columns);
             }
             float[] out = new float[rows * columns];
             for (int row = 0; row < rows; row++) {
+                Arrays.fill(sums, 0);
+                for (int k = 0; k < kernel.length; k++) {
+                    addTimes(kernel[k], narrow, (row * PARTS + k) * columns, sums);
+                }
                 for (int column = 0; column < columns; column++) {
-                    double sum = 0;
-                    for (int k = 0; k < kernel.length; k++) {
-                        sum += kernel[k] * narrow[(row * PARTS + k) * columns + column];
-                    }
-                    out[row * columns + column] = (float) sum;
+                    out[row * columns + column] = (float) sums[column];
                 }
             }
             return out;
+        }
+
+        private static void addTimes(double weight, double[] values, int from, double[] sums) {
+            for (int i = 0; i < sums.length; i++) {
+                sums[i] += weight * values[from + i];
+            }
         }
     }
 
