@@ -167,6 +167,7 @@ class RepeatingCommandTest {
         others.put(StudyTable.SIMULATIONS, "7");
         others.put(StudyTable.PHOTOS, "true");
         others.put(StudyTable.CORNERS_ONLY, "true");
+        others.put(StudyTable.EXACT_OUTLINES, "true");
         others.put(StudyTable.SPREAD, "20,5.5");
         others.put(StudyTable.TONE_CURVE, "gamma 1.8");
         others.put(StudyTable.BLUR_PX, "1.25");

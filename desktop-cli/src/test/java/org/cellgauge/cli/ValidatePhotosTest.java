@@ -222,6 +222,7 @@ class ValidatePhotosTest {
         "--blur-px 1                                    | --blur-px is about photos: give --photos, too",
         "--grid                                         | --grid is about photos: give --photos, too",
         "--corners-only                                 | --corners-only is about photos: give --photos, too",
+        "--exact-outlines                               | --exact-outlines is about photos: give --photos, too",
         "--photos --only srgb                           | --only is about the rows of --grid",
         "--photos --out x.md                            | --out is about the rows of --grid",
         "--photos --exposure bright                     | --exposure: 'bright' is not known; write normal, clipped",
