@@ -13,9 +13,15 @@ import org.cellgauge.statistics.ChainDiagnostics;
 import org.cellgauge.statistics.Convergence;
 import org.jspecify.annotations.Nullable;
 
-/** Convergence of all chains, quantity by quantity; immutable. */
+/**
+ * Convergence of all chains, quantity by quantity; immutable. What does not count for the judgement is diagnosed when it
+ * is asked for: few ask.
+ */
 public final class Diagnostics {
-    private final Map<Quantity, ChainDiagnostics> parameters;
+    private final List<Draws> chains;
+    private final QuantityLayout layout;
+    /** By place in the layout; null where a quantity is not judged. */
+    private final @Nullable ChainDiagnostics[] ofJudged;
     private final Convergence convergence;
     private final double rHatMax;
     private final double essBulkMin;
@@ -28,8 +34,11 @@ public final class Diagnostics {
     private final @Nullable Quantity heaviest;
     private final double paretoKMax;
 
-    private Diagnostics(Map<Quantity, ChainDiagnostics> parameters, boolean[] judged, boolean[] measured) {
-        this.parameters = Collections.unmodifiableMap(parameters);
+    private Diagnostics(List<Draws> chains, QuantityLayout layout, @Nullable ChainDiagnostics[] ofJudged,
+            boolean[] measured) {
+        this.chains = chains;
+        this.layout = layout;
+        this.ofJudged = ofJudged;
         Convergence overall = Convergence.CONVERGED;
         double rHat = 0;
         double bulk = Double.POSITIVE_INFINITY;
@@ -38,18 +47,17 @@ public final class Diagnostics {
         Quantity worstOff = null;
         Quantity leastKnown = null;
         double worstBulk = Double.POSITIVE_INFINITY;
-        int i = 0;
-        for (Map.Entry<Quantity, ChainDiagnostics> e : parameters.entrySet()) {
-            boolean toMeasure = measured[i];
-            if (!judged[i++]) {
+        for (int i = 0; i < ofJudged.length; i++) {
+            ChainDiagnostics d = ofJudged[i];
+            if (d == null) {
                 continue;
             }
-            ChainDiagnostics d = e.getValue();
+            Quantity quantity = layout.quantities().get(i);
             Convergence own = d.convergence();
             boolean defined = d.status() == ChainDiagnostics.Status.OK;
             double rank = defined ? Math.min(d.essBulk(), d.essTail()) : -1;
             if (own.worse(overall) != overall || (own == overall && rank < worstBulk)) {
-                worstOff = e.getKey();
+                worstOff = quantity;
                 worstBulk = rank;
             }
             overall = overall.worse(own);
@@ -57,11 +65,11 @@ public final class Diagnostics {
             rHat = defined && !Double.isNaN(rHat) ? Math.max(rHat, d.rHat()) : Double.NaN;
             bulk = defined && !Double.isNaN(bulk) ? Math.min(bulk, d.essBulk()) : Double.NaN;
             tail = defined && !Double.isNaN(tail) ? Math.min(tail, d.essTail()) : Double.NaN;
-            if (toMeasure) {
+            if (measured[i]) {
                 double share = defined ? d.mcseSd() / d.std() : Double.NaN;
                 if (!Double.isNaN(mcse) && !(share <= mcse)) {
                     mcse = share;
-                    leastKnown = e.getKey();
+                    leastKnown = quantity;
                 }
             }
         }
@@ -79,7 +87,9 @@ public final class Diagnostics {
     }
 
     private Diagnostics(Diagnostics d, Map<Quantity, Double> paretoK) {
-        parameters = d.parameters;
+        chains = d.chains;
+        layout = d.layout;
+        ofJudged = d.ofJudged;
         convergence = d.convergence;
         rHatMax = d.rHatMax;
         essBulkMin = d.essBulkMin;
@@ -108,14 +118,12 @@ public final class Diagnostics {
      * @return the diagnostics
      */
     public Diagnostics withTails(int threads) {
-        Quantity[] quantities = parameters.keySet().toArray(new Quantity[0]);
-        double[] k = new double[quantities.length];
-        OwnThreads.forEach(k.length, threads,
-                i -> k[i] = measured[i] ? of(quantities[i]).paretoK() : Double.NaN);
+        double[] k = new double[ofJudged.length];
+        OwnThreads.forEach(k.length, threads, i -> k[i] = measured[i] ? at(i).paretoK() : Double.NaN);
         Map<Quantity, Double> all = new LinkedHashMap<>();
         for (int i = 0; i < k.length; i++) {
             if (!Double.isNaN(k[i])) {
-                all.put(quantities[i], k[i]);
+                all.put(layout.quantities().get(i), k[i]);
             }
         }
         return new Diagnostics(this, all);
@@ -124,7 +132,7 @@ public final class Diagnostics {
     /**
      * Diagnoses draws.
      *
-     * @param chains draws of each chain, all equally many
+     * @param chains draws of each chain, all equally many; kept
      * @param layout quantities of a draw
      * @param judged whether a quantity counts for the overall judgement; the others are reported alone
      * @param measured whether the Monte Carlo error of its deviation counts too
@@ -133,44 +141,47 @@ public final class Diagnostics {
      */
     public static Diagnostics of(List<Draws> chains, QuantityLayout layout, boolean[] judged, boolean[] measured,
             int threads) {
-        ChainDiagnostics[] all = new ChainDiagnostics[layout.size()];
+        @Nullable ChainDiagnostics[] ofJudged = new ChainDiagnostics[layout.size()];
         // quantities do not depend on each other, so the order in which threads take them changes nothing
-        OwnThreads.forEach(all.length, threads, q -> {
-            double[][] series = new double[chains.size()][];
-            for (int c = 0; c < series.length; c++) {
-                series[c] = chains.get(c).series(q);
-            }
-            all[q] = ChainDiagnostics.of(series);
-        });
-        Map<Quantity, ChainDiagnostics> parameters = new LinkedHashMap<>();
-        for (int q = 0; q < all.length; q++) {
-            parameters.put(layout.quantities().get(q), all[q]);
+        OwnThreads.forEach(ofJudged.length, threads, q -> ofJudged[q] = judged[q] ? diagnosed(chains, q) : null);
+        return new Diagnostics(chains, layout, ofJudged, measured);
+    }
+
+    private static ChainDiagnostics diagnosed(List<Draws> chains, int quantity) {
+        double[][] series = new double[chains.size()][];
+        for (int c = 0; c < series.length; c++) {
+            series[c] = chains.get(c).series(quantity);
         }
-        return new Diagnostics(parameters, judged, measured);
+        return ChainDiagnostics.of(series);
+    }
+
+    private ChainDiagnostics at(int quantity) {
+        ChainDiagnostics found = ofJudged[quantity];
+        return found == null ? diagnosed(chains, quantity) : found;
     }
 
     /**
-     * Diagnostics of every quantity.
+     * Diagnostics of every quantity. Those that are not judged are computed at each call.
      *
      * @return unmodifiable, in the order of the draws
      */
     public Map<Quantity, ChainDiagnostics> parameters() {
-        return parameters;
+        Map<Quantity, ChainDiagnostics> parameters = new LinkedHashMap<>();
+        for (int q = 0; q < ofJudged.length; q++) {
+            parameters.put(layout.quantities().get(q), at(q));
+        }
+        return Collections.unmodifiableMap(parameters);
     }
 
     /**
-     * Diagnostics of one quantity.
+     * Diagnostics of one quantity. Of one that is not judged they are computed at each call.
      *
      * @param quantity which
      * @return its diagnostics
      * @throws IllegalArgumentException if draws have no such quantity
      */
     public ChainDiagnostics of(Quantity quantity) {
-        ChainDiagnostics found = parameters.get(quantity);
-        if (found == null) {
-            throw new IllegalArgumentException("no quantity " + quantity);
-        }
-        return found;
+        return at(layout.indexOf(quantity));
     }
 
     /**

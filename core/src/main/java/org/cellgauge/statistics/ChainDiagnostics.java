@@ -2,9 +2,9 @@ package org.cellgauge.statistics;
 
 import org.apache.commons.math3.distribution.BetaDistribution;
 import org.cellgauge.internal.statistics.Autocovariance;
+import org.cellgauge.internal.statistics.BucketSort;
 import org.cellgauge.internal.statistics.ParetoTail;
 import org.cellgauge.internal.statistics.Quantiles;
-import org.cellgauge.internal.statistics.RadixSort;
 import org.cellgauge.internal.statistics.RankScores;
 import org.cellgauge.internal.statistics.Sums;
 
@@ -89,7 +89,7 @@ public final class ChainDiagnostics {
             this.std = Double.NaN;
         } else {
             this.sorted = new double[draws.length];
-            order = RadixSort.sort(draws, sorted);
+            order = BucketSort.sort(draws, sorted);
             this.mean = Sums.mean(sorted, 0, sorted.length);
             this.std = Math.sqrt(Sums.variance(sorted, 0, sorted.length));
         }
@@ -104,10 +104,13 @@ public final class ChainDiagnostics {
         }
         double median = Quantiles.medianOfSorted(sorted);
         int[] orderOfHalves = orderOfHalves(order);
-        double[] ascending = new double[orderOfHalves.length];
         double[] halves = halves();
-        for (int i = 0; i < ascending.length; i++) {
-            ascending[i] = halves[orderOfHalves[i]];
+        double[] ascending = sorted;
+        if (orderOfHalves.length < order.length) {
+            ascending = new double[orderOfHalves.length];
+            for (int i = 0; i < ascending.length; i++) {
+                ascending[i] = halves[orderOfHalves[i]];
+            }
         }
         RankScores scores = new RankScores(ascending.length);
         double[] bulk = scores.of(ascending, orderOfHalves);

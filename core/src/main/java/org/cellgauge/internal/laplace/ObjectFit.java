@@ -134,16 +134,14 @@ public final class ObjectFit {
         return out;
     }
 
-    /** Which of the modes a state is nearest to, in the deviations of that mode. */
+    /** Which of the modes a state is turned the least from: rotation alone tells mirrored poses apart. */
     public static int nearest(List<PoseMode> modes, CameraState state) {
         int nearest = 0;
-        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < modes.size(); k++) {
-            double[] step = state.stepFrom(modes.get(k).state());
-            // rotation alone tells mirrored poses apart
-            double squared = step[3] * step[3] + step[4] * step[4] + step[5] * step[5];
-            if (squared < least) {
-                least = squared;
+            double likeness = modes.get(k).likeness(state);
+            if (likeness > most) {
+                most = likeness;
                 nearest = k;
             }
         }

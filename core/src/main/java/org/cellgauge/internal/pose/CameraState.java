@@ -137,6 +137,22 @@ public final class CameraState {
      * @param at index of the first of the 6 values per view
      */
     public void setMoved(CameraState base, double[] step, int at) {
+        setPoseMoved(base, step, at);
+        if (base != this) {
+            copyIntrinsics(base);
+            copyUnknowns(base);
+        }
+    }
+
+    /**
+     * Sets the poses of this state to a step of the centred chart from a base, and leaves intrinsics and unknowns as
+     * they are: for states that have those of the base from before.
+     *
+     * @param base where the step starts, of as many views; may be this state
+     * @param step (dp in mm, w in rad) of each view, from {@code at} on
+     * @param at index of the first of the 6 values per view
+     */
+    public void setPoseMoved(CameraState base, double[] step, int at) {
         if (turn.length == 0) {
             turn = new double[9];
             product = new double[9];
@@ -150,10 +166,6 @@ public final class CameraState {
             for (int i = 0; i < 3; i++) {
                 offset[i] = base.offset[i] + step[at + i];
             }
-        }
-        if (base != this) {
-            copyIntrinsics(base);
-            copyUnknowns(base);
         }
     }
 

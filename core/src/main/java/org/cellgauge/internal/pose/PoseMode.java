@@ -138,6 +138,20 @@ public final class PoseMode {
     }
 
     /**
+     * How alike the rotations of another state and of this mode are in the first view.
+     *
+     * @param other a state
+     * @return one and twice the cosine of the angle from one to the other
+     */
+    public double likeness(CameraState other) {
+        double trace = 0;
+        for (int i = 0; i < 9; i++) {
+            trace += state.rotation[i] * other.rotation[i];
+        }
+        return trace;
+    }
+
+    /**
      * Half the sum of squared whitened residuals, priors included.
      *
      * @return not negative

@@ -25,6 +25,7 @@ public final class ObjectPosterior implements LogDensity {
     private final double[] observed;
     private final double inverseVariance;
     private final CameraState base = new CameraState();
+    /** With the intrinsics of the base. */
     private final CameraState state = new CameraState();
     private final double[] uv = new double[2];
     private final double[] residuals = new double[8];
@@ -75,6 +76,7 @@ public final class ObjectPosterior implements LogDensity {
         inverseVariance = 1 / (pixelStdPx * pixelStdPx);
         shared = null;
         this.base.copyFrom(base);
+        state.copyIntrinsics(base);
         firstDepthMm = base.offset[2];
     }
 
@@ -125,6 +127,7 @@ public final class ObjectPosterior implements LogDensity {
             shared.step[i] = sum;
         }
         base.setMoved(shared.mode, shared.step, 0);
+        state.copyIntrinsics(base);
         int node = shared.errors.added() == null ? 0 : AddedNoise.node(camera.noise);
         packed = shared.whitening.at(node);
         stretch = shared.errors.added() == null ? 1 : shared.stretches[node];
@@ -137,6 +140,7 @@ public final class ObjectPosterior implements LogDensity {
      */
     public void setBase(CameraState newBase) {
         base.copyFrom(newBase);
+        state.copyIntrinsics(base);
         depthStretch = newBase.offset[2] / firstDepthMm;
     }
 
@@ -174,7 +178,7 @@ public final class ObjectPosterior implements LogDensity {
         if (!(squared <= Math.PI * Math.PI)) {
             return Double.NEGATIVE_INFINITY;
         }
-        state.setMoved(base, step, 0);
+        state.setPoseMoved(base, step, 0);
         double[] r = state.rotation;
         double sum = 0;
         for (int k = 0; k < 4; k++) {

@@ -1,9 +1,9 @@
 package org.cellgauge.internal.sampling;
 
-import java.util.Arrays;
 import java.util.Collections;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.special.Gamma;
+import org.apache.commons.math3.util.KthSelector;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.jspecify.annotations.Nullable;
 
@@ -240,9 +240,7 @@ public final class ImportanceTuning {
     private static double @Nullable [] covarianceAbout(double[] at, double[][] points, StudentTMixture mixture) {
         int n = at.length;
         double[] distances = squaredDistances(mixture.scale(mixture.heaviest()), at, points);
-        double[] sorted = distances.clone();
-        Arrays.sort(sorted);
-        double reach = sorted[Math.min(sorted.length, NEIGHBOURS * n) - 1];
+        double reach = new KthSelector().select(distances.clone(), null, Math.min(distances.length, NEIGHBOURS * n) - 1);
         double[] covariance = new double[n * n];
         int count = 0;
         for (int i = 0; i < points.length; i++) {

@@ -1,13 +1,19 @@
 package org.cellgauge.internal.sampling;
 
 import org.apache.commons.math3.random.RandomGenerator;
-import org.apache.commons.math3.random.Well19937c;
+import org.apache.commons.rng.UniformRandomProvider;
+import org.apache.commons.rng.core.source64.XoShiRo256PlusPlus;
+import org.apache.commons.rng.sampling.distribution.NormalizedGaussianSampler;
+import org.apache.commons.rng.sampling.distribution.ZigguratSampler;
 
 /**
  * Independent random streams of one seed, told apart by a path of numbers (purpose, chain, object): what a stream
  * yields depends on the seed and its path alone, not on threads or on how many other streams there are.
  */
 public final class RandomStreams {
+    /** Step of SplitMix64, by which the words of a stream's state are apart: 2^64 over the golden ratio. */
+    private static final long WEYL = 0x9E3779B97F4A7C15L;
+
     private RandomStreams() {
     }
 
@@ -16,53 +22,87 @@ public final class RandomStreams {
      *
      * @param seed the user's seed
      * @param path numbers that name the stream
-     * @return a new generator (WELL19937c; Panneton, L'Ecuyer, Matsumoto 2006; normal numbers by Box and Muller 1958)
+     * @return a new generator (xoshiro256++; Blackman and Vigna, "Scrambled linear pseudorandom number generators",
+     *     ACM Transactions on Mathematical Software 2021; normal numbers by McFarland, "A modified ziggurat algorithm
+     *     for generating exponentially and normally distributed pseudorandom numbers", Journal of Statistical
+     *     Computation and Simulation 2016), which cannot be seeded anew
      */
     public static RandomGenerator of(long seed, long... path) {
-        long state = mix(seed + 0x9E3779B97F4A7C15L);
+        long state = mix(seed + WEYL);
         for (long p : path) {
-            state = mix(state ^ mix(p + 0x9E3779B97F4A7C15L) + 0x632BE59BD9B4E019L);
+            state = mix(state ^ mix(p + WEYL) + 0x632BE59BD9B4E019L);
         }
-        int[] words = new int[16];
-        for (int i = 0; i < words.length; i += 2) {
-            state += 0x9E3779B97F4A7C15L;
-            long m = mix(state);
-            words[i] = (int) m;
-            words[i + 1] = (int) (m >>> 32);
-        }
-        return new Stream(words);
+        return new Stream(new XoShiRo256PlusPlus(mix(state + WEYL), mix(state + 2 * WEYL), mix(state + 3 * WEYL),
+                mix(state + 4 * WEYL)));
     }
 
-    /**
-     * The library's generator with its own numbers, but with the processor's logarithm, sine and cosine in place of the
-     * library's slower ones, which differ in the last bit.
-     */
-    private static final class Stream extends Well19937c {
-        private static final long serialVersionUID = 1;
+    /** The library's generator under the interface that the rest of the code and its other library know. */
+    private static final class Stream implements RandomGenerator {
+        private final UniformRandomProvider bits;
+        private final NormalizedGaussianSampler normal;
 
-        private double second = Double.NaN;
+        Stream(UniformRandomProvider bits) {
+            this.bits = bits;
+            normal = ZigguratSampler.NormalizedGaussian.of(bits);
+        }
 
-        Stream(int[] seed) {
-            super(seed);
+        @Override
+        public double nextDouble() {
+            return bits.nextDouble();
         }
 
         @Override
         public double nextGaussian() {
-            double first = second;
-            if (!Double.isNaN(first)) {
-                second = Double.NaN;
-                return first;
-            }
-            double angle = 2 * Math.PI * nextDouble();
-            double length = Math.sqrt(-2 * Math.log(nextDouble()));
-            second = length * Math.sin(angle);
-            return length * Math.cos(angle);
+            return normal.sample();
         }
 
         @Override
-        public void clear() {
-            super.clear();
-            second = Double.NaN;
+        public float nextFloat() {
+            return bits.nextFloat();
+        }
+
+        @Override
+        public boolean nextBoolean() {
+            return bits.nextBoolean();
+        }
+
+        @Override
+        public int nextInt() {
+            return bits.nextInt();
+        }
+
+        @Override
+        public int nextInt(int n) {
+            return bits.nextInt(n);
+        }
+
+        @Override
+        public long nextLong() {
+            return bits.nextLong();
+        }
+
+        @Override
+        public void nextBytes(byte[] bytes) {
+            bits.nextBytes(bytes);
+        }
+
+        @Override
+        public void setSeed(int seed) {
+            throw seeded();
+        }
+
+        @Override
+        public void setSeed(int[] seed) {
+            throw seeded();
+        }
+
+        @Override
+        public void setSeed(long seed) {
+            throw seeded();
+        }
+
+        private static UnsupportedOperationException seeded() {
+            return new UnsupportedOperationException("a stream is that of its seed and path");
         }
     }
 

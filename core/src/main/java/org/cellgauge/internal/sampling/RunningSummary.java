@@ -20,7 +20,8 @@ public final class RunningSummary {
     /** By place among these: a summary of few quantities is small however many there are. */
     private final RunningMoments[] moments;
     private final CircularMoments[] directions;
-    private final double[][] scratch;
+    private final int[][] ofGroups;
+    private final double[] scratch;
     private long count;
 
     /**
@@ -47,16 +48,19 @@ public final class RunningSummary {
         this.layout = layout;
         Arrays.sort(groups);
         this.groups = groups;
-        scratch = new double[groups.length][];
+        ofGroups = new int[groups.length][];
         moments = new RunningMoments[groups.length];
+        int largest = 0;
         IntStream quantities = all ? IntStream.range(0, layout.size())
                 : IntStream.of(groups).flatMap(g -> IntStream.of(layout.groups().get(g))).distinct();
         angles = quantities.filter(layout::isAngle).sorted().toArray();
         for (int g = 0; g < groups.length; g++) {
             int size = layout.groups().get(groups[g]).length;
             moments[g] = new RunningMoments(size);
-            scratch[g] = new double[size];
+            ofGroups[g] = layout.groups().get(groups[g]);
+            largest = Math.max(largest, size);
         }
+        scratch = new double[largest];
         directions = new CircularMoments[angles.length];
         for (int a = 0; a < angles.length; a++) {
             directions[a] = new CircularMoments();
@@ -71,16 +75,15 @@ public final class RunningSummary {
     public void add(double[] quantities) {
         count++;
         for (int g = 0; g < groups.length; g++) {
-            int[] indices = layout.groups().get(groups[g]);
-            double[] values = scratch[g];
+            int[] indices = ofGroups[g];
             for (int i = 0; i < indices.length; i++) {
                 int q = indices[i];
                 // angles enter as reference plus wrapped deviation, so that +pi and -pi are neighbours
-                values[i] = layout.isAngle(q)
+                scratch[i] = layout.isAngle(q)
                         ? layout.referenceRad(q) + Angles.difference(quantities[q], layout.referenceRad(q))
                         : quantities[q];
             }
-            moments[g].add(values);
+            moments[g].add(scratch, 0);
         }
         for (int a = 0; a < angles.length; a++) {
             directions[a].add(quantities[angles[a]]);

@@ -32,6 +32,8 @@ public final class StudentTMixture implements Proposal {
     private final double[] terms;
     private final double[] lastFrom;
     private final double[] lastTo;
+    /** Of the point drawn last, from the location of the component that it was drawn from, in its scale. */
+    private double drawnSquared;
     private double logDensityOfFrom;
     private double logDensityOfTo;
 
@@ -205,12 +207,16 @@ public final class StudentTMixture implements Proposal {
                 component++;
             }
         }
+        double squared = 0;
         for (int i = 0; i < dimension; i++) {
-            whitened[i] = random.nextGaussian();
+            double z = random.nextGaussian();
+            whitened[i] = z;
+            squared += z * z;
         }
         // chi-square with 5 degrees of freedom: two exponentials and one squared Gaussian
         double g = random.nextGaussian();
         double chiSquare = g * g - 2 * Math.log((1 - random.nextDouble()) * (1 - random.nextDouble()));
+        drawnSquared = squared * (DEGREES_OF_FREEDOM / chiSquare);
         double stretch = Math.sqrt(DEGREES_OF_FREEDOM / chiSquare);
         double[] l = factors[component];
         for (int i = 0; i < dimension; i++) {
@@ -231,8 +237,7 @@ public final class StudentTMixture implements Proposal {
     public double logDensity(double[] x) {
         if (means.length == 1) {
             terms[0] = 1;
-            return logScales[0]
-                    - 0.5 * (DEGREES_OF_FREEDOM + dimension) * Math.log(1 + squared(0, x) / DEGREES_OF_FREEDOM);
+            return logTerm(0, squared(0, x));
         }
         double sum = 0;
         for (int k = 0; k < means.length; k++) {
@@ -246,8 +251,7 @@ public final class StudentTMixture implements Proposal {
     private double logDensityFarOff(double[] x) {
         double largest = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < means.length; k++) {
-            terms[k] = logScales[k]
-                    - 0.5 * (DEGREES_OF_FREEDOM + dimension) * Math.log(1 + squared(k, x) / DEGREES_OF_FREEDOM);
+            terms[k] = logTerm(k, squared(k, x));
             largest = Math.max(largest, terms[k]);
         }
         double sum = 0;
@@ -258,10 +262,17 @@ public final class StudentTMixture implements Proposal {
         return largest + Math.log(sum);
     }
 
+    private double logTerm(int component, double squared) {
+        return logScales[component] - 0.5 * (DEGREES_OF_FREEDOM + dimension) * Math.log(1 + squared / DEGREES_OF_FREEDOM);
+    }
+
     /** Squared distance from the location of a component, in its scale. */
     private double squared(int component, double[] x) {
         double[] mean = means[component];
         double[] whitener = whiteners[component];
+        if (dimension == 6) {
+            return squaredOfPose(whitener, mean, x);
+        }
         for (int i = 0; i < dimension; i++) {
             whitened[i] = x[i] - mean[i];
         }
@@ -277,9 +288,30 @@ public final class StudentTMixture implements Proposal {
         return squared;
     }
 
+    /** The same of a pose alone, which most chains move: the triangle written out takes a third of the time. */
+    private static double squaredOfPose(double[] w, double[] mean, double[] x) {
+        double a = x[0] - mean[0];
+        double b = x[1] - mean[1];
+        double c = x[2] - mean[2];
+        double d = x[3] - mean[3];
+        double e = x[4] - mean[4];
+        double f = x[5] - mean[5];
+        double s0 = w[0] * a;
+        double s1 = w[1] * a + w[2] * b;
+        double s2 = w[3] * a + w[4] * b + w[5] * c;
+        double s3 = w[6] * a + w[7] * b + w[8] * c + w[9] * d;
+        double s4 = w[10] * a + w[11] * b + w[12] * c + w[13] * d + w[14] * e;
+        double s5 = w[15] * a + w[16] * b + w[17] * c + w[18] * d + w[19] * e + w[20] * f;
+        return s0 * s0 + s1 * s1 + s2 * s2 + s3 * s3 + s4 * s4 + s5 * s5;
+    }
+
     /** Raises to half the sum of degrees of freedom and dimension. */
     private double power(double base) {
         int twice = DEGREES_OF_FREEDOM + dimension;
+        if (twice == 11) {
+            double square = base * base;
+            return Math.sqrt(base) * base * (square * square);
+        }
         double power = twice % 2 == 0 ? 1 : Math.sqrt(base);
         double square = base;
         for (int rest = twice / 2; rest > 0; rest >>= 1) {
@@ -312,7 +344,7 @@ public final class StudentTMixture implements Proposal {
         }
         System.arraycopy(from, 0, lastFrom, 0, dimension);
         draw(to, random);
-        logDensityOfTo = logDensity(to);
+        logDensityOfTo = means.length == 1 ? logTerm(0, drawnSquared) : logDensity(to);
         System.arraycopy(to, 0, lastTo, 0, dimension);
         return logDensityOfFrom - logDensityOfTo;
     }

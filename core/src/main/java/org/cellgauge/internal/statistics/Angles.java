@@ -16,6 +16,10 @@ public final class Angles {
         if (angleRad > -Math.PI && angleRad <= Math.PI) {
             return angleRad;
         }
+        if (Math.abs(angleRad) < 1.25 * TWO_PI) {
+            // one turn off, as deviations of angles near pi are: the same difference, exact, without a remainder's time
+            return angleRad > 0 ? angleRad - TWO_PI : angleRad + TWO_PI;
+        }
         // The remainder is exact and lies in [-pi, pi]; only its lower end is outside the half-open interval
         double wrapped = Math.IEEEremainder(angleRad, TWO_PI);
         return wrapped <= -Math.PI ? Math.PI : wrapped;

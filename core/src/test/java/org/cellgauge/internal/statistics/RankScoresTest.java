@@ -31,6 +31,31 @@ class RankScoresTest {
         assertArrayEquals(new int[0], RadixSort.sort(new double[0], new double[0]));
     }
 
+    /** Of draws as chains give them, with repeats; with zeros of both signs; with far ones that crowd the rest. */
+    @Test
+    void bucketsSortAsDigitsDo() {
+        RandomGenerator random = RandomStreams.of(2);
+        double[] draws = new double[4000];
+        double[] heavy = new double[4000];
+        double[] zeros = new double[300];
+        for (int i = 0; i < draws.length; i++) {
+            draws[i] = i > 0 && random.nextInt(3) == 0 ? draws[i - 1] : 1000 + random.nextGaussian();
+            heavy[i] = Math.exp(10 * random.nextGaussian());
+        }
+        for (int i = 0; i < zeros.length; i++) {
+            zeros[i] = i % 3 == 0 ? 0.0 : i % 3 == 1 ? -0.0 : i - 150;
+        }
+        for (double[] values : new double[][] {draws, heavy, zeros, {}, {3}, {5, 5, 5}, {2, 1},
+            {Double.MAX_VALUE, -Double.MAX_VALUE, 0}, {0, Double.MIN_VALUE, 0}}) {
+            double[] sorted = new double[values.length];
+            double[] expected = new double[values.length];
+            assertArrayEquals(RadixSort.sort(values, expected), BucketSort.sort(values, sorted));
+            for (int i = 0; i < sorted.length; i++) {
+                assertEquals(Double.doubleToRawLongBits(expected[i]), Double.doubleToRawLongBits(sorted[i]));
+            }
+        }
+    }
+
     @Test
     void quantilesAreThoseOfTheNormalDistribution() {
         NormalDistribution normal = new NormalDistribution(null, 0, 1);
