@@ -82,6 +82,16 @@ final class SideFit {
     private double baseBlur;
     private int samples;
 
+    // of each pixel, at the unknowns last evaluated
+    private double[] residuals = new double[0];
+    private double[] shares = new double[0];
+    private double[] byLights = new double[0];
+    private double[] byOffset = new double[0];
+    private double[] bySlope = new double[0];
+    private double[] byBlur = new double[0];
+    private double[] byDark = new double[0];
+    private double[] byBright = new double[0];
+
     final double[] unknowns = new double[UNKNOWNS];
     private final DampedGaussNewton solver =
             new DampedGaussNewton(UNKNOWNS, DampedGaussNewton.Damping.TENFOLD, MAX_STEPS);
@@ -295,8 +305,11 @@ final class SideFit {
             trial[BLUR] = Math.min(LARGEST_BLUR_PX, Math.max(SMALLEST_BLUR_PX, trial[BLUR]));
             trial[DARK] = Math.max(scale.leastLevel(), trial[DARK]);
             trial[BRIGHT] = Math.min(LARGEST_LEVEL, trial[BRIGHT]);
-            // with its derivative at once: nearly every step is taken
-            sum = SideFit.this.linearise(scale, profile, trial, normal, gradient);
+            // the last step need not be tried: so near to the end of its way a fit does not go astray
+            if (!isSettled()) {
+                // with its derivative at once: nearly every step is taken
+                sum = SideFit.this.linearise(scale, profile, trial, normal, gradient);
+            }
             return sum;
         }
 
@@ -307,22 +320,100 @@ final class SideFit {
 
         @Override
         public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
-            return accepted && Math.abs(trial[OFFSET] - unknowns[OFFSET])
+            return accepted && isSettled();
+        }
+
+        private boolean isSettled() {
+            return Math.abs(trial[OFFSET] - unknowns[OFFSET])
                     + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx < settledPx;
         }
     }
 
     private double linearise(GreyScale scale, EdgeProfile profile, double[] p, double[] n, double[] g) {
+        evaluate(scale, profile, p);
+        information(n);
+        double g0 = 0;
+        double g1 = 0;
+        double g2 = 0;
+        double g3 = 0;
+        double g4 = 0;
+        double sum = 0;
+        for (int i = 0; i < samples; i++) {
+            double residual = residuals[i];
+            sum += residual * residual;
+            g0 += byOffset[i] * residual;
+            g1 += bySlope[i] * residual;
+            g2 += byBlur[i] * residual;
+            g3 += byDark[i] * residual;
+            g4 += byBright[i] * residual;
+        }
+        double beside = p[BLUR] - expectedBlur;
+        g[0] = g0;
+        g[1] = g1;
+        g[2] = g2 + blurWeight * beside;
+        g[3] = g3;
+        g[4] = g4;
+        n[BLUR * (UNKNOWNS + 1)] += blurWeight;
+        return sum + blurWeight * beside * beside;
+    }
+
+    /** Residuals of all pixels, and their derivatives by the unknowns. */
+    private void evaluate(GreyScale scale, EdgeProfile profile, double[] p) {
+        if (residuals.length < samples) {
+            int length = along.length;
+            residuals = new double[length];
+            shares = new double[length];
+            byLights = new double[length];
+            byOffset = new double[length];
+            bySlope = new double[length];
+            byBlur = new double[length];
+            byDark = new double[length];
+            byBright = new double[length];
+        }
         double lightDark = scale.light(p[DARK]);
         double contrast = scale.light(p[BRIGHT]) - lightDark;
         double darkSlope = scale.lightByGrey(p[DARK]);
         double brightSlope = scale.lightByGrey(p[BRIGHT]);
+        double blurred = p[BLUR] - baseBlur;
+        for (int i = 0; i < samples; i++) {
+            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
+            double inside = window[i];
+            double share = base[i] + baseByBlur[i] * blurred + inside * profile.share;
+            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
+            scale.at(lamp * (lightDark + contrast * share), floor[i], cap[i]);
+            residuals[i] = scale.grey - grey[i];
+            shares[i] = share;
+            byLights[i] = scale.byLight;
+            double byLight = scale.byLight * lamp;
+            double byShare = byLight * contrast;
+            double r0 = -byShare * inside * profile.byDistance;
+            byOffset[i] = r0;
+            bySlope[i] = r0 * along[i];
+            byBlur[i] = byShare * (inside * profile.byBlur + baseByBlur[i]);
+            byDark[i] = byLight * darkSlope * (1 - share);
+            byBright[i] = byLight * brightSlope * share;
+        }
+    }
+
+    /** Sums of products of the derivatives, in two loops, each of which has registers enough. */
+    private void information(double[] n) {
         double n00 = 0;
         double n10 = 0;
         double n11 = 0;
         double n20 = 0;
         double n21 = 0;
         double n22 = 0;
+        for (int i = 0; i < samples; i++) {
+            double r0 = byOffset[i];
+            double r1 = bySlope[i];
+            double r2 = byBlur[i];
+            n00 += r0 * r0;
+            n10 += r1 * r0;
+            n11 += r1 * r1;
+            n20 += r2 * r0;
+            n21 += r2 * r1;
+            n22 += r2 * r2;
+        }
         double n30 = 0;
         double n31 = 0;
         double n32 = 0;
@@ -332,39 +423,12 @@ final class SideFit {
         double n42 = 0;
         double n43 = 0;
         double n44 = 0;
-        double g0 = 0;
-        double g1 = 0;
-        double g2 = 0;
-        double g3 = 0;
-        double g4 = 0;
-        double sum = 0;
-        double blurred = p[BLUR] - baseBlur;
         for (int i = 0; i < samples; i++) {
-            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
-            double inside = window[i];
-            double share = base[i] + baseByBlur[i] * blurred + inside * profile.share;
-            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
-            scale.at(lamp * (lightDark + contrast * share), floor[i], cap[i]);
-            double residual = scale.grey - grey[i];
-            double byLight = scale.byLight * lamp;
-            double byShare = byLight * contrast;
-            double r0 = -byShare * inside * profile.byDistance;
-            double r1 = r0 * along[i];
-            double r2 = byShare * (inside * profile.byBlur + baseByBlur[i]);
-            double r3 = byLight * darkSlope * (1 - share);
-            double r4 = byLight * brightSlope * share;
-            sum += residual * residual;
-            g0 += r0 * residual;
-            g1 += r1 * residual;
-            g2 += r2 * residual;
-            g3 += r3 * residual;
-            g4 += r4 * residual;
-            n00 += r0 * r0;
-            n10 += r1 * r0;
-            n11 += r1 * r1;
-            n20 += r2 * r0;
-            n21 += r2 * r1;
-            n22 += r2 * r2;
+            double r0 = byOffset[i];
+            double r1 = bySlope[i];
+            double r2 = byBlur[i];
+            double r3 = byDark[i];
+            double r4 = byBright[i];
             n30 += r3 * r0;
             n31 += r3 * r1;
             n32 += r3 * r2;
@@ -375,15 +439,6 @@ final class SideFit {
             n43 += r4 * r3;
             n44 += r4 * r4;
         }
-        double beside = p[BLUR] - expectedBlur;
-        sum += blurWeight * beside * beside;
-        g2 += blurWeight * beside;
-        n22 += blurWeight;
-        g[0] = g0;
-        g[1] = g1;
-        g[2] = g2;
-        g[3] = g3;
-        g[4] = g4;
         n[0] = n00;
         n[5] = n10;
         n[6] = n11;
@@ -404,7 +459,6 @@ final class SideFit {
                 n[b * UNKNOWNS + a] = n[a * UNKNOWNS + b];
             }
         }
-        return sum;
     }
 
     /**
