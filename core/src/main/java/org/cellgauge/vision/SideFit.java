@@ -28,10 +28,6 @@ final class SideFit {
     private static final double NEXT_PX = 0.1;
     /** How far from the edge a mask's effect is tabulated, deviations of blur and mask. */
     private static final double STEP_REACH = 5;
-    /** Columns of the derivative that is kept at the end: the unknowns and power. */
-    private static final int POWER = 5;
-    private static final int COLUMNS = 6;
-
     private static final int MAX_STEPS = 20;
     /** A step that moves the line by less is the last one, px; and on the way to a tone curve. */
     static final double SETTLED_PX = 1e-3;
@@ -82,6 +78,17 @@ final class SideFit {
     private double baseBlur;
     private int samples;
 
+    // of each pixel, at the unknowns last evaluated
+    private double[] residuals = new double[0];
+    private double[] shares = new double[0];
+    private double[] insides = new double[0];
+    private double[] byLights = new double[0];
+    private double[] byOffset = new double[0];
+    private double[] bySlope = new double[0];
+    private double[] byBlur = new double[0];
+    private double[] byDark = new double[0];
+    private double[] byBright = new double[0];
+
     final double[] unknowns = new double[UNKNOWNS];
     private final DampedGaussNewton solver =
             new DampedGaussNewton(UNKNOWNS, DampedGaussNewton.Damping.TENFOLD, MAX_STEPS);
@@ -93,10 +100,8 @@ final class SideFit {
     private final double[] inverted = new double[UNKNOWNS * UNKNOWNS];
     /** For the scale and the profile of the fit before, which are mostly those of the next; null before the first. */
     private @Nullable Line line;
-    private final double[] row = new double[COLUMNS];
-    private final double[] leverage = new double[UNKNOWNS * UNKNOWNS];
+    private final double[] row = new double[UNKNOWNS];
     private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
-    private final double[] lampRow = new double[UNKNOWNS];
     private final double[] powerRow = new double[UNKNOWNS];
     private final double[] shapeRow = new double[SHAPES];
     private final double[] shapeRows = new double[SHAPES * UNKNOWNS];
@@ -295,8 +300,11 @@ final class SideFit {
             trial[BLUR] = Math.min(LARGEST_BLUR_PX, Math.max(SMALLEST_BLUR_PX, trial[BLUR]));
             trial[DARK] = Math.max(scale.leastLevel(), trial[DARK]);
             trial[BRIGHT] = Math.min(LARGEST_LEVEL, trial[BRIGHT]);
-            // with its derivative at once: nearly every step is taken
-            sum = SideFit.this.linearise(scale, profile, trial, normal, gradient);
+            // the last step need not be tried: so near to the end of its way a fit does not go astray
+            if (!isSettled()) {
+                // with its derivative at once: nearly every step is taken
+                sum = SideFit.this.linearise(scale, profile, trial, normal, gradient);
+            }
             return sum;
         }
 
@@ -307,22 +315,102 @@ final class SideFit {
 
         @Override
         public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
-            return accepted && Math.abs(trial[OFFSET] - unknowns[OFFSET])
+            return accepted && isSettled();
+        }
+
+        private boolean isSettled() {
+            return Math.abs(trial[OFFSET] - unknowns[OFFSET])
                     + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx < settledPx;
         }
     }
 
     private double linearise(GreyScale scale, EdgeProfile profile, double[] p, double[] n, double[] g) {
+        evaluate(scale, profile, p);
+        information(n);
+        double g0 = 0;
+        double g1 = 0;
+        double g2 = 0;
+        double g3 = 0;
+        double g4 = 0;
+        double sum = 0;
+        for (int i = 0; i < samples; i++) {
+            double residual = residuals[i];
+            sum += residual * residual;
+            g0 += byOffset[i] * residual;
+            g1 += bySlope[i] * residual;
+            g2 += byBlur[i] * residual;
+            g3 += byDark[i] * residual;
+            g4 += byBright[i] * residual;
+        }
+        double beside = p[BLUR] - expectedBlur;
+        g[0] = g0;
+        g[1] = g1;
+        g[2] = g2 + blurWeight * beside;
+        g[3] = g3;
+        g[4] = g4;
+        n[BLUR * (UNKNOWNS + 1)] += blurWeight;
+        return sum + blurWeight * beside * beside;
+    }
+
+    /** Residuals of all pixels, and their derivatives by the unknowns. */
+    private void evaluate(GreyScale scale, EdgeProfile profile, double[] p) {
+        if (residuals.length < samples) {
+            int length = along.length;
+            residuals = new double[length];
+            shares = new double[length];
+            insides = new double[length];
+            byLights = new double[length];
+            byOffset = new double[length];
+            bySlope = new double[length];
+            byBlur = new double[length];
+            byDark = new double[length];
+            byBright = new double[length];
+        }
         double lightDark = scale.light(p[DARK]);
         double contrast = scale.light(p[BRIGHT]) - lightDark;
         double darkSlope = scale.lightByGrey(p[DARK]);
         double brightSlope = scale.lightByGrey(p[BRIGHT]);
+        double blurred = p[BLUR] - baseBlur;
+        for (int i = 0; i < samples; i++) {
+            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
+            double inside = window[i];
+            double share = base[i] + baseByBlur[i] * blurred + inside * profile.share;
+            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
+            scale.at(lamp * (lightDark + contrast * share), floor[i], cap[i]);
+            residuals[i] = scale.grey - grey[i];
+            shares[i] = share;
+            byLights[i] = scale.byLight;
+            insides[i] = scale.inside;
+            double byLight = scale.byLight * lamp;
+            double byShare = byLight * contrast;
+            double r0 = -byShare * inside * profile.byDistance;
+            byOffset[i] = r0;
+            bySlope[i] = r0 * along[i];
+            byBlur[i] = byShare * (inside * profile.byBlur + baseByBlur[i]);
+            byDark[i] = byLight * darkSlope * (1 - share);
+            byBright[i] = byLight * brightSlope * share;
+        }
+    }
+
+    /** Sums of products of the derivatives, in two loops, each of which has registers enough. */
+    private void information(double[] n) {
         double n00 = 0;
         double n10 = 0;
         double n11 = 0;
         double n20 = 0;
         double n21 = 0;
         double n22 = 0;
+        for (int i = 0; i < samples; i++) {
+            double r0 = byOffset[i];
+            double r1 = bySlope[i];
+            double r2 = byBlur[i];
+            n00 += r0 * r0;
+            n10 += r1 * r0;
+            n11 += r1 * r1;
+            n20 += r2 * r0;
+            n21 += r2 * r1;
+            n22 += r2 * r2;
+        }
         double n30 = 0;
         double n31 = 0;
         double n32 = 0;
@@ -332,39 +420,12 @@ final class SideFit {
         double n42 = 0;
         double n43 = 0;
         double n44 = 0;
-        double g0 = 0;
-        double g1 = 0;
-        double g2 = 0;
-        double g3 = 0;
-        double g4 = 0;
-        double sum = 0;
-        double blurred = p[BLUR] - baseBlur;
         for (int i = 0; i < samples; i++) {
-            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
-            double inside = window[i];
-            double share = base[i] + baseByBlur[i] * blurred + inside * profile.share;
-            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
-            scale.at(lamp * (lightDark + contrast * share), floor[i], cap[i]);
-            double residual = scale.grey - grey[i];
-            double byLight = scale.byLight * lamp;
-            double byShare = byLight * contrast;
-            double r0 = -byShare * inside * profile.byDistance;
-            double r1 = r0 * along[i];
-            double r2 = byShare * (inside * profile.byBlur + baseByBlur[i]);
-            double r3 = byLight * darkSlope * (1 - share);
-            double r4 = byLight * brightSlope * share;
-            sum += residual * residual;
-            g0 += r0 * residual;
-            g1 += r1 * residual;
-            g2 += r2 * residual;
-            g3 += r3 * residual;
-            g4 += r4 * residual;
-            n00 += r0 * r0;
-            n10 += r1 * r0;
-            n11 += r1 * r1;
-            n20 += r2 * r0;
-            n21 += r2 * r1;
-            n22 += r2 * r2;
+            double r0 = byOffset[i];
+            double r1 = bySlope[i];
+            double r2 = byBlur[i];
+            double r3 = byDark[i];
+            double r4 = byBright[i];
             n30 += r3 * r0;
             n31 += r3 * r1;
             n32 += r3 * r2;
@@ -375,15 +436,6 @@ final class SideFit {
             n43 += r4 * r3;
             n44 += r4 * r4;
         }
-        double beside = p[BLUR] - expectedBlur;
-        sum += blurWeight * beside * beside;
-        g2 += blurWeight * beside;
-        n22 += blurWeight;
-        g[0] = g0;
-        g[1] = g1;
-        g[2] = g2;
-        g[3] = g3;
-        g[4] = g4;
         n[0] = n00;
         n[5] = n10;
         n[6] = n11;
@@ -404,7 +456,6 @@ final class SideFit {
                 n[b * UNKNOWNS + a] = n[a * UNKNOWNS + b];
             }
         }
-        return sum;
     }
 
     /**
@@ -418,21 +469,11 @@ final class SideFit {
      */
     boolean conclude(GreyScale scale, EdgeProfile profile, boolean withPower) {
         double[] p = unknowns;
-        double lightDark = scale.light(p[DARK]);
-        double contrast = scale.light(p[BRIGHT]) - lightDark;
-        double darkSlope = scale.lightByGrey(p[DARK]);
-        double brightSlope = scale.lightByGrey(p[BRIGHT]);
-        if (withPower) {
-            scale.setEnds(p[DARK], p[BRIGHT]);
-        }
-        Arrays.fill(normal, 0);
-        Arrays.fill(powerRow, 0);
-        Arrays.fill(lampRow, 0);
-        Arrays.fill(gradient, 0);
-        Arrays.fill(gathered, 0);
-        Arrays.fill(leverage, 0);
-        double powerSquares = 0;
-        double score = 0;
+        evaluate(scale, profile, p);
+        information(normal);
+        double std = Math.sqrt(p[BLUR] * p[BLUR] + 1.0 / 12);
+        double nearPx = Math.max(NEAR * std, NEAR_PX);
+        double farPx = Math.max(FAR * std, FAR_PX);
         double weighted = 0;
         double weights = 0;
         int bright = 0;
@@ -443,48 +484,12 @@ final class SideFit {
         double far = 0;
         int nearCount = 0;
         int farCount = 0;
-        double std = Math.sqrt(p[BLUR] * p[BLUR] + 1.0 / 12);
-        double nearPx = Math.max(NEAR * std, NEAR_PX);
-        double farPx = Math.max(FAR * std, FAR_PX);
         for (int i = 0; i < samples; i++) {
-            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
-            double share = base[i] + baseByBlur[i] * (p[BLUR] - baseBlur) + window[i] * profile.share;
-            double light = lightDark + contrast * share;
-            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
-            scale.at(lamp * light, floor[i], cap[i]);
-            double residual = scale.grey - grey[i];
-            double byLight = scale.byLight * lamp;
-            double byShare = byLight * contrast;
-            row[OFFSET] = -byShare * window[i] * profile.byDistance;
-            row[SLOPE] = row[OFFSET] * along[i];
-            row[BLUR] = byShare * (window[i] * profile.byBlur + baseByBlur[i]);
-            row[DARK] = byLight * darkSlope * (1 - share);
-            row[BRIGHT] = byLight * brightSlope * share;
-            double w = row[OFFSET] * row[OFFSET];
+            double residual = residuals[i];
+            double share = shares[i];
+            double w = byOffset[i] * byOffset[i];
             weighted += w * residual * residual;
             weights += w;
-            for (int a = 0; a < UNKNOWNS; a++) {
-                lampRow[a] += row[a] * scale.byLight * light * along[i];
-                for (int b = 0; b <= a; b++) {
-                    double product = row[a] * row[b];
-                    normal[a * UNKNOWNS + b] += product;
-                    leverage[a * UNKNOWNS + b] += w * product;
-                }
-            }
-            if (withPower && Math.abs(base[i]) < CLEAN_SHARE) {
-                for (int a = 0; a < UNKNOWNS; a++) {
-                    gradient[a] += row[a] * residual;
-                    for (int b = 0; b <= a; b++) {
-                        gathered[a * UNKNOWNS + b] += row[a] * row[b];
-                    }
-                }
-                row[POWER] = scale.byPower(share);
-                powerSquares += row[POWER] * row[POWER];
-                score -= row[POWER] * residual;
-                for (int a = 0; a < UNKNOWNS; a++) {
-                    powerRow[a] += row[POWER] * row[a];
-                }
-            }
             double distance = across[i] - p[OFFSET] - p[SLOPE] * along[i];
             if (Math.abs(distance) > nearPx && Math.abs(base[i]) < 0.02) {
                 // sharpening lifts the bright side beside an edge and lowers the dark one
@@ -512,43 +517,89 @@ final class SideFit {
         normal[BLUR * (UNKNOWNS + 1)] += blurWeight;
         for (int a = 0; a < UNKNOWNS; a++) {
             normal[a * (UNKNOWNS + 1)] += 1e-9;
-            for (int b = 0; b < a; b++) {
-                normal[b * UNKNOWNS + a] = normal[a * UNKNOWNS + b];
-            }
         }
         double[] inverse = inverse(normal);
         if (inverse == null || !(weights > 0)) {
             return false;
         }
         System.arraycopy(inverse, 0, covariance, 0, inverse.length);
-        offsetByLamp = 0;
-        slopeByLamp = 0;
-        for (int a = 0; a < UNKNOWNS; a++) {
-            offsetByLamp -= inverse[OFFSET * UNKNOWNS + a] * lampRow[a];
-            slopeByLamp -= inverse[SLOPE * UNKNOWNS + a] * lampRow[a];
-        }
-        // what the fit leaves of the noise of a pixel is 1 less its leverage
-        double taken = 0;
-        for (int a = 0; a < UNKNOWNS; a++) {
-            for (int b = 0; b < a; b++) {
-                taken += 2 * leverage[a * UNKNOWNS + b] * inverse[a * UNKNOWNS + b];
-            }
-            taken += leverage[a * (UNKNOWNS + 1)] * inverse[a * (UNKNOWNS + 1)];
-        }
+        concludeLamp(scale, inverse);
         squares = weighted / weights;
-        expectedSquares = Math.max(0.1, 1 - taken / weights);
+        expectedSquares = Math.max(0.1, 1 - taken(inverse) / weights);
         degreesOfFreedom = samples - UNKNOWNS;
         if (withPower) {
-            powerOfClean(powerSquares, score);
+            powerOfClean(scale);
         }
         return true;
     }
 
+    private void concludeLamp(GreyScale scale, double[] inverse) {
+        double lightDark = scale.light(unknowns[DARK]);
+        double contrast = scale.light(unknowns[BRIGHT]) - lightDark;
+        double l0 = 0;
+        double l1 = 0;
+        double l2 = 0;
+        double l3 = 0;
+        double l4 = 0;
+        for (int i = 0; i < samples; i++) {
+            double byLamp = byLights[i] * (lightDark + contrast * shares[i]) * along[i];
+            l0 += byOffset[i] * byLamp;
+            l1 += bySlope[i] * byLamp;
+            l2 += byBlur[i] * byLamp;
+            l3 += byDark[i] * byLamp;
+            l4 += byBright[i] * byLamp;
+        }
+        offsetByLamp = -ofRow(inverse, OFFSET, l0, l1, l2, l3, l4);
+        slopeByLamp = -ofRow(inverse, SLOPE, l0, l1, l2, l3, l4);
+    }
+
+    private static double ofRow(double[] m, int row, double v0, double v1, double v2, double v3, double v4) {
+        int at = row * UNKNOWNS;
+        return m[at] * v0 + m[at + 1] * v1 + m[at + 2] * v2 + m[at + 3] * v3 + m[at + 4] * v4;
+    }
+
+    /**
+     * What the fit takes of the noise of all pixels, weighed by how they tell the place: the pixels' leverages
+     * (Hoaglin and Welsch, "The hat matrix in regression and ANOVA", The American Statistician 32, 1978).
+     */
+    private double taken(double[] inverse) {
+        double sum = 0;
+        for (int i = 0; i < samples; i++) {
+            double r0 = byOffset[i];
+            double r1 = bySlope[i];
+            double r2 = byBlur[i];
+            double r3 = byDark[i];
+            double r4 = byBright[i];
+            sum += r0 * r0 * (r0 * ofRow(inverse, OFFSET, r0, r1, r2, r3, r4)
+                    + r1 * ofRow(inverse, SLOPE, r0, r1, r2, r3, r4) + r2 * ofRow(inverse, BLUR, r0, r1, r2, r3, r4)
+                    + r3 * ofRow(inverse, DARK, r0, r1, r2, r3, r4)
+                    + r4 * ofRow(inverse, BRIGHT, r0, r1, r2, r3, r4));
+        }
+        return sum;
+    }
+
     /** Projects the side's own unknowns out of the score and the information of power. */
-    private void powerOfClean(double powerSquares, double score) {
+    private void powerOfClean(GreyScale scale) {
         powerScore = 0;
         powerInformation = 0;
         offsetByPower = 0;
+        Arrays.fill(powerRow, 0);
+        Arrays.fill(gradient, 0);
+        Arrays.fill(gathered, 0);
+        scale.setEnds(unknowns[DARK], unknowns[BRIGHT]);
+        double powerSquares = 0;
+        double score = 0;
+        for (int i = 0; i < samples; i++) {
+            if (Math.abs(base[i]) < CLEAN_SHARE) {
+                double byPower = scale.byPower(shares[i]);
+                powerSquares += byPower * byPower;
+                score -= byPower * residuals[i];
+                gather(i);
+                for (int a = 0; a < UNKNOWNS; a++) {
+                    powerRow[a] += byPower * row[a];
+                }
+            }
+        }
         double[] inverse = inverseOfDamped();
         if (inverse == null) {
             return;
@@ -606,15 +657,10 @@ final class SideFit {
         pairProducts = 0;
         pairSquares = 0;
         double last = 0;
+        evaluate(scale, profile, p);
         for (int i = 0; i < samples; i++) {
-            double distance = across[i] - p[OFFSET] - p[SLOPE] * along[i];
-            profile.at(distance, p[BLUR]);
-            double share = base[i] + baseByBlur[i] * (p[BLUR] - baseBlur) + window[i] * profile.share;
-            double light = lightDark + contrast * share;
-            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
-            scale.at(lamp * light, floor[i], cap[i]);
-            double residual = scale.grey - grey[i];
-            if (i > 0 && Math.abs(Math.hypot(along[i] - along[i - 1], across[i] - across[i - 1]) - 1) < NEXT_PX) {
+            double residual = residuals[i];
+            if (i > 0 && isNextPx(along[i] - along[i - 1], across[i] - across[i - 1])) {
                 pairs++;
                 pairProducts += last * residual;
                 pairSquares += (last * last + residual * residual) / 2;
@@ -623,21 +669,12 @@ final class SideFit {
             if (Math.abs(base[i]) >= CLEAN_SHARE) {
                 continue;
             }
-            double byLight = scale.byLight * lamp;
-            double byShare = byLight * contrast;
-            row[OFFSET] = -byShare * window[i] * profile.byDistance;
-            row[SLOPE] = row[OFFSET] * along[i];
-            row[BLUR] = byShare * (window[i] * profile.byBlur + baseByBlur[i]);
-            row[DARK] = byLight * darkSlope * (1 - share);
-            row[BRIGHT] = byLight * brightSlope * share;
-            shapeRow[0] = scale.inside * scale.byPower(share);
-            shapeRow[1] = scale.inside * table.byAmount(distance);
-            shapeRow[2] = scale.inside * table.byLogRadius(distance);
+            double distance = across[i] - p[OFFSET] - p[SLOPE] * along[i];
+            shapeRow[0] = insides[i] * scale.byPower(shares[i]);
+            shapeRow[1] = insides[i] * table.byAmount(distance);
+            shapeRow[2] = insides[i] * table.byLogRadius(distance);
+            gather(i);
             for (int a = 0; a < UNKNOWNS; a++) {
-                gradient[a] += row[a] * residual;
-                for (int b = 0; b <= a; b++) {
-                    gathered[a * UNKNOWNS + b] += row[a] * row[b];
-                }
                 for (int b = 0; b < SHAPES; b++) {
                     shapeRows[b * UNKNOWNS + a] += shapeRow[b] * row[a];
                 }
@@ -656,6 +693,27 @@ final class SideFit {
             return;
         }
         projectShape(inverse);
+    }
+
+    /** Adds a pixel to {@link #gathered} and {@link #gradient}. */
+    private void gather(int i) {
+        row[OFFSET] = byOffset[i];
+        row[SLOPE] = bySlope[i];
+        row[BLUR] = byBlur[i];
+        row[DARK] = byDark[i];
+        row[BRIGHT] = byBright[i];
+        for (int a = 0; a < UNKNOWNS; a++) {
+            gradient[a] += row[a] * residuals[i];
+            for (int b = 0; b <= a; b++) {
+                gathered[a * UNKNOWNS + b] += row[a] * row[b];
+            }
+        }
+    }
+
+    /** Whether so far apart are pixels beside each other. */
+    private static boolean isNextPx(double dx, double dy) {
+        double squared = dx * dx + dy * dy;
+        return squared > (1 - NEXT_PX) * (1 - NEXT_PX) && squared < (1 + NEXT_PX) * (1 + NEXT_PX);
     }
 
     /** Inverse of the lower triangle gathered in {@link #gathered}, hardly damped; null where it has none. */
