@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Properties;
 import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
@@ -33,9 +34,6 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /** Entry point of the command {@code cellgauge}. */
 @Command(name = "cellgauge", mixinStandardHelpOptions = true, versionProvider = Main.Version.class,
         description = "Honest uncertainties of camera and object poses in a robot cell.",
-        subcommands = {CheckCommand.class, PlanCommand.class, CalibrateCommand.class, SurveyCommand.class,
-            SimulateCommand.class, ValidateCommand.class, ReproduceCommand.class, CameraCommand.class,
-            FamiliesCommand.class, CommandLine.HelpCommand.class},
         footer = {"", "A first call, from a clone:",
             "  cellgauge check --cell fixtures/lifted-4/cell.yaml \\",
             "      fixtures/lifted-4/photo.png",
@@ -45,6 +43,9 @@ public final class Main implements Callable<Integer> {
     private static final int HELP_WIDTH = 80;
     private static final int NARROWEST = 60;
     private static final Pattern UNKNOWN_OPTION = Pattern.compile("Unknown option: '([^']*)'");
+    /** The commands, in the order of the help. */
+    private static final List<String> COMMANDS = List.of("check", "plan", "calibrate", "survey", "simulate", "validate",
+            "reproduce", "camera", "families", "help");
 
     @Option(names = "--debug", scope = ScopeType.INHERIT,
             description = "Shows stack traces of internal errors and how long the stages take.")
@@ -69,7 +70,7 @@ public final class Main implements Callable<Integer> {
      * @param args the arguments as typed
      */
     public static void main(String[] args) {
-        System.exit(run(commandLine(), args));
+        System.exit(run(commandLine(args), args));
     }
 
     /**
@@ -102,11 +103,19 @@ public final class Main implements Callable<Integer> {
     /**
      * The command line, ready to execute.
      *
+     * @param args what it is to execute: where their first word is a command, the options of no other are made, which
+     *     takes longer than anything else at the start
      * @return a new command line that answers every error with one message and an exit code
      */
-    public static CommandLine commandLine() {
+    public static CommandLine commandLine(String... args) {
         Main main = new Main();
         main.commandLine = new CommandLine(main);
+        Optional<String> word = Arrays.stream(args).filter(arg -> !arg.startsWith("-")).findFirst();
+        // help tells of all of them
+        List<String> named = word.filter(COMMANDS::contains).filter(name -> !name.equals("help")).map(List::of)
+                .orElse(COMMANDS);
+        // a command line of its own, since only such a one asks what makes its settings' options
+        named.forEach(name -> main.commandLine.addSubcommand(new CommandLine(command(name))));
         main.commandLine.setUsageHelpWidth(helpWidth(System.getenv("COLUMNS")));
         main.commandLine.setColorScheme(CommandLine.Help.defaultColorScheme(ansi(System.getenv())));
         // examples tell more than a list of all options
@@ -115,11 +124,24 @@ public final class Main implements Callable<Integer> {
         main.commandLine.setExpandAtFiles(false);
         // a mistyped option after "--detections FILE" must not pass for one more file
         main.commandLine.setUnmatchedOptionsAllowedAsOptionParameters(false);
-        main.commandLine.setParameterExceptionHandler(Main::usage);
-        main.commandLine.setExecutionExceptionHandler((e, command, parsed) -> main.report(e,
-                e instanceof InputRefusedException || MachineRefusal.behind(e).isPresent() ? ExitCodes.INPUT_REFUSED
-                        : ExitCodes.INTERNAL_ERROR, command));
+        main.commandLine.setParameterExceptionHandler(new Errors(main));
+        main.commandLine.setExecutionExceptionHandler(new Errors(main));
         return main.commandLine;
+    }
+
+    private static Object command(String name) {
+        return switch (name) {
+            case "check" -> new CheckCommand();
+            case "plan" -> new PlanCommand();
+            case "calibrate" -> new CalibrateCommand();
+            case "survey" -> new SurveyCommand();
+            case "simulate" -> new SimulateCommand();
+            case "validate" -> new ValidateCommand();
+            case "reproduce" -> new ReproduceCommand();
+            case "camera" -> new CameraCommand();
+            case "families" -> new FamiliesCommand();
+            default -> new CommandLine.HelpCommand();
+        };
     }
 
     private static int usage(ParameterException e, String[] args) {
@@ -267,6 +289,21 @@ public final class Main implements Callable<Integer> {
                             .toString();
         } catch (NumberFormatException | DateTimeException e) {
             return LocalDate.now(clock).toString();
+        }
+    }
+
+    /** Answers errors. A class, since lambdas of these interfaces keep picocli out of the archive of classes. */
+    private record Errors(Main main) implements CommandLine.IParameterExceptionHandler,
+            CommandLine.IExecutionExceptionHandler {
+        @Override
+        public int handleParseException(ParameterException e, String[] args) {
+            return usage(e, args);
+        }
+
+        @Override
+        public int handleExecutionException(Exception e, CommandLine command, CommandLine.ParseResult parsed) {
+            return main.report(e, e instanceof InputRefusedException || MachineRefusal.behind(e).isPresent()
+                    ? ExitCodes.INPUT_REFUSED : ExitCodes.INTERNAL_ERROR, command);
         }
     }
 

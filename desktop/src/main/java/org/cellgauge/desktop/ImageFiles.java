@@ -355,6 +355,10 @@ public final class ImageFiles {
         }
         Raster raster = image.getRaster();
         int bands = raster.getNumBands();
+        if (isGrey && bands == 1 && type == DataBuffer.TYPE_BYTE && bits == BYTE_BITS) {
+            raster.getDataElements(0, 0, width, height, grey);
+            return GreyImage.packed(grey, width, height);
+        }
         int[] row = new int[width * bands];
         double[] scale = new double[bands];
         int usedBits = bits > BYTE_BITS ? usedBits(raster, colourBands, bits, row) : bits;

@@ -45,7 +45,8 @@ public final class OverlayPainter {
                 for (int x = 0; x < row.length; x++) {
                     row[x] = 0x010101 * photo.get(x, y);
                 }
-                image.setRGB(0, y, row.length, 1, row, 0, row.length);
+                // setRGB would pass every pixel through a colour model
+                image.getRaster().setDataElements(0, y, row.length, 1, row);
             }
         }
         draw(image, overlay);
