@@ -46,6 +46,10 @@ public final class ChainDiagnostics {
     /** Fewest draws per chain for which a split R-hat is defined. */
     public static final int MIN_DRAWS = 4;
 
+    /** Quantiles whose sizes make that of the tails (V section 4.3). */
+    private static final double LOW_TAIL = 0.05;
+    private static final double HIGH_TAIL = 0.95;
+
     /** Fewest draws per chain for which effective sample sizes are defined. */
     public static final int MIN_DRAWS_FOR_ESS = 12;
 
@@ -72,7 +76,8 @@ public final class ChainDiagnostics {
     private final double rHatBulk;
     private final double rHatFolded;
     private final double essBulk;
-    private final double essTail;
+    private final double essLowTail;
+    private final double essHighTail;
     private final double essSquaredDeviation;
     private final double mcseSd;
 
@@ -97,7 +102,8 @@ public final class ChainDiagnostics {
             this.rHatBulk = Double.NaN;
             this.rHatFolded = Double.NaN;
             this.essBulk = Double.NaN;
-            this.essTail = Double.NaN;
+            this.essLowTail = Double.NaN;
+            this.essHighTail = Double.NaN;
             this.essSquaredDeviation = Double.NaN;
             this.mcseSd = Double.NaN;
             return;
@@ -117,7 +123,8 @@ public final class ChainDiagnostics {
         this.rHatBulk = rHat(bulk);
         this.essBulk = effectiveSize(bulk);
         this.rHatFolded = rHat(foldedScores(scores, ascending, orderOfHalves, median));
-        this.essTail = Math.min(essBelow(0.05), essBelow(0.95));
+        this.essLowTail = essBelow(LOW_TAIL);
+        this.essHighTail = essBelow(HIGH_TAIL);
         double scale = scale();
         for (int i = 0; i < halves.length; i++) {
             double d = (halves[i] - mean) / scale;
@@ -148,8 +155,9 @@ public final class ChainDiagnostics {
      * @return k of the heavier tail; NaN where the diagnostics do not exist
      */
     public double paretoK() {
-        return status == Status.OK && essTail > 0
-                ? ParetoTail.k(sorted, Math.min(1, essTail / sorted.length)) : Double.NaN;
+        double tail = essTail();
+        return status == Status.OK && tail > 0
+                ? ParetoTail.k(sorted, Math.min(1, tail / sorted.length)) : Double.NaN;
     }
 
     /**
@@ -259,7 +267,7 @@ public final class ChainDiagnostics {
      * @return the size in draws; NaN where it does not exist, also if ties leave no draw above the 95 % quantile
      */
     public double essTail() {
-        return essTail;
+        return Math.min(essLowTail, essHighTail);
     }
 
     /**
@@ -315,7 +323,9 @@ public final class ChainDiagnostics {
      */
     public double essQuantile(double probability) {
         requireProbability(probability);
-        return status == Status.OK ? essBelow(probability) : Double.NaN;
+        // the tails' are known, and asked for again by every result
+        return probability == LOW_TAIL ? essLowTail : probability == HIGH_TAIL ? essHighTail
+                : status == Status.OK ? essBelow(probability) : Double.NaN;
     }
 
     /**
@@ -380,7 +390,7 @@ public final class ChainDiagnostics {
      * @return the verdict; {@link Convergence#NOT_CONVERGED} without {@link Status#OK}
      */
     public Convergence convergence() {
-        return Convergence.of(rHat(), essBulk, essTail);
+        return Convergence.of(rHat(), essBulk, essTail());
     }
 
     private static Status statusOf(double[][] chains) {

@@ -20,6 +20,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.desktop.BatchCheck;
+import org.cellgauge.desktop.EarlyStart;
 import org.cellgauge.desktop.MachineRefusal;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -70,6 +71,10 @@ public final class Main implements Callable<Integer> {
      * @param args the arguments as typed
      */
     public static void main(String[] args) {
+        List<String> words = Arrays.asList(args);
+        if (words.contains("check")) {
+            EarlyStart.begin(!words.contains("--json") || words.contains("--out"));
+        }
         System.exit(run(commandLine(args), args));
     }
 

@@ -80,8 +80,11 @@ final class InputWork {
             Map<String, Double> stages) {
     }
 
-    /** An input and what was read of it. */
-    private record Read(CheckInput input, byte[] bytes, String sha256) {
+    /** An input and what was read of it. Its checksum is made beside the first work on it, which takes as long. */
+    private record Read(CheckInput input, byte[] bytes, CompletableFuture<String> sum) {
+        String sha256() {
+            return sum.join();
+        }
     }
 
     /** Markers and the picture, which may be null. */
@@ -178,17 +181,18 @@ final class InputWork {
         }
 
         private Result keptOrChecked(Read read) {
-            ResultRecord now = record(input, read.sha256());
-            StoredResult stored = earlier == null || plan.anew() ? null
-                    : earlier.asIfMadeNow(input, now, plan.draws());
-            return stored == null ? checked(read, now) : judged(read, stored);
+            StoredResult stored = earlier == null || plan.anew()
+                    || !Files.exists(plan.folder().file(input.name() + ResultFolder.RESULT)) ? null
+                    : earlier.asIfMadeNow(input, record(input, read.sha256()), plan.draws());
+            return stored == null ? checked(read) : judged(read, stored);
         }
 
-        private Result checked(Read read, ResultRecord now) {
+        private Result checked(Read read) {
             Found found = found(read);
             CheckResult sampled = sampled(found);
             stage("check");
-            computed = new StoredResult(advised(ResultView.of(sampled, plan.words())), now);
+            computed = new StoredResult(advised(ResultView.of(sampled, plan.words())),
+                    record(input, read.sha256()));
             return withFiles(computed, found, sampled);
         }
 
@@ -305,7 +309,8 @@ final class InputWork {
 
     private Read read(CheckInput input) {
         byte[] bytes = input.isDetections() ? DetectionsFile.bytes(input.file()) : ImageFiles.bytes(input.file());
-        return new Read(input, bytes, Sha256.of(bytes));
+        return new Read(input, bytes, CompletableFuture.supplyAsync(() -> Sha256.of(bytes),
+                plan.settings().sampling().threads() == 1 ? Runnable::run : InputWork::besides));
     }
 
     private Found found(Read read) {
@@ -360,7 +365,7 @@ final class InputWork {
     }
 
     private static void besides(Runnable task) {
-        Thread thread = new Thread(task, "cellgauge-picture");
+        Thread thread = new Thread(task, "cellgauge-besides");
         thread.setDaemon(true);
         thread.start();
     }

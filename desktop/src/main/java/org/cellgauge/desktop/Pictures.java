@@ -35,8 +35,8 @@ public final class Pictures {
     }
 
     /**
-     * A picture as PNG (ISO/IEC 15948), every pixel kept: 8 bits of red, green and blue, rows as they are. ImageIO tries
-     * five filters for each row, which takes four times as long and, for a photo with drawings on it, saves nothing.
+     * A picture as PNG (ISO/IEC 15948), every pixel kept: 8 bits of red, green and blue, rows as they are. ImageIO
+     * tries five filters for each row, which takes longer and, for a photo with drawings on it, saves nothing.
      *
      * @param picture an opaque picture
      * @return the file

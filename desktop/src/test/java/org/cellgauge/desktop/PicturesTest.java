@@ -1,0 +1,36 @@
+package org.cellgauge.desktop;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.Random;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class PicturesTest {
+    @ParameterizedTest
+    @ValueSource(ints = {BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_3BYTE_BGR})
+    void aPngKeepsEveryPixel(int type) throws IOException {
+        BufferedImage picture = new BufferedImage(211, 97, type);
+        Random random = new Random(1);
+        for (int y = 0; y < picture.getHeight(); y++) {
+            for (int x = 0; x < picture.getWidth(); x++) {
+                picture.setRGB(x, y, 0xFF000000 | random.nextInt());
+            }
+        }
+
+        BufferedImage read = ImageIO.read(new ByteArrayInputStream(Pictures.png(picture)));
+
+        assertEquals(picture.getWidth(), read.getWidth());
+        assertEquals(picture.getHeight(), read.getHeight());
+        assertArrayEquals(pixels(picture), pixels(read));
+    }
+
+    private static int[] pixels(BufferedImage picture) {
+        return picture.getRGB(0, 0, picture.getWidth(), picture.getHeight(), null, 0, picture.getWidth());
+    }
+}
