@@ -589,7 +589,7 @@ final class LightFit {
         for (double power : SCANNED) {
             scale.set(curve.withPower(power));
             for (int m = 0; m < few.size(); m++) {
-                few.get(m).refit(image, scale, patterns.get(m));
+                few.get(m).refitNearly(image, scale, patterns.get(m));
                 few.get(m).conclude(scale, false);
             }
             setNoise(few);
