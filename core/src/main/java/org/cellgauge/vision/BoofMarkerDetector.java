@@ -198,7 +198,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     /**
      * A detector for the frames of a camera: a marker that is missing costs no second look, as long as another of the
      * cell is seen. It finds faint markers less often than {@link #forCell} and gives fewer reasons. Where nothing says
-     * the tone curve, that of the frame before is where to start, so that corners hang on it by ten-thousandths of a
+     * the tone curve, that of the frame before is where to start, so that corners hang on it by thousandths of a
      * pixel.
      *
      * @param cell the cell
