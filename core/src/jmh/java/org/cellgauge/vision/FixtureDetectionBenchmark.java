@@ -38,7 +38,9 @@ public class FixtureDetectionBenchmark {
     public String fixture;
 
     private BoofMarkerDetector detector;
+    private BoofMarkerDetector ofFrames;
     private GreyImage image;
+    private GreyImage frame;
 
     /**
      * Reads the photo.
@@ -57,6 +59,8 @@ public class FixtureDetectionBenchmark {
         }
         Cell cell = CellReader.read(folder.resolve("cell.yaml"));
         detector = BoofMarkerDetector.forCell(cell);
+        ofFrames = BoofMarkerDetector.forFrames(cell);
+        frame = image.withToneCurve(null);
     }
 
     /**
@@ -67,5 +71,15 @@ public class FixtureDetectionBenchmark {
     @Benchmark
     public Detections photo() {
         return detector.detect(image, fixture);
+    }
+
+    /**
+     * The same as a frame of a camera that says nothing of its curve, after others.
+     *
+     * @return what was found
+     */
+    @Benchmark
+    public Detections frame() {
+        return ofFrames.detect(frame, fixture);
     }
 }

@@ -24,14 +24,15 @@ final class EdgeProfile {
     /** Steps per unit of the tables of the normal distribution: linear between them, to 1e-6. */
     private static final int STEPS = 256;
     private static final int LARGEST = 8;
-    private static final double[] CUMULATIVE = new double[2 * LARGEST * STEPS + 2];
-    private static final double[] DENSITY = new double[2 * LARGEST * STEPS + 2];
+    private static final int NODES = 2 * LARGEST * STEPS + 2;
+    /** Distribution and density by turns: what is asked for at once lies side by side. */
+    private static final double[] NORMAL = new double[2 * NODES];
 
     static {
-        for (int i = 0; i < CUMULATIVE.length; i++) {
+        for (int i = 0; i < NODES; i++) {
             double z = (double) i / STEPS - LARGEST;
-            DENSITY[i] = Math.exp(-0.5 * z * z) / ROOT_TWO_PI;
-            CUMULATIVE[i] = cumulative(z);
+            NORMAL[2 * i] = cumulative(z);
+            NORMAL[2 * i + 1] = Math.exp(-0.5 * z * z) / ROOT_TWO_PI;
         }
     }
 
@@ -114,15 +115,10 @@ final class EdgeProfile {
         byBlur = blur * (g0 + cumulative) * inverseArea;
     }
 
+    /** In parts small enough for the compiler to put them into the loops that call them. */
     private void series(double distance, double blur) {
         if (blur != seriesBlur) {
-            double variance = widthsVariance + blur * blur;
-            inverseStd = 1 / Math.sqrt(variance);
-            double k4 = fourthCumulant / (variance * variance);
-            c4 = k4 / 24;
-            c6 = sixthCumulant / (variance * variance * variance) / 720;
-            c44 = k4 * k4 / 1152;
-            seriesBlur = blur;
+            prepareSeries(blur);
         }
         double z = distance * inverseStd;
         if (z >= REACH || z <= -REACH) {
@@ -134,7 +130,24 @@ final class EdgeProfile {
         double at = (z + LARGEST) * STEPS;
         int i = (int) at;
         double f = at - i;
-        double density = DENSITY[i] + f * (DENSITY[i + 1] - DENSITY[i]);
+        double[] normal = NORMAL;
+        double before = normal[2 * i];
+        double densityBefore = normal[2 * i + 1];
+        expand(z, before + f * (normal[2 * i + 2] - before),
+                densityBefore + f * (normal[2 * i + 3] - densityBefore), blur);
+    }
+
+    private void prepareSeries(double blur) {
+        double variance = widthsVariance + blur * blur;
+        inverseStd = 1 / Math.sqrt(variance);
+        double k4 = fourthCumulant / (variance * variance);
+        c4 = k4 / 24;
+        c6 = sixthCumulant / (variance * variance * variance) / 720;
+        c44 = k4 * k4 / 1152;
+        seriesBlur = blur;
+    }
+
+    private void expand(double z, double distribution, double density, double blur) {
         double z2 = z * z;
         // Hermite polynomials 3 to 9
         double h3 = z * (z2 - 3);
@@ -144,7 +157,7 @@ final class EdgeProfile {
         double h7 = z * h6 - 6 * h5;
         double h8 = z * h7 - 7 * h6;
         double h9 = z * h8 - 8 * h7;
-        share = CUMULATIVE[i] + f * (CUMULATIVE[i + 1] - CUMULATIVE[i]) - density * (c4 * h3 + c6 * h5 + c44 * h7);
+        share = distribution - density * (c4 * h3 + c6 * h5 + c44 * h7);
         byDistance = density * inverseStd * (1 + c4 * h4 + c6 * h6 + c44 * h8);
         byBlur = -blur * density * inverseStd * inverseStd * (z + c4 * h5 + c6 * h7 + c44 * h9);
     }
@@ -161,7 +174,7 @@ final class EdgeProfile {
             return 0;
         }
         int i = (int) at;
-        return i >= CUMULATIVE.length - 1 ? 1 : CUMULATIVE[i] + (at - i) * (CUMULATIVE[i + 1] - CUMULATIVE[i]);
+        return i >= NODES - 1 ? 1 : NORMAL[2 * i] + (at - i) * (NORMAL[2 * i + 2] - NORMAL[2 * i]);
     }
 
     /**
@@ -173,7 +186,7 @@ final class EdgeProfile {
     static double density(double z) {
         double at = (z + LARGEST) * STEPS;
         int i = (int) at;
-        return at > 0 && i < DENSITY.length - 1 ? DENSITY[i] + (at - i) * (DENSITY[i + 1] - DENSITY[i]) : 0;
+        return at > 0 && i < NODES - 1 ? NORMAL[2 * i + 1] + (at - i) * (NORMAL[2 * i + 3] - NORMAL[2 * i + 1]) : 0;
     }
 
     /** The blurred step and its first and second integral. */

@@ -35,8 +35,8 @@ final class GreyScale {
     private double brightByPower;
     private boolean linear;
     private double noise = 1.5;
-    private final double[] table = new double[NODES + 1];
-    private final double[] slopeByLight = new double[NODES + 1];
+    /** Grey and its derivative by the light by turns, at equal steps of the light's root. */
+    private final double[] table = new double[2 * NODES + 2];
     private final double[] lightOfByte = new double[257];
     private double perRoot;
 
@@ -65,14 +65,14 @@ final class GreyScale {
         }
         for (int i = 0; i <= NODES && !linear; i++) {
             double root = i / perRoot;
-            table[i] = WHITE * curve.grey(root * root);
+            table[2 * i] = WHITE * curve.grey(root * root);
         }
         for (int i = 1; i < NODES && !linear; i++) {
             // by the root from both neighbours, by the light by the chain rule
-            slopeByLight[i] = (table[i + 1] - table[i - 1]) * perRoot / 2 * perRoot / (2 * i);
+            table[2 * i + 1] = (table[2 * i + 2] - table[2 * i - 2]) * perRoot / 2 * perRoot / (2 * i);
         }
-        slopeByLight[0] = slopeByLight[1];
-        slopeByLight[NODES] = slopeByLight[NODES - 1];
+        table[1] = table[3];
+        table[2 * NODES + 1] = table[2 * NODES - 1];
     }
 
     /** Standard deviation of the noise that may push grey values over the ends of the scale, grey levels. */
@@ -192,8 +192,11 @@ final class GreyScale {
             double at = root * perRoot;
             int i = Math.min((int) at, NODES - 1);
             double f = at - i;
-            grey = table[i] + f * (table[i + 1] - table[i]);
-            byLight = slopeByLight[i] + f * (slopeByLight[i + 1] - slopeByLight[i]);
+            double[] t = table;
+            double before = t[2 * i];
+            double slopeBefore = t[2 * i + 1];
+            grey = before + f * (t[2 * i + 2] - before);
+            byLight = slopeBefore + f * (t[2 * i + 3] - slopeBefore);
         }
         if (grey < floor + REACH * noise) {
             double z = (grey - floor) / noise;

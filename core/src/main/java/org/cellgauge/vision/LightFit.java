@@ -79,6 +79,8 @@ final class LightFit {
     private static final double EXPECTED_BLUR_STD = 0.25;
     /** Markers by which the curve is looked for first: a start within the reach of Gauss-Newton is enough. */
     private static final int MOST_SCANNED = 3;
+    /** Frames of a camera after which its curve is looked for anew all the same: its settings may have changed. */
+    private static final int FRAMES_OF_A_SCAN = 30;
     private static final int MAX_ROUNDS = 6;
     /** A change of the power that moves edges by less is none, px. */
     private static final double SETTLED_PX = 0.002;
@@ -139,6 +141,9 @@ final class LightFit {
 
     private final GreyScale scale;
     private ToneCurve curve = ToneCurve.LINEAR;
+    /** What the photo before was found to have, and how many were fitted from it on; null where that tells nothing. */
+    private @Nullable ToneCurve before;
+    private int sinceScan;
     private double powerMean;
     private double powerStd;
     private boolean estimated;
@@ -174,8 +179,10 @@ final class LightFit {
      *
      * @param stated the curve that the user states, or null
      * @param ofFile the curve that the image file says, or null
+     * @param isNextFrame whether it is of the same camera as the photo before: then its curve is where to start, unless
+     *     edges say that it is wrong
      */
-    void start(@Nullable ToneCurve stated, @Nullable ToneCurve ofFile) {
+    void start(@Nullable ToneCurve stated, @Nullable ToneCurve ofFile, boolean isNextFrame) {
         estimated = stated == null;
         said = ofFile != null;
         fileSaid = said;
@@ -194,6 +201,11 @@ final class LightFit {
         curve = ofFile == null ? ToneCurve.gamma(UNKNOWN_POWER) : ofFile;
         powerMean = curve.power();
         powerStd = ofFile == null ? UNKNOWN_POWER_STD : SAID_POWER_STD;
+        if (isNextFrame && ofFile == null && before != null && sinceScan < FRAMES_OF_A_SCAN) {
+            sinceScan++;
+            said = true;
+            curve = before;
+        }
         scale.set(curve);
     }
 
@@ -283,6 +295,8 @@ final class LightFit {
         fitOutliersAnew(image, markers);
         setNoise(markers);
         expectBlurOfOthers(image, markers, patterns);
+        // under a mask the curve without it is not known, and of one marker or clipped whites not well enough
+        before = estimated && maskAmount == 0 && markers.size() > 1 && !isFarTooBright(some) ? curve : null;
         edgeShiftStdPx = Math.hypot(ofPower, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
         double[] blurs = new double[markers.size()];
         for (int m = 0; m < blurs.length; m++) {
@@ -585,13 +599,14 @@ final class LightFit {
 
     /** Starts at the power, of a few, under which the sides leave the smallest residuals. */
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
+        sinceScan = 0;
         ToneCurve best = curve;
         double least = Double.POSITIVE_INFINITY;
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
         for (double power : SCANNED) {
             scale.set(curve.withPower(power));
             for (int m = 0; m < few.size(); m++) {
-                few.get(m).refit(image, scale, patterns.get(m));
+                few.get(m).refitNearly(image, scale, patterns.get(m));
                 few.get(m).conclude(scale, false);
             }
             setNoise(few);

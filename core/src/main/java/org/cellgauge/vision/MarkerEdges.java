@@ -38,6 +38,8 @@ final class MarkerEdges {
     /** Rows of the pattern, from its border inwards, whose light reaches a side. */
     private static final int ROWS = 3;
     private static final double REACH = 4;
+    /** Deviations of the blur beyond which nothing at all is seen of an edge, however it lies to the pixels. */
+    private static final double DEEPEST = 6;
     /** White from which on it may be clipped, grey levels. */
     private static final double BRIGHTEST_FOR_LAMP = 248;
     /** Change of the light from one end of a marker to the other, as a share of it, that is no lamp's. */
@@ -111,6 +113,8 @@ final class MarkerEdges {
     private final double[][] endCosine = new double[ROWS][];
     private final int[] endCount = new int[ROWS];
     private int rows;
+    /** How many of them the last pixel saw. */
+    private int rowsSeen;
     private final double[] rowWhite = new double[ROWS];
     private final double[] rowByBlur = new double[ROWS];
     private double innerByBlur;
@@ -696,9 +700,15 @@ final class MarkerEdges {
 
     /**
      * How white each row is at a place along the side, and how that changes where white spreads or all is stretched.
+     * Only the rows that are seen there: of all deeper ones {@link EdgeProfile} would find none.
      */
     private void setRowWhites(double t, double depthPx, double blur, double reach, double perLength) {
-        for (int r = 0; r < rows; r++) {
+        double deepest = depthPx + DEEPEST / REACH * reach + Math.abs(shiftPx);
+        rowsSeen = 0;
+        while (rowsSeen < rows && depth[rowsSeen] + depthSlope[rowsSeen] * t < deepest) {
+            rowsSeen++;
+        }
+        for (int r = 0; r < rowsSeen; r++) {
             double sum = 0;
             double growth = 0;
             double stretch = 0;
@@ -948,7 +958,7 @@ final class MarkerEdges {
         double share = 0;
         double beforeRow = 0;
         double beforeByBlur = 0;
-        for (int r = 0; r < rows; r++) {
+        for (int r = 0; r < rowsSeen; r++) {
             double change = rowWhite[r] - beforeRow;
             if (change > 1e-4 || change < -1e-4) {
                 profile.at(z - depth[r] - depthSlope[r] * t + (change > 0 ? shiftPx : -shiftPx), blur);
@@ -1106,7 +1116,7 @@ final class MarkerEdges {
                     double beforeRow = 0;
                     double beforeGrowth = 0;
                     double beforeByBlur = 0;
-                    for (int r = 0; r < rows; r++) {
+                    for (int r = 0; r < rowsSeen; r++) {
                         double change = rowWhite[r] - beforeRow;
                         profile.at(z - depth[r] - depthSlope[r] * t + (change > 0 ? shiftPx : -shiftPx), blur);
                         double lateral = rowGrowth[r] + rowStretch[r];

@@ -636,8 +636,6 @@ final class SideFit {
         double[] p = unknowns;
         double lightDark = scale.light(p[DARK]);
         double contrast = scale.light(p[BRIGHT]) - lightDark;
-        double darkSlope = scale.lightByGrey(p[DARK]);
-        double brightSlope = scale.lightByGrey(p[BRIGHT]);
         scale.setEnds(p[DARK], p[BRIGHT]);
         int nodes = table.prepare(STEP_REACH * (Math.sqrt(p[BLUR] * p[BLUR] + 1.0 / 12) + radiusPx));
         for (int i = 0; i < nodes; i++) {
