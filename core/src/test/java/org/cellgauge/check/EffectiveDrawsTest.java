@@ -61,8 +61,8 @@ class EffectiveDrawsTest {
     }
 
     /**
-     * An independent implementation has 18 to 70. The tails decide here: every seed must hold, no median. Of 56 seeds at
-     * 5 mm two have less than 30, since a walk may miss a tail; half have more than 340.
+     * An independent implementation has 18 to 70. The tails decide here: every seed must hold, no median. Of 56 seeds
+     * at 5 mm two have less than 30, since a walk may miss a tail; half have more than 340.
      */
     @ParameterizedTest
     @CsvSource({"5, 1", "5, 2", "5, 3", "5, 7", "20, 1", "20, 2", "20, 3", "20, 4"})
