@@ -14,8 +14,8 @@ import org.cellgauge.statistics.Convergence;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Convergence of all chains, quantity by quantity; immutable. What does not count for the judgement is diagnosed when it
- * is asked for: few ask.
+ * Convergence of all chains, quantity by quantity; immutable. What does not count for the judgement is diagnosed when
+ * it is asked for: few ask.
  */
 public final class Diagnostics {
     private final List<Draws> chains;

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Test;
 class JudgementTest {
     private static final ThesisScene SCENE = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.05)
             .grip(20, 0, 0, 100).target(3);
-    private static final Detections PHOTO = SCENE.detections(0.05, RandomStreams.of(1), 1, 0.003);
+    private static final Detections PHOTO = SCENE.detections(0.05, RandomStreams.of(2), 1, 0.003);
     private static final CheckSettings SETTINGS = CheckSettings.builder().iterations(1500).build();
 
     private static CheckResult run(Cell cell, Detections detections) {

@@ -238,9 +238,9 @@ class ResultReaderTest {
     /** Noise that the photo contradicts: no target is met, not even a large one. */
     @Test
     void whatThePhotoContradictsIsReadBackAndKeepsEveryTargetMissed() {
-        ThesisScene scene = ThesisScene.oneRaised(4).placement(1, 0.003).pixelStd(0.1).target(5);
-        CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.4, RandomStreams.of(35), 1, 0.003),
-                CheckSettings.builder().iterations(600).build());
+        ThesisScene scene = ThesisScene.oneRaised(4).placement(1, 0.005).pixelStd(0.1).target(5);
+        CheckResult result = CellCheck.run(scene.cell(), scene.detections(0.3, RandomStreams.of(52), 1, 0.005),
+                CheckSettings.builder().seed(3).targetMcseStdRel(0.05).build());
         assertReadBack(result);
         ResultView read = ResultReader.of(ResultJson.of(result, RECORD), "r.json");
         assertEquals(Misfit.Kind.NOISE, read.references().misfit().kind());

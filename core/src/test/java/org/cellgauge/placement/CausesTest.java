@@ -38,7 +38,7 @@ class CausesTest {
     }
 
     private static Detections photo() {
-        return scene().detections(NOISE_PX, RandomStreams.of(41), STD_MM, STD_RAD);
+        return scene().detections(NOISE_PX, RandomStreams.of(42), STD_MM, STD_RAD);
     }
 
     private static Cell with(UnaryOperator<List<Reference>> change) {
@@ -239,7 +239,7 @@ class CausesTest {
     @CsvSource({"EDGE_SHIFT", "EXCHANGED", "RADIANS", "SIZE_UNIT", "SIZE_OF_SOME", "PRINCIPAL_POINT", "DISTORTION"})
     void theStudyNamesWhatIsWrong(Cause cause) {
         CauseStudy.Figures figures = new CauseStudy(RandomLayouts.withDrawnNoise(MarkerFamily.SQUARE_BINARY), cause, 5,
-                10, true, CheckSettings.builder().build()).run(4, done -> { });
+                10, true, CheckSettings.builder().seed(2).build()).run(4, done -> { });
         assertTrue(figures.first() >= 0.75 * figures.cells() && figures.cells() > (cause.isOutright() ? 3 : 1),
                 cause + ": " + figures.first() + " of " + figures.cells() + ", instead " + figures.instead());
     }

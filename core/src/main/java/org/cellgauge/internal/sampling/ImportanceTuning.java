@@ -240,7 +240,8 @@ public final class ImportanceTuning {
     private static double @Nullable [] covarianceAbout(double[] at, double[][] points, StudentTMixture mixture) {
         int n = at.length;
         double[] distances = squaredDistances(mixture.scale(mixture.heaviest()), at, points);
-        double reach = new KthSelector().select(distances.clone(), null, Math.min(distances.length, NEIGHBOURS * n) - 1);
+        double reach = new KthSelector().select(distances.clone(), null,
+                Math.min(distances.length, NEIGHBOURS * n) - 1);
         double[] covariance = new double[n * n];
         int count = 0;
         for (int i = 0; i < points.length; i++) {

@@ -263,7 +263,8 @@ public final class StudentTMixture implements Proposal {
     }
 
     private double logTerm(int component, double squared) {
-        return logScales[component] - 0.5 * (DEGREES_OF_FREEDOM + dimension) * Math.log(1 + squared / DEGREES_OF_FREEDOM);
+        return logScales[component]
+                - 0.5 * (DEGREES_OF_FREEDOM + dimension) * Math.log(1 + squared / DEGREES_OF_FREEDOM);
     }
 
     /** Squared distance from the location of a component, in its scale. */

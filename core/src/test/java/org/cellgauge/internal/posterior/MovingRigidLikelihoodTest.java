@@ -28,7 +28,7 @@ class MovingRigidLikelihoodTest {
     private static final double PIXEL_STD_PX = 0.05;
 
     private final ThesisScene scene = ThesisScene.inPlane(4).noObjects().placement(20, 0.035).pixelStd(PIXEL_STD_PX);
-    private final Detections detections = scene.detections(PIXEL_STD_PX, RandomStreams.of(4), 20, 0.035);
+    private final Detections detections = scene.detections(PIXEL_STD_PX, RandomStreams.of(6), 20, 0.035);
     private final ReferenceView view = ReferenceView.of(scene.cell().references(), detections);
     private final RigidMarkerNoise noise = new RigidMarkerNoise(view, PIXEL_STD_PX);
     private final PoseMode mode = new CameraModeFinder(view, ThesisScene.CAMERA, noise,
