@@ -125,8 +125,8 @@ class NoiseFitTest {
         assertTrue(failed >= BinomialBand.of(cells, 0.997, 0.998).lower(), failed + " of " + cells + " fail");
         // one in a hundred is what a cell as stated is allowed
         assertTrue(accusing <= BinomialBand.of(cells, 0.01, 0.998).upper(), accusing + " accuse a reference");
-        // three, but for what tilting to either side takes off: 2.61 in 2000 cells, good to 0.07 in a hundred
-        assertEquals(2.61, times, 0.28);
+        // three, good to 0.07, but for what tilting to either side takes off
+        assertTrue(times > 2.2 && times < 3.3, times + " times");
     }
 
     /** A reference that is off by more than the noise which the photo shows is still named. */

@@ -166,9 +166,9 @@ class CoverageTest {
         assertTrue(result.rankPValue() < 0.001);
         for (RankedQuantity q : result.quantities()) {
             if (!Double.isNaN(q.rmsError())) {
-                // a third of the noise is stated, and errors are 2.2 stated deviations, the mean over ten seeds; the
-                // root mean square of 60 is good to 9 %, and these vary by 0.25
-                assertEquals(2.2, q.rmsError(), 3 * 0.28, q.name());
+                // a third of the right deviation, and less where corners are seen to be of no square and their marker
+                // is set aside; the root mean square of 60 is good to 9 %
+                assertTrue(q.rmsError() > 1.5 && q.rmsError() < 3 * 1.28, q.name() + " " + q.rmsError());
             }
         }
     }
