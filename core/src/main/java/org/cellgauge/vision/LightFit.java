@@ -3,6 +3,7 @@ package org.cellgauge.vision;
 import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.internal.geometry.Cholesky;
+import org.cellgauge.internal.vision.SideBand;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.warning.Warning;
 import org.jspecify.annotations.Nullable;
@@ -695,12 +696,7 @@ final class LightFit {
      */
     double blurInPhotoPx(MarkerEdges marker) {
         double blur = marker.blurPx();
-        if (maskAmount == 0) {
-            return blur;
-        }
-        double std = Math.sqrt(blur * blur + MarkerEdges.PIXEL_VARIANCE);
-        double steepness = (1 + maskAmount) / std - maskAmount / Math.hypot(std, maskRadiusPx);
-        return Math.sqrt(Math.max(0, 1 / (steepness * steepness) - MarkerEdges.PIXEL_VARIANCE));
+        return maskAmount == 0 ? blur : SideBand.sharpenedBlurPx(blur, maskAmount, maskRadiusPx);
     }
 
     /**
@@ -854,7 +850,8 @@ final class LightFit {
     PhotoLight light() {
         PhotoLight light = new PhotoLight(scale.curve(), estimated, blurPx, noiseGrey, degreesOfFreedom,
                 edgeShiftStdPx);
-        light = light.withOutlineStdPx(PhotoLight.usualOutlineStdPx(blurPx, whiteGrey));
+        light = light.withOutlineStdPx(PhotoLight.usualOutlineStdPx(blurPx, whiteGrey,
+                blurInCells > 0 ? blurPx / blurInCells : Double.POSITIVE_INFINITY));
         double more = Math.hypot(inBlocks ? OUTLINE_STD_IN_BLOCKS_PX : 0,
                 overshoot > OVERSHOOT ? OUTLINE_STD_OF_SHARPENED_PX * blurInCells : 0);
         if (more > 0) {

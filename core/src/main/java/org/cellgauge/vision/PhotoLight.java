@@ -19,6 +19,8 @@ public final class PhotoLight {
     private static final double TOLD_BLUR_PX = 0.5;
     private static final double HIDDEN_BLUR_PX = 1;
     private static final double HIDDEN_STD_BY_BLUR = 0.0085;
+    /** A mask reaches from cell to cell: those of 3 px lie 0.008 px in the dark at a blur of 1.2 px, px³. */
+    private static final double HIDDEN_STD_BY_CELL = 0.1;
     private static final double USUAL_WHITE_GREY = 230;
     private static final double DARKEST_WHITE_GREY = 20;
 
@@ -90,24 +92,25 @@ public final class PhotoLight {
      * @return standard deviation along the normal, px
      */
     public static double usualOutlineStdPx(double blurPx) {
-        return usualOutlineStdPx(blurPx, USUAL_WHITE_GREY);
+        return usualOutlineStdPx(blurPx, USUAL_WHITE_GREY, Double.POSITIVE_INFINITY);
     }
 
     /**
-     * The same of a photo whose white is known.
+     * The same of a photo whose white and markers are known.
      *
      * @param blurPx blur of the edges, standard deviation, px; NaN: not known
      * @param whiteGrey the markers' white, grey levels of 255
+     * @param cellPx width of the markers' cells, px
      * @return standard deviation along the normal, px
      */
-    public static double usualOutlineStdPx(double blurPx, double whiteGrey) {
+    public static double usualOutlineStdPx(double blurPx, double whiteGrey, double cellPx) {
         if (Double.isNaN(blurPx)) {
             return LEAST_OUTLINE_STD_PX;
         }
         double hidden = Math.max(0, Math.min(1, (blurPx - TOLD_BLUR_PX) / (HIDDEN_BLUR_PX - TOLD_BLUR_PX)));
-        double byBlur = Math.hypot(OUTLINE_STD_BY_BLUR,
-                hidden * HIDDEN_STD_BY_BLUR / Math.sqrt(Math.max(DARKEST_WHITE_GREY, whiteGrey) / 255));
-        return Math.hypot(LEAST_OUTLINE_STD_PX, byBlur * blurPx);
+        double ofHidden = hidden / Math.sqrt(Math.max(DARKEST_WHITE_GREY, whiteGrey) / 255)
+                * Math.hypot(HIDDEN_STD_BY_BLUR * blurPx, HIDDEN_STD_BY_CELL / (cellPx * cellPx));
+        return Math.hypot(Math.hypot(LEAST_OUTLINE_STD_PX, OUTLINE_STD_BY_BLUR * blurPx), ofHidden);
     }
 
     /**

@@ -25,6 +25,20 @@ public final class SideBand {
     }
 
     /**
+     * Blur of edges as a sharpened photo shows them: that of an edge which is as steep in the middle.
+     *
+     * @param blurPx standard deviation of the blur before the mask, px
+     * @param amount of an unsharp mask, at least 0
+     * @param radiusPx standard deviation of its Gaussian, px
+     * @return standard deviation without the pixel's own extent, px, at least 0
+     */
+    public static double sharpenedBlurPx(double blurPx, double amount, double radiusPx) {
+        double std = Math.sqrt(blurPx * blurPx + PIXEL_VARIANCE);
+        double steepness = (1 + amount) / std - amount / Math.hypot(std, radiusPx);
+        return Math.sqrt(Math.max(0, 1 / (steepness * steepness) - PIXEL_VARIANCE));
+    }
+
+    /**
      * What is left out at each end of a side: there the next side's light must be known before it is measured, and
      * under a wrong tone curve that would pull at the curve.
      *

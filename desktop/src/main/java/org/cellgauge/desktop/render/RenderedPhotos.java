@@ -2,15 +2,18 @@ package org.cellgauge.desktop.render;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
-import org.cellgauge.cell.ObjectMarker;
-import org.cellgauge.cell.Reference;
+import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.validation.DetectionSource;
 import org.cellgauge.internal.validation.SimulatedCell;
+import org.cellgauge.internal.vision.MarkerPattern;
+import org.cellgauge.internal.vision.SideBand;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
@@ -58,7 +61,7 @@ public final class RenderedPhotos implements DetectionSource {
      * @param jpegQuality quality of the JPEG file that they pass through, 1 to 100; 0: none
      * @param printGainMm as {@link Scene#printGainMm}
      * @param outlinesDrawn whether the outlines of all markers of a photo lie, alike, off where their inner edges say by
-     *     a draw from what a check allows for ({@link PhotoLight#usualOutlineStdPx(double, double)}), as references are off
+     *     a draw from what a check allows for ({@link PhotoLight#usualOutlineStdPx}), as references are off
      *     their places by draws from their placement; else prints are exact
      */
     public RenderedPhotos(Sensor sensor, int jpegQuality, double printGainMm, boolean outlinesDrawn) {
@@ -80,25 +83,39 @@ public final class RenderedPhotos implements DetectionSource {
         return found;
     }
 
-    private double outlineStdPx() {
+    private double outlineStdPx(SimulatedCell simulated) {
         double white = 255 * sensor.toneCurve().grey(sensor.exposure() * PlanarMarker.WHITE) + sensor.blackLevelGrey();
-        return PhotoLight.usualOutlineStdPx(sensor.blurPx(), Math.min(255, white));
+        double blurPx = SideBand.sharpenedBlurPx(sensor.blurPx(), sensor.unsharpAmount(), sensor.unsharpRadiusPx());
+        double sides = 0;
+        int count = 0;
+        int cells = 1;
+        for (MarkerSize marker : sizes(simulated.cell())) {
+            double sidePx = sidePx(simulated, marker.id());
+            sides += sidePx;
+            count += sidePx > 0 ? 1 : 0;
+            cells = MarkerPattern.of(simulated.cell().family(), marker.id()).cells();
+        }
+        return PhotoLight.usualOutlineStdPx(blurPx, Math.min(255, white), sides / Math.max(1, count) / cells);
     }
 
-    /**
-     * Size of a print whose sides are seen so many pixels outside of where they belong: with what is printed inside, or
-     * the inner edges would tell.
-     */
-    private static double printedMm(SimulatedCell simulated, int id, double sizeMm, double outlinePx) {
-        double[] corners = outlinePx == 0 ? null : simulated.cornersPx(id);
-        if (corners == null) {
-            return sizeMm;
-        }
+    private record MarkerSize(int id, double sizeMm) {
+    }
+
+    private static List<MarkerSize> sizes(Cell cell) {
+        List<MarkerSize> all = new ArrayList<>();
+        cell.references().forEach(r -> all.add(new MarkerSize(r.id(), r.sizeMm())));
+        cell.objects().forEach(o -> all.add(new MarkerSize(o.id(), o.sizeMm())));
+        return all;
+    }
+
+    /** Mean side of a marker in the image, px; 0 where it is not in front of the camera. */
+    private static double sidePx(SimulatedCell simulated, int id) {
+        double[] corners = simulated.cornersPx(id);
         double around = 0;
-        for (int i = 0; i < 8; i += 2) {
+        for (int i = 0; corners != null && i < 8; i += 2) {
             around += Math.hypot(corners[(i + 2) % 8] - corners[i], corners[(i + 3) % 8] - corners[i + 1]);
         }
-        return sizeMm * (1 + 8 * outlinePx / around);
+        return around / 4;
     }
 
     /**
@@ -113,16 +130,16 @@ public final class RenderedPhotos implements DetectionSource {
         Scene.Builder scene = Scene.of(simulated.truth().camera(cell), simulated.truth().worldFromCamera())
                 .printGainMm(printGainMm);
         String family = cell.family().familyName();
-        double outlinePx = outlinesDrawn ? outlineStdPx() * random.nextGaussian() : 0;
+        double outlinePx = outlinesDrawn ? outlineStdPx(simulated) * random.nextGaussian() : 0;
         Scene built;
         try {
-            for (Reference r : cell.references()) {
-                scene.marker(family, r.id(), printedMm(simulated, r.id(), r.sizeMm(), outlinePx),
-                        simulated.worldFromReferences().get(r.id()));
-            }
-            for (ObjectMarker o : cell.objects()) {
-                scene.marker(family, o.id(), printedMm(simulated, o.id(), o.sizeMm(), outlinePx),
-                        simulated.truth().worldFromObjects().get(o.id()));
+            for (MarkerSize marker : sizes(cell)) {
+                // with what is printed inside, or the inner edges would tell
+                double sidePx = outlinePx == 0 ? 0 : sidePx(simulated, marker.id());
+                double larger = sidePx > 0 ? 1 + 2 * outlinePx / sidePx : 1;
+                RigidTransform reference = simulated.worldFromReferences().get(marker.id());
+                scene.marker(family, marker.id(), larger * marker.sizeMm(),
+                        reference != null ? reference : simulated.truth().worldFromObject(marker.id()));
             }
             built = scene.build();
         } catch (IllegalArgumentException e) {

@@ -24,6 +24,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class RenderedPhotosTest {
     private static final Sensor SENSOR = Sensor.USUAL.withBlurPx(1.5).withNoiseGrey(0.5);
     private static final double WHITE_GREY = 255 * PlanarMarker.WHITE;
+    /** Markers of 40 mm in 8 cells, at 480 mm and 600 px. */
+    private static final double CELL_PX = 40 * 600.0 / 480 / 8;
     private static final int PHOTOS = 12;
 
     /**
@@ -45,7 +47,7 @@ class RenderedPhotosTest {
             byDraw += draw * moved;
             draws += draw * draw;
         }
-        double std = PhotoLight.usualOutlineStdPx(SENSOR.blurPx(), WHITE_GREY);
+        double std = PhotoLight.usualOutlineStdPx(SENSOR.blurPx(), WHITE_GREY, CELL_PX);
         // noise of 0.5 grey levels moves the mean of twelve markers' sides by some 0.001 px in a photo
         assertEquals(std, byDraw / draws, 4 * 0.001 * Math.sqrt(2 / draws));
     }
