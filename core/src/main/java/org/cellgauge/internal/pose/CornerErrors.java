@@ -186,7 +186,7 @@ public final class CornerErrors {
             EdgeShift shift = m.observation.edgeShift();
             double mean = edges.mean(m);
             double[] meanOfCorners = edges.meanOfCorners(m);
-            double[] byUnknown = edges.byUnknown(m);
+            double[] byUnknown = edges.ofInnerByUnknown(m);
             double[] ofCorners = edges.cornersByUnknown(m);
             // a noise that is stated is independent of what edges show; one of a fit shares its errors with the shift
             double[] shared = shift != null && ofFit ? shift.covarianceWithCornersPx2() : new double[8];

@@ -21,7 +21,8 @@ import org.jspecify.annotations.Nullable;
  * <p>With a marker's measured shift {@code y = delta + e_y}, the corners' errors e_c having the covariance C, that of
  * e_y being v and q what they share, the corners are {@code seen = true + d delta + e_c}, d the derivative of corners
  * by a shift. So, given y and delta, {@code e_c} has the mean {@code q (y - delta) / v} and the covariance
- * {@code C - q q^T / v}: corrected by the means of delta, {@code (d - q / v)} times what is unknown of delta is left.
+ * {@code C - q q^T / v}: corrected by the means of delta, {@code (d - q / v)} times what is unknown of delta is left, and
+ * d times how far outlines lie, all alike, from where inner edges say.
  * Of ink, d delta is the derivative of corners by a square that is larger on the paper, times g.
  */
 public final class EdgeModel {
@@ -34,12 +35,15 @@ public final class EdgeModel {
     private final double[] priorStd;
     private final double[] mean;
     private final double[] factor;
+    /** What inner edges are expected to say at each unknown: the outlines' own part of it is not theirs. */
+    private final double[] ofInner;
 
-    private EdgeModel(List<Double> sizesMm, double[] priorStd, double[] mean, double[] factor) {
+    private EdgeModel(List<Double> sizesMm, double[] priorStd, double[] mean, double[] factor, double[] ofInner) {
         this.sizesMm = sizesMm;
         this.priorStd = priorStd;
         this.mean = mean;
         this.factor = factor;
+        this.ofInner = ofInner;
     }
 
     /** The model of a photo; null where nothing speaks of a shift. */
@@ -91,12 +95,21 @@ public final class EdgeModel {
                 mean[i] += covariance[i * n + j] * right[j];
             }
         }
+        double[] ofInner = covariance.clone();
         if (measured) {
             // what all markers share of that discrepancy does not average out
             covariance[0] += outlineStd * outlineStd;
         }
         Cholesky.factor(covariance, n);
-        return new EdgeModel(Collections.unmodifiableList(sizes), prior, mean, covariance);
+        // it moves outlines, not inner edges: with S their covariance without it, L L^T that with it, inner edges are
+        // expected at S (L L^T)^-1 L nu = S L^-T nu
+        double[] row = new double[n];
+        for (int i = 0; i < n; i++) {
+            System.arraycopy(ofInner, i * n, row, 0, n);
+            Cholesky.solveLower(covariance, n, row);
+            System.arraycopy(row, 0, ofInner, i * n, n);
+        }
+        return new EdgeModel(Collections.unmodifiableList(sizes), prior, mean, covariance, ofInner);
     }
 
     /** Variance of a measured shift about the marker's own. */
@@ -135,9 +148,17 @@ public final class EdgeModel {
         return sum;
     }
 
-    /** Change of the shift of one marker by each unit-normal unknown, px. */
-    double[] byUnknown(MarkerErrors.Source m) {
-        return byUnknown(row(sizesMm, m));
+    /** Change of the shift that one marker's inner edges show by each unit-normal unknown, px. */
+    double[] ofInnerByUnknown(MarkerErrors.Source m) {
+        int n = mean.length;
+        double[] row = row(sizesMm, m);
+        double[] out = new double[n];
+        for (int j = 0; j < n; j++) {
+            for (int i = 0; i < n; i++) {
+                out[j] += row[i] * ofInner[i * n + j];
+            }
+        }
+        return out;
     }
 
     /** How the mean shift and mean ink move the corners of one marker, 8 values, px. */
