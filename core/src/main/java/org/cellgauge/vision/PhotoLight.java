@@ -16,7 +16,7 @@ public final class PhotoLight {
      * for a power 0.0015 px, and more where white is dark, since the curve bends most near black: 0.0045 px at a white
      * of 80 of 255.
      */
-    private static final double TOLD_BLUR_PX = 0.5;
+    private static final double TOLD_BLUR_PX = 0.7;
     private static final double HIDDEN_BLUR_PX = 1;
     private static final double HIDDEN_STD_BY_BLUR = 0.0085;
     /** A mask reaches from cell to cell: those of 3 px lie 0.008 px in the dark at a blur of 1.2 px, px³. */

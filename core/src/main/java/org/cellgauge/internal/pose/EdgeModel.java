@@ -21,8 +21,8 @@ import org.jspecify.annotations.Nullable;
  * <p>With a marker's measured shift {@code y = delta + e_y}, the corners' errors e_c having the covariance C, that of
  * e_y being v and q what they share, the corners are {@code seen = true + d delta + e_c}, d the derivative of corners
  * by a shift. So, given y and delta, {@code e_c} has the mean {@code q (y - delta) / v} and the covariance
- * {@code C - q q^T / v}: corrected by the means of delta, {@code (d - q / v)} times what is unknown of delta is left, and
- * d times how far outlines lie, all alike, from where inner edges say.
+ * {@code C - q q^T / v}: corrected by the means of delta, {@code (d - q / v)} times what is unknown of delta is left,
+ * and d times how far outlines lie, all alike, from where inner edges say.
  * Of ink, d delta is the derivative of corners by a square that is larger on the paper, times g.
  */
 public final class EdgeModel {
