@@ -88,8 +88,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private static final double BLUR_LIMIT_PER_BORDER_CELL = 0.17;
     /**
      * Near that limit sides hang on each other, since blur brings the light of one into the band of the next: in
-     * rendered photos their variance is 1.06 times what each fit says of itself at 0.83 of the limit, 1.2 at 0.9, 1.3 at
-     * 0.94 and 1.5 at 0.98, whatever the noise.
+     * rendered photos their variance is 1.06 times what each fit says of itself at 0.83 of the limit, 1.2 at 0.9, 1.3
+     * at 0.94 and 1.5 at 0.98, whatever the noise.
      */
     private static final double NOISE_AT_BLUR_LIMIT = 0.55;
     private static final double NOISE_BY_BLUR_POWER = 9;

@@ -32,8 +32,12 @@ public final class RandomStreams {
         for (long p : path) {
             state = mix(state ^ mix(p + WEYL) + 0x632BE59BD9B4E019L);
         }
-        return new Stream(new XoShiRo256PlusPlus(mix(state + WEYL), mix(state + 2 * WEYL), mix(state + 3 * WEYL),
-                mix(state + 4 * WEYL)));
+        long[] words = new long[4];
+        for (int i = 0; i < words.length; i++) {
+            state += WEYL;
+            words[i] = mix(state);
+        }
+        return new Stream(new XoShiRo256PlusPlus(words));
     }
 
     /** The library's generator under the interface that the rest of the code and its other library know. */
