@@ -7,6 +7,7 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -79,7 +80,7 @@ final class StudyText {
     }
 
     private void regions(StringBuilder text) {
-        text.append("\nStated 95 % regions, and squared distances of the truth from the mean (NEES)\n");
+        text.append("\nStated 95 % regions, and squared distances of the truth from the mean (NEES, of one mode)\n");
         TextTable table = new TextTable(1);
         table.row("", "dim", "stated", "hold", "honest", "", "NEES", "+-", "two modes", "hold");
         for (CoverageFigures.Region r : figures.regions()) {
@@ -169,12 +170,13 @@ final class StudyText {
     }
 
     private static String range(List<Double> values, int decimals) {
-        if (values.isEmpty()) {
+        double[] known = values.stream().mapToDouble(v -> v).filter(v -> !Double.isNaN(v)).toArray();
+        if (known.length == 0) {
             return "-";
         }
-        double least = values.stream().mapToDouble(v -> v).min().getAsDouble();
-        double most = values.stream().mapToDouble(v -> v).max().getAsDouble();
-        return values.size() == 1 ? plain(least, decimals) : plain(least, decimals) + " to " + plain(most, decimals);
+        double least = Arrays.stream(known).min().getAsDouble();
+        double most = Arrays.stream(known).max().getAsDouble();
+        return known.length == 1 ? plain(least, decimals) : plain(least, decimals) + " to " + plain(most, decimals);
     }
 
     // ---- JSON

@@ -170,7 +170,8 @@ public final class CoverageFigures {
             held += holds ? 1 : 0;
             severalModes += ofSeveralModes ? 1 : 0;
             heldOfSeveralModes += ofSeveralModes && holds ? 1 : 0;
-            squared.add(squaredDistance);
+            // between two modes there is no mean to be away from, and one truth in the lesser decides over hundreds
+            squared.add(ofSeveralModes ? Double.NaN : squaredDistance);
         }
 
         /**
@@ -246,7 +247,8 @@ public final class CoverageFigures {
         }
 
         /**
-         * Mean squared distance of the truth (NEES).
+         * Mean squared distance of the truth (NEES), of regions about one mode: it is the photo that tells of how many,
+         * so an honest mean is the dimension among them, too.
          *
          * @return honest: {@link #dimension()}
          */
