@@ -2,14 +2,14 @@
 
     python3 -m venv nuts && nuts/bin/pip install nutpie numba && nuts/bin/python core/src/jmh/python/nuts.py
 
-The cell of fixtures/plane-3 (three references of 47 mm in the plane, 1280 x 720 px, f 581 px), placed to 5 mm and 10 mrad,
-corners to 0.05 px: the scene of EffectiveDrawsTest. Placement errors are integrated out to first order at the true pose, as
-docs/method.md has it, so that what is left is a function of six numbers. NUTS (Hoffman and Gelman 2014) gets what it can have:
-coordinates whitened by the Gauss-Newton covariance, the gradient written out and compiled by numba, the sampler of nutpie
-(Rust). Printed is the least effective size, over coordinates, of the draws and of their squared deviations, per second of
-processor time after the warm-up: the latter to hold against 585 in 1000 steps of StepBenchmark's independence step. Beside it,
-how long 400 of them take from the start of the warm-up on, and what a gradient takes, from which follows what NUTS could do at
-most if nothing else took time.
+The cell of fixtures/plane-3 (three references of 47 mm in the plane, 1280 x 720 px, f 581 px), placed to 5 mm and
+10 mrad, corners to 0.05 px: the scene of EffectiveDrawsTest. Placement errors are integrated out to first order at the
+true pose, as docs/method.md has it, so that what is left is a function of six numbers. NUTS (Hoffman and Gelman 2014)
+gets what it can have: coordinates whitened by the Gauss-Newton covariance, the gradient written out and compiled by
+numba, the sampler of nutpie (Rust). Printed is the least effective size, over coordinates, of the draws and of their
+squared deviations, per second of processor time after the warm-up: the latter to hold against 585 in 1000 steps of
+StepBenchmark's independence step. Beside it, how long 400 of them take from the start of the warm-up on, and what a
+gradient takes, from which follows what NUTS could do at most if nothing else took time.
 """
 import time
 import warnings
@@ -61,7 +61,7 @@ def world_points(placement):
 def seen(camera, world, jacobian):
     """Points in the image, px: 24 values, of six numbers of the camera (mm, rad).
 
-    Fills the derivative by the camera, 24 x 6: with y = exp(-v) q a small change of v moves y by exp(-v) [q]x J_r(-v) dv.
+    Fills the derivative by the camera, 24 x 6: with y = exp(-v) q, a change dv moves y by exp(-v) [q]x J_r(-v) dv.
     """
     v = camera[3:]
     back = rotation(-v)
@@ -155,9 +155,10 @@ def main():
     squares = arviz.convert_to_dataset({"s": (draws - draws.mean((0, 1)))**2})
     of_squares = float(arviz.ess(squares)["s"].min())
     gradients = float(trace.sample_stats["n_steps"].values.sum())
-    print(f"{CHAINS} chains: {of_draws / seconds:.0f} effective draws per second, {of_squares / seconds:.0f} of squared "
-          f"deviations; {1e3 * (warm + 400 / (of_squares / seconds)):.0f} ms to 400; {gradients / draws[..., 0].size:.1f} "
-          f"gradients a draw: {of_squares / (gradients * per_gradient):.0f} of squared deviations at most")
+    per_second = of_squares / seconds
+    print(f"{CHAINS} chains: {of_draws / seconds:.0f} effective draws per second, {per_second:.0f} of squared deviations; "
+          f"{1e3 * (warm + 400 / per_second):.0f} ms to 400; {gradients / draws[..., 0].size:.1f} gradients a draw: "
+          f"{of_squares / (gradients * per_gradient):.0f} of squared deviations at most")
 
 
 if __name__ == "__main__":

@@ -60,9 +60,9 @@ public final class RenderedPhotos implements DetectionSource {
      * @param sensor how they are taken
      * @param jpegQuality quality of the JPEG file that they pass through, 1 to 100; 0: none
      * @param printGainMm as {@link Scene#printGainMm}
-     * @param outlinesDrawn whether the outlines of all markers of a photo lie, alike, off where their inner edges say by
-     *     a draw from what a check allows for ({@link PhotoLight#usualOutlineStdPx}), as references are off
-     *     their places by draws from their placement; else prints are exact
+     * @param outlinesDrawn whether the outlines of all markers of a photo lie, alike, off where their inner edges say
+     *     by a draw from what a check allows for ({@link PhotoLight#usualOutlineStdPx}), as references are off their
+     *     places by draws from their placement; else prints are exact
      */
     public RenderedPhotos(Sensor sensor, int jpegQuality, double printGainMm, boolean outlinesDrawn) {
         this.sensor = sensor;
