@@ -156,8 +156,8 @@ def main():
     of_squares = float(arviz.ess(squares)["s"].min())
     gradients = float(trace.sample_stats["n_steps"].values.sum())
     per_second = of_squares / seconds
-    print(f"{CHAINS} chains: {of_draws / seconds:.0f} effective draws per second, {per_second:.0f} of squared deviations; "
-          f"{1e3 * (warm + 400 / per_second):.0f} ms to 400; {gradients / draws[..., 0].size:.1f} gradients a draw: "
+    print(f"{CHAINS} chains: {of_draws / seconds:.0f} effective draws per second, {per_second:.0f} of squared "
+          f"deviations; {1e3 * (warm + 400 / per_second):.0f} ms to 400; {gradients / draws[..., 0].size:.1f} gradients a draw: "
           f"{of_squares / (gradients * per_gradient):.0f} of squared deviations at most")
 
 

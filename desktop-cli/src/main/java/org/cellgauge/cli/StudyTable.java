@@ -85,8 +85,8 @@ final class StudyTable {
 
     /** Whether prints are exact. */
     static final Setting<Boolean> EXACT_OUTLINES = Setting.of("exact_outlines", SettingForm.flag(), false,
-            "With --photos: prints are exact. Else the sides of all markers of a photo lie off their places, alike, by a "
-                    + "draw from what a check allows for that inner edges do not show")
+            "With --photos: prints are exact. Else the sides of all markers of a photo lie off their places, alike, by "
+                    + "a draw from what a check allows for that inner edges do not show")
             .where(StudyTable::ofPhotos);
 
     /** Tone curve of the camera. */
