@@ -276,6 +276,15 @@ class CornersInLightTest {
         assertEquals(1, found.chiSquareLessShift, 0.3, found.toString());
     }
 
+    /** Blur brings the light of each side into the band of the next: by the fits alone they would be. */
+    @Test
+    void markersNearTheLimitOfBlurAreNoWorseThanStated() {
+        MarkerField field = MarkerField.of(BINARY, 60);
+        MarkerField.Found found = field.find(field.photo(sensor(1.83, ToneCurve.LINEAR)), null);
+        assertTrue(found.markers >= 20, found.toString());
+        assertEquals(1, found.chiSquareLessShift, 0.25, found.toString());
+    }
+
     /** A blur of 0.8 px would be too much for one of these markers, but after the mask no edge is so flat. */
     @Test
     void sharpenedMarkersAreLeftOutByTheBlurThatThePhotoShows() {
