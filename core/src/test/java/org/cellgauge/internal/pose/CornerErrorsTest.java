@@ -175,6 +175,33 @@ class CornerErrorsTest {
         assertEquals(0, alongSum / photos, 4 * Math.sqrt(alongVariance / photos / photos));
     }
 
+    /**
+     * Outlines that lie off where inner edges say, all alike, move corners by all of it, whatever corners share with
+     * inner edges: inner edges do not show it.
+     */
+    @Test
+    void outlinesOffMoveCornersInFull() {
+        double outlineStdPx = 0.5;
+        double[] corners = corners(POSES[0], SIZES[0]);
+        double[] by = EdgeShift.ofCorners(corners);
+        double[] covariance = new double[64];
+        double[] shared = new double[8];
+        for (int i = 0; i < 8; i++) {
+            shared[i] = 0.5 * by[i] * 1e-4;
+            for (int j = 0; j < 8; j++) {
+                covariance[8 * i + j] = (i == j ? 1e-4 : 0) + 0.5 * by[i] * 0.5 * by[j] * 1e-4;
+            }
+        }
+        PhotoLight light = new PhotoLight(ToneCurve.SRGB, true, 0.7, 1, 100, 0.3).withOutlineStdPx(outlineStdPx);
+        CornerErrors found = CornerErrors.of(cell(OptionalDouble.empty(), new PrintPrecision(0, 0, 0)),
+                new Detections("test", 1280, 720, Collections.singletonList(new MarkerObservation(IDS[0], corners,
+                        covariance, new EdgeShift(0, 1e-4, shared))), Collections.emptyList(), light));
+        assertEquals(1, found.unknowns());
+        // beside 0.5 px what inner edges leave open, 0.01 px, is nothing
+        assertArrayEquals(Arrays.stream(by).map(d -> outlineStdPx * d).toArray(), found.columns(IDS[0]),
+                outlineStdPx * 0.005);
+    }
+
     /** Against whole fits weighed by each covariance; these bend with the pose, by some hundredths. */
     @ParameterizedTest
     @CsvSource({"0, 0.01, 0.09", "2, 0.02, 0.5"})
