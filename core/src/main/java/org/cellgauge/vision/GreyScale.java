@@ -1,5 +1,6 @@
 package org.cellgauge.vision;
 
+import java.util.Arrays;
 import org.cellgauge.light.ToneCurve;
 
 /**
@@ -14,6 +15,7 @@ final class GreyScale {
     /** Light up to which the table goes: what is beyond white is seen by its edges alone. */
     private static final double MOST_LIGHT = 3;
     private static final double LEAST_LIGHT = 1e-7;
+    private static final double LEAST_ROOT = Math.sqrt(LEAST_LIGHT);
     /** Level below which powers are cut off: there light would no longer change with the level. */
     private static final double CUT_LEVEL = 0.25;
     private static final double LEAST_LEVEL = 0.3;
@@ -176,6 +178,60 @@ final class GreyScale {
     }
 
     /**
+     * The same for many pixels, each as {@link #at(double, double, double)} has it to the last bit.
+     *
+     * @param lights light, 1 at white
+     * @param floors grey level at which each pixel's scale ends below
+     * @param caps grey level at which it ends above
+     * @param count how many pixels
+     * @param greys receives expected grey levels
+     * @param byLights receives their derivatives by the light
+     * @param insides receives shares of the noise that leave the grey level within the scale
+     */
+    void at(double[] lights, double[] floors, double[] caps, int count, double[] greys, double[] byLights,
+            double[] insides) {
+        if (linear) {
+            for (int i = 0; i < count; i++) {
+                greys[i] = WHITE * lights[i];
+            }
+            Arrays.fill(byLights, 0, count, WHITE);
+        } else {
+            // the root of no light or less is no number, or too small, and is replaced when it is looked up
+            for (int i = 0; i < count; i++) {
+                greys[i] = Math.sqrt(lights[i]);
+            }
+            lookUp(lights, count, greys, byLights);
+        }
+        Arrays.fill(insides, 0, count, 1);
+        double reach = REACH * noise;
+        for (int i = 0; i < count; i++) {
+            if (greys[i] < floors[i] + reach || greys[i] > caps[i] - reach) {
+                grey = greys[i];
+                byLight = byLights[i];
+                censor(floors[i], caps[i]);
+                greys[i] = grey;
+                byLights[i] = byLight;
+                insides[i] = inside;
+            }
+        }
+    }
+
+    /** In place of roots of light, grey levels. */
+    private void lookUp(double[] lights, int count, double[] greys, double[] byLights) {
+        double[] t = table;
+        double scale = perRoot;
+        for (int i = 0; i < count; i++) {
+            double at = (lights[i] > LEAST_LIGHT ? greys[i] : LEAST_ROOT) * scale;
+            int k = Math.min((int) at, NODES - 1);
+            double f = at - k;
+            double before = t[2 * k];
+            double slopeBefore = t[2 * k + 1];
+            greys[i] = before + f * (t[2 * k + 2] - before);
+            byLights[i] = slopeBefore + f * (t[2 * k + 3] - slopeBefore);
+        }
+    }
+
+    /**
      * The same for a pixel whose scale ends elsewhere.
      *
      * @param light light, 1 at white
@@ -183,7 +239,6 @@ final class GreyScale {
      * @param cap grey level at which it ends above
      */
     void at(double light, double floor, double cap) {
-        inside = 1;
         if (linear) {
             grey = WHITE * light;
             byLight = WHITE;
@@ -198,6 +253,12 @@ final class GreyScale {
             grey = before + f * (t[2 * i + 2] - before);
             byLight = slopeBefore + f * (t[2 * i + 3] - slopeBefore);
         }
+        censor(floor, cap);
+    }
+
+    /** Expectation of a grey value that noise may push over the ends of its scale. */
+    private void censor(double floor, double cap) {
+        inside = 1;
         if (grey < floor + REACH * noise) {
             double z = (grey - floor) / noise;
             inside = EdgeProfile.tabulated(z);

@@ -88,6 +88,8 @@ final class SideFit {
     private double[] byBlur = new double[0];
     private double[] byDark = new double[0];
     private double[] byBright = new double[0];
+    private double[] distances = new double[0];
+    private double[] lights = new double[0];
 
     final double[] unknowns = new double[UNKNOWNS];
     private final DampedGaussNewton solver =
@@ -365,30 +367,98 @@ final class SideFit {
             byBlur = new double[length];
             byDark = new double[length];
             byBright = new double[length];
+            distances = new double[length];
+            lights = new double[length];
         }
         double lightDark = scale.light(p[DARK]);
         double contrast = scale.light(p[BRIGHT]) - lightDark;
         double darkSlope = scale.lightByGrey(p[DARK]);
         double brightSlope = scale.lightByGrey(p[BRIGHT]);
-        double blurred = p[BLUR] - baseBlur;
+        setDistances(p[OFFSET], p[SLOPE]);
+        profile.at(distances, samples, p[BLUR], shares, byOffset, byBlur);
+        setShares(p[BLUR] - baseBlur);
+        setLights(lightDark, contrast);
+        scale.at(lights, floor, cap, samples, residuals, byLights, insides);
+        differentiate(contrast, darkSlope, brightSlope);
+    }
+
+    // each of these loops does one thing to all pixels, which the compiler can do to several at a time
+
+    private void setDistances(double offset, double slope) {
+        double[] out = distances;
+        double[] d = across;
+        double[] t = along;
         for (int i = 0; i < samples; i++) {
-            profile.at(across[i] - p[OFFSET] - p[SLOPE] * along[i], p[BLUR]);
-            double inside = window[i];
-            double share = base[i] + baseByBlur[i] * blurred + inside * profile.share;
-            double lamp = 1 + lampAlong * along[i] + lampAcross * across[i];
-            scale.at(lamp * (lightDark + contrast * share), floor[i], cap[i]);
-            residuals[i] = scale.grey - grey[i];
-            shares[i] = share;
-            byLights[i] = scale.byLight;
-            insides[i] = scale.inside;
-            double byLight = scale.byLight * lamp;
-            double byShare = byLight * contrast;
-            double r0 = -byShare * inside * profile.byDistance;
-            byOffset[i] = r0;
-            bySlope[i] = r0 * along[i];
-            byBlur[i] = byShare * (inside * profile.byBlur + baseByBlur[i]);
-            byDark[i] = byLight * darkSlope * (1 - share);
-            byBright[i] = byLight * brightSlope * share;
+            out[i] = d[i] - offset - slope * t[i];
+        }
+    }
+
+    private void setShares(double blurred) {
+        double[] out = shares;
+        double[] elsewhere = base;
+        double[] byElsewhere = baseByBlur;
+        double[] within = window;
+        for (int i = 0; i < samples; i++) {
+            out[i] = elsewhere[i] + byElsewhere[i] * blurred + within[i] * out[i];
+        }
+    }
+
+    private void setLights(double lightDark, double contrast) {
+        double[] out = lights;
+        double[] share = shares;
+        double[] d = across;
+        double[] t = along;
+        double byAlong = lampAlong;
+        double byAcross = lampAcross;
+        for (int i = 0; i < samples; i++) {
+            out[i] = (1 + byAlong * t[i] + byAcross * d[i]) * (lightDark + contrast * share[i]);
+        }
+    }
+
+    /** Residuals in place of grey levels, and derivatives of grey levels in place of those of a share of the light. */
+    private void differentiate(double contrast, double darkSlope, double brightSlope) {
+        double[] byOwnLight = lights;
+        scaleByLamp(byOwnLight);
+        double[] residual = residuals;
+        double[] level = grey;
+        for (int i = 0; i < samples; i++) {
+            residual[i] -= level[i];
+        }
+        double[] within = window;
+        double[] r0 = byOffset;
+        for (int i = 0; i < samples; i++) {
+            r0[i] = -(byOwnLight[i] * contrast) * within[i] * r0[i];
+        }
+        double[] r1 = bySlope;
+        double[] t = along;
+        for (int i = 0; i < samples; i++) {
+            r1[i] = r0[i] * t[i];
+        }
+        double[] r2 = byBlur;
+        double[] byElsewhere = baseByBlur;
+        for (int i = 0; i < samples; i++) {
+            r2[i] = byOwnLight[i] * contrast * (within[i] * r2[i] + byElsewhere[i]);
+        }
+        double[] share = shares;
+        double[] r3 = byDark;
+        for (int i = 0; i < samples; i++) {
+            r3[i] = byOwnLight[i] * darkSlope * (1 - share[i]);
+        }
+        double[] r4 = byBright;
+        for (int i = 0; i < samples; i++) {
+            r4[i] = byOwnLight[i] * brightSlope * share[i];
+        }
+    }
+
+    /** Derivatives of grey levels by the light without the lamp's change. */
+    private void scaleByLamp(double[] out) {
+        double[] byLight = byLights;
+        double[] d = across;
+        double[] t = along;
+        double byAlong = lampAlong;
+        double byAcross = lampAcross;
+        for (int i = 0; i < samples; i++) {
+            out[i] = byLight[i] * (1 + byAlong * t[i] + byAcross * d[i]);
         }
     }
 
