@@ -450,11 +450,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
         put(q.c, corners, 4);
         put(q.d, corners, 6);
         if (edgesUsed == edges.size()) {
-            edges.add(new MarkerEdges(camera, grid));
+            edges.add(new MarkerEdges(camera, grid, scale));
         }
         MarkerEdges own = edges.get(edgesUsed);
         boolean[] listed = patterns.get(idRead);
-        if (!own.fit(image, scale, corners, listed != null ? listed : familyPatterns.white(idRead))) {
+        if (!own.fit(image, corners, listed != null ? listed : familyPatterns.white(idRead))) {
             return new Seen(idRead, corners, null);
         }
         edgesUsed++;
@@ -475,7 +475,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         square.idRead = listedId(white);
         own.turn((4 - turns) % 4);
-        own.refit(image, scale, familyPatterns.white(square.idRead));
+        own.refit(image, familyPatterns.white(square.idRead));
     }
 
     /**

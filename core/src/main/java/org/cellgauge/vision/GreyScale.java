@@ -7,13 +7,14 @@ import org.cellgauge.light.ToneCurve;
  * Grey levels of 8 bits and the light that makes them under one tone curve, for inner loops: a table instead of powers,
  * results in fields, and the expectation of a grey value that noise and the ends of the scale change: values beyond
  * black and white are censored, not measured (Tobin, "Estimation of relationships for limited dependent variables",
- * Econometrica 1958). Not thread-safe.
+ * Econometrica 1958). Not thread-safe: each thread evaluates at an own one of {@link #another}.
  */
 final class GreyScale {
     private static final double WHITE = 255;
     private static final int NODES = 512;
     /** Light up to which the table goes: what is beyond white is seen by its edges alone. */
     private static final double MOST_LIGHT = 3;
+    private static final double PER_ROOT = NODES / Math.sqrt(MOST_LIGHT);
     private static final double LEAST_LIGHT = 1e-7;
     private static final double LEAST_ROOT = Math.sqrt(LEAST_LIGHT);
     /** Level below which powers are cut off: there light would no longer change with the level. */
@@ -30,21 +31,40 @@ final class GreyScale {
     /** Share of the noise that leaves the grey level within the scale. */
     double inside;
 
-    private ToneCurve curve = ToneCurve.LINEAR;
+    private final Tables tables;
     private double darkLight;
     private double brightLight;
     private double darkByPower;
     private double brightByPower;
-    private boolean linear;
-    private double noise = 1.5;
-    /** Grey and its derivative by the light by turns, at equal steps of the light's root. */
-    private final double[] table = new double[2 * NODES + 2];
-    private final double[] lightOfByte = new double[257];
-    private double perRoot;
+
+    /** What every one of {@link #another} sees: a curve by its tables, and the noise. */
+    private static final class Tables {
+        private ToneCurve curve = ToneCurve.LINEAR;
+        private boolean linear;
+        private double noise = 1.5;
+        /** Grey and its derivative by the light by turns, at equal steps of the light's root. */
+        private final double[] grey = new double[2 * NODES + 2];
+        private final double[] lightOfByte = new double[257];
+    }
 
     /** The scale of a linear curve. */
     GreyScale() {
+        tables = new Tables();
         tabulate();
+    }
+
+    private GreyScale(Tables tables) {
+        this.tables = tables;
+    }
+
+    /**
+     * The same scale, whatever curve and noise are set from now on, with results of its own. Nothing may be set while
+     * another thread evaluates.
+     *
+     * @return a scale that shares curve and noise with this one
+     */
+    GreyScale another() {
+        return new GreyScale(tables);
     }
 
     /**
@@ -53,25 +73,27 @@ final class GreyScale {
      * @param other the curve
      */
     void set(ToneCurve other) {
-        if (!other.equals(curve)) {
-            curve = other;
+        if (!other.equals(tables.curve)) {
+            tables.curve = other;
             tabulate();
         }
     }
 
     private void tabulate() {
-        linear = curve.isLinear();
-        perRoot = NODES / Math.sqrt(MOST_LIGHT);
+        ToneCurve curve = tables.curve;
+        double[] table = tables.grey;
+        boolean linear = curve.isLinear();
+        tables.linear = linear;
         for (int i = 0; i <= 256; i++) {
-            lightOfByte[i] = light(i);
+            tables.lightOfByte[i] = light(i);
         }
         for (int i = 0; i <= NODES && !linear; i++) {
-            double root = i / perRoot;
+            double root = i / PER_ROOT;
             table[2 * i] = WHITE * curve.grey(root * root);
         }
         for (int i = 1; i < NODES && !linear; i++) {
             // by the root from both neighbours, by the light by the chain rule
-            table[2 * i + 1] = (table[2 * i + 2] - table[2 * i - 2]) * perRoot / 2 * perRoot / (2 * i);
+            table[2 * i + 1] = (table[2 * i + 2] - table[2 * i - 2]) * PER_ROOT / 2 * PER_ROOT / (2 * i);
         }
         table[1] = table[3];
         table[2 * NODES + 1] = table[2 * NODES - 1];
@@ -79,12 +101,12 @@ final class GreyScale {
 
     /** Standard deviation of the noise that may push grey values over the ends of the scale, grey levels. */
     void setNoise(double stdGrey) {
-        noise = Math.max(0.3, stdGrey);
+        tables.noise = Math.max(0.3, stdGrey);
     }
 
     /** What {@link #setNoise} has set. */
     double noise() {
-        return noise;
+        return tables.noise;
     }
 
     /**
@@ -93,12 +115,12 @@ final class GreyScale {
      * @return grey level; negative where grey is light, as a black level that is not quite 0 makes it
      */
     double leastLevel() {
-        return linear ? LEAST_LEVEL_LINEAR : LEAST_LEVEL;
+        return tables.linear ? LEAST_LEVEL_LINEAR : LEAST_LEVEL;
     }
 
     /** The curve in force. */
     ToneCurve curve() {
-        return curve;
+        return tables.curve;
     }
 
     /**
@@ -108,7 +130,7 @@ final class GreyScale {
      * @return light, 1 at 255
      */
     double light(double level) {
-        return linear ? level / WHITE : curve.light(Math.max(level, CUT_LEVEL) / WHITE);
+        return tables.linear ? level / WHITE : tables.curve.light(Math.max(level, CUT_LEVEL) / WHITE);
     }
 
     /**
@@ -119,7 +141,8 @@ final class GreyScale {
      */
     double tabulatedLight(double level) {
         int i = (int) level;
-        return lightOfByte[i] + (level - i) * (lightOfByte[i + 1] - lightOfByte[i]);
+        double[] light = tables.lightOfByte;
+        return light[i] + (level - i) * (light[i + 1] - light[i]);
     }
 
     /**
@@ -129,7 +152,7 @@ final class GreyScale {
      * @return light per grey level
      */
     double lightByGrey(double level) {
-        if (linear) {
+        if (tables.linear) {
             return 1 / WHITE;
         }
         double h = Math.max(1e-3, 1e-3 * level);
@@ -143,11 +166,11 @@ final class GreyScale {
      * @param bright grey level of the bright side
      */
     void setEnds(double dark, double bright) {
-        double offset = curve.offset();
+        double offset = tables.curve.offset();
         double d = (Math.max(dark, CUT_LEVEL) / WHITE + offset) / (1 + offset);
         double b = (Math.max(bright, CUT_LEVEL) / WHITE + offset) / (1 + offset);
-        darkLight = Math.pow(d, curve.power());
-        brightLight = Math.pow(b, curve.power());
+        darkLight = Math.pow(d, tables.curve.power());
+        brightLight = Math.pow(b, tables.curve.power());
         darkByPower = darkLight * Math.log(d);
         brightByPower = brightLight * Math.log(b);
     }
@@ -160,11 +183,11 @@ final class GreyScale {
      * @return grey levels per unit of the power
      */
     double byPower(double share) {
-        double power = curve.power();
+        double power = tables.curve.power();
         double light = Math.max(LEAST_LIGHT, darkLight + (brightLight - darkLight) * share);
         double logarithm = Math.log(light);
         double change = darkByPower * (1 - share) + brightByPower * share;
-        return WHITE * (1 + curve.offset()) * Math.exp(logarithm / power) * (change / (power * light)
+        return WHITE * (1 + tables.curve.offset()) * Math.exp(logarithm / power) * (change / (power * light)
                 - logarithm / (power * power));
     }
 
@@ -190,7 +213,7 @@ final class GreyScale {
      */
     void at(double[] lights, double[] floors, double[] caps, int count, double[] greys, double[] byLights,
             double[] insides) {
-        if (linear) {
+        if (tables.linear) {
             for (int i = 0; i < count; i++) {
                 greys[i] = WHITE * lights[i];
             }
@@ -203,7 +226,7 @@ final class GreyScale {
             lookUp(lights, count, greys, byLights);
         }
         Arrays.fill(insides, 0, count, 1);
-        double reach = REACH * noise;
+        double reach = REACH * tables.noise;
         for (int i = 0; i < count; i++) {
             if (greys[i] < floors[i] + reach || greys[i] > caps[i] - reach) {
                 grey = greys[i];
@@ -218,10 +241,9 @@ final class GreyScale {
 
     /** In place of roots of light, grey levels. */
     private void lookUp(double[] lights, int count, double[] greys, double[] byLights) {
-        double[] t = table;
-        double scale = perRoot;
-        for (int i = 0; i < count; i++) {
-            double at = (lights[i] > LEAST_LIGHT ? greys[i] : LEAST_ROOT) * scale;
+        double[] t = tables.grey;
+                for (int i = 0; i < count; i++) {
+            double at = (lights[i] > LEAST_LIGHT ? greys[i] : LEAST_ROOT) * PER_ROOT;
             int k = Math.min((int) at, NODES - 1);
             double f = at - k;
             double before = t[2 * k];
@@ -239,15 +261,15 @@ final class GreyScale {
      * @param cap grey level at which it ends above
      */
     void at(double light, double floor, double cap) {
-        if (linear) {
+        if (tables.linear) {
             grey = WHITE * light;
             byLight = WHITE;
         } else {
             double root = Math.sqrt(Math.max(light, LEAST_LIGHT));
-            double at = root * perRoot;
+            double at = root * PER_ROOT;
             int i = Math.min((int) at, NODES - 1);
             double f = at - i;
-            double[] t = table;
+            double[] t = tables.grey;
             double before = t[2 * i];
             double slopeBefore = t[2 * i + 1];
             grey = before + f * (t[2 * i + 2] - before);
@@ -258,6 +280,7 @@ final class GreyScale {
 
     /** Expectation of a grey value that noise may push over the ends of its scale. */
     private void censor(double floor, double cap) {
+        double noise = tables.noise;
         inside = 1;
         if (grey < floor + REACH * noise) {
             double z = (grey - floor) / noise;

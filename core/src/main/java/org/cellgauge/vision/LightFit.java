@@ -169,7 +169,6 @@ final class LightFit {
     private double pairs;
     private boolean inBlocks;
     private final BlockGrid blocks = new BlockGrid();
-    private final SharpenedStep step = new SharpenedStep();
 
     LightFit(GreyScale scale) {
         this.scale = scale;
@@ -228,8 +227,8 @@ final class LightFit {
         }
         for (int round = 0; estimated && round < MAX_ROUNDS; round++) {
             for (MarkerEdges marker : some) {
-                marker.measureShift(image, scale);
-                marker.conclude(scale, true);
+                marker.measureShift(image);
+                marker.conclude(true);
             }
             setNoise(some);
             scale.setNoise(noiseGrey);
@@ -279,9 +278,9 @@ final class LightFit {
             stale = anew ? 0 : stale;
             for (int m = 0; m < some.size(); m++) {
                 if (anew) {
-                    some.get(m).refitNearly(image, scale, patterns.get(m));
+                    some.get(m).refitNearly(image, patterns.get(m));
                 } else {
-                    some.get(m).refitSamePixels(scale);
+                    some.get(m).refitSamePixels();
                 }
             }
         }
@@ -367,12 +366,12 @@ final class LightFit {
         for (int round = 0; round < MASK_ROUNDS; round++) {
             for (MarkerEdges marker : some) {
                 if (round > 0) {
-                    marker.measureShift(image, scale);
-                    marker.conclude(scale, false);
+                    marker.measureShift(image);
+                    marker.conclude(false);
                 } else if (!estimated) {
-                    marker.conclude(scale, false);
+                    marker.conclude(false);
                 }
-                marker.sharpness(scale, step, maskAmount, maskRadiusPx);
+                marker.sharpness(maskAmount, maskRadiusPx);
             }
             setNoise(some);
             scale.setNoise(noiseGrey);
@@ -443,7 +442,7 @@ final class LightFit {
     private void undoMask(GreyImage image, List<MarkerEdges> of, List<boolean[]> patterns) {
         for (int m = 0; m < of.size(); m++) {
             of.get(m).unsharpen(image, maskAmount, maskRadiusPx);
-            of.get(m).refit(image, scale, patterns.get(m));
+            of.get(m).refit(image, patterns.get(m));
         }
     }
 
@@ -453,8 +452,8 @@ final class LightFit {
         double sharpNoise = noiseGrey;
         undoMask(image, few, patterns);
         for (MarkerEdges marker : few) {
-            marker.measureShift(image, scale);
-            marker.conclude(scale, false);
+            marker.measureShift(image);
+            marker.conclude(false);
         }
         setNoise(few);
         return byNoise(sharpNoise) < RULED_OUT;
@@ -607,8 +606,8 @@ final class LightFit {
         for (double power : SCANNED) {
             scale.set(curve.withPower(power));
             for (int m = 0; m < few.size(); m++) {
-                few.get(m).refitNearly(image, scale, patterns.get(m));
-                few.get(m).conclude(scale, false);
+                few.get(m).refitNearly(image, patterns.get(m));
+                few.get(m).conclude(false);
             }
             setNoise(few);
             if (noiseGrey < least) {
@@ -619,7 +618,7 @@ final class LightFit {
         curve = best;
         scale.set(curve);
         for (int m = 0; m < some.size(); m++) {
-            some.get(m).refit(image, scale, patterns.get(m));
+            some.get(m).refit(image, patterns.get(m));
         }
     }
 
@@ -632,9 +631,9 @@ final class LightFit {
      */
     void refit(GreyImage image, MarkerEdges marker, boolean[] pattern) {
         marker.unsharpen(image, maskAmount, maskRadiusPx);
-        marker.refit(image, scale, pattern);
-        marker.measureShift(image, scale);
-        marker.conclude(scale, false);
+        marker.refit(image, pattern);
+        marker.measureShift(image);
+        marker.conclude(false);
     }
 
     /**
@@ -654,9 +653,9 @@ final class LightFit {
         for (MarkerEdges marker : markers) {
             if (Math.abs(marker.shiftPx() - usual) > ODD_SHIFT_PX
                     || ofMarker(marker) > ODD_NOISE * noiseGrey * noiseGrey) {
-                marker.fitAnew(image, scale, usual);
-                marker.measureShift(image, scale);
-                marker.conclude(scale, false);
+                marker.fitAnew(image, usual);
+                marker.measureShift(image);
+                marker.conclude(false);
             }
         }
     }

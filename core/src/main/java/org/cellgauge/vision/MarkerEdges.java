@@ -78,6 +78,7 @@ final class MarkerEdges {
     private final @Nullable TangentPlane plane;
     private final boolean distorted;
     private final MarkerGrid grid;
+    private final GreyScale scale;
     private final int bands;
     private final EdgeProfile profile = new EdgeProfile();
     private final SideFit[] sides = {new SideFit(), new SideFit(), new SideFit(), new SideFit()};
@@ -102,6 +103,7 @@ final class MarkerEdges {
     private final Unsharpened levels = new Unsharpened();
     private double settledPx = SideFit.SETTLED_PX;
     private boolean unsharpened;
+    private final SharpenedStep step = new SharpenedStep();
 
     // the pattern as seen from one side: depth of the lines between rows at the middle of the side and its change
     // along it, and for each row the ends of its white stretches along the side, their change with depth (a marker seen
@@ -169,8 +171,10 @@ final class MarkerEdges {
      *
      * @param camera camera of the images
      * @param grid lattice of the family's markers
+     * @param scale tone curve and noise, which may change between the calls of methods
      */
-    MarkerEdges(PinholeCamera camera, MarkerGrid grid) {
+    MarkerEdges(PinholeCamera camera, MarkerGrid grid, GreyScale scale) {
+        this.scale = scale.another();
         this.lens = camera.lens();
         this.intrinsics = camera.intrinsics();
         this.plane = lens.isWide() ? new TangentPlane(camera) : null;
@@ -188,13 +192,12 @@ final class MarkerEdges {
      * Fits the sides of a marker for the first time.
      *
      * @param image the image
-     * @param scale tone curve and noise
      * @param cornersPx 8 values, distorted px, within about a pixel of the corners, in the order of the pattern's
      *     top-left, top-right, bottom-right, bottom-left
      * @param pattern white cells, row by row; kept, not copied
      * @return whether all sides were found near where they were looked for
      */
-    boolean fit(GreyImage image, GreyScale scale, double[] cornersPx, boolean[] pattern) {
+    boolean fit(GreyImage image, double[] cornersPx, boolean[] pattern) {
         if (plane != null && !plane.aim(cornersPx)) {
             return false;
         }
@@ -213,62 +216,58 @@ final class MarkerEdges {
             clearCache(cornersPx);
         }
         settledPx = SideFit.SETTLED_PX;
-        return passes(image, scale, MAX_PASSES, FIRST_BAND_STILL_GOOD_PX);
+        return passes(image, MAX_PASSES, FIRST_BAND_STILL_GOOD_PX);
     }
 
     /**
      * Fits again from where the last fit ended, with another tone curve or another reading.
      *
      * @param image the same image
-     * @param scale tone curve and noise
      * @param pattern white cells; kept, not copied
      * @return whether all sides were found
      */
-    boolean refit(GreyImage image, GreyScale scale, boolean[] pattern) {
+    boolean refit(GreyImage image, boolean[] pattern) {
         white = pattern;
         settledPx = SideFit.SETTLED_PX;
-        return passes(image, scale, MAX_PASSES, BAND_STILL_GOOD_PX);
+        return passes(image, MAX_PASSES, BAND_STILL_GOOD_PX);
     }
 
     /**
      * The same on the way to a tone curve, where hundredths of a pixel do not matter.
      *
      * @param image the same image
-     * @param scale tone curve and noise
      * @param pattern white cells; kept, not copied
      * @return whether all sides were found
      */
-    boolean refitNearly(GreyImage image, GreyScale scale, boolean[] pattern) {
+    boolean refitNearly(GreyImage image, boolean[] pattern) {
         white = pattern;
         settledPx = SideFit.NEARLY_SETTLED_PX;
-        return passes(image, scale, MAX_PASSES, BAND_STILL_GOOD_PX);
+        return passes(image, MAX_PASSES, BAND_STILL_GOOD_PX);
     }
 
     /**
      * Fits anew from the corners of the first fit on: the way to a tone curve may lead into a corner.
      *
      * @param image the same image
-     * @param scale tone curve and noise
      * @param shift of the edges that the other markers show, px into the dark
      * @return whether all sides were found
      */
-    boolean fitAnew(GreyImage image, GreyScale scale, double shift) {
+    boolean fitAnew(GreyImage image, double shift) {
         System.arraycopy(before, 0, ideal, 0, 2 * CORNERS);
         for (SideFit side : sides) {
             side.restart();
         }
         shiftPx = shift;
         settledPx = SideFit.SETTLED_PX;
-        return passes(image, scale, MAX_PASSES, BAND_STILL_GOOD_PX);
+        return passes(image, MAX_PASSES, BAND_STILL_GOOD_PX);
     }
 
     /**
      * Fits the same pixels again with another tone curve: enough on the way to one.
      *
-     * @param scale tone curve and noise
      * @return whether all sides were found
      */
-    boolean refitSamePixels(GreyScale scale) {
+    boolean refitSamePixels() {
         settledPx = SideFit.NEARLY_SETTLED_PX;
         for (SideFit side : sides) {
             profile.turn(side.normalX, side.normalY);
@@ -322,12 +321,10 @@ final class MarkerEdges {
     /**
      * Asks the sides what they say of the tone curve and of an unsharp mask: see {@link SideFit#sharpness}.
      *
-     * @param scale tone curve and noise
-     * @param step work space
      * @param amount of the mask that was undone, at least 0
      * @param radiusPx deviation of its Gaussian, px
      */
-    void sharpness(GreyScale scale, SharpenedStep step, double amount, double radiusPx) {
+    void sharpness(double amount, double radiusPx) {
         for (SideFit side : sides) {
             profile.turn(side.normalX, side.normalY);
             side.sharpness(scale, profile, step, amount, radiusPx);
@@ -355,7 +352,7 @@ final class MarkerEdges {
         System.arraycopy(turnedSides, 0, sides, 0, CORNERS);
     }
 
-    private boolean passes(GreyImage image, GreyScale scale, int most, double stillGoodPx) {
+    private boolean passes(GreyImage image, int most, double stillGoodPx) {
         for (int pass = 0; pass < most; pass++) {
             if (!setHomography()) {
                 return false;
@@ -365,7 +362,7 @@ final class MarkerEdges {
             double blurMoved = 0;
             for (int i = 0; i < CORNERS; i++) {
                 double blur = sides[i].unknowns[SideFit.BLUR];
-                if (!setSide(i, centreX, centreY) || !fitSide(image, scale, i)) {
+                if (!setSide(i, centreX, centreY) || !fitSide(image, i)) {
                     return false;
                 }
                 blurMoved = Math.max(blurMoved, Math.abs(sides[i].unknowns[SideFit.BLUR] - blur));
@@ -383,7 +380,7 @@ final class MarkerEdges {
                 }
             }
             System.arraycopy(refined, 0, ideal, 0, 2 * CORNERS);
-            setLamp(scale);
+            setLamp();
             if (moved < stillGoodPx && blurMoved < 0.4 * stillGoodPx) {
                 return true;
             }
@@ -403,7 +400,7 @@ final class MarkerEdges {
      * darken the corners of images, and lamps stand aside: where one end of a side is brighter by a hundredth than the
      * other, a fit that does not know puts corners off by 0.006 px at a blur of 0.7 px.
      */
-    private void setLamp(GreyScale scale) {
+    private void setLamp() {
         clearLamp();
         double mean = 0;
         double x = 0;
@@ -760,13 +757,13 @@ final class MarkerEdges {
 
     // ---- one side
 
-    private boolean fitSide(GreyImage image, GreyScale scale, int i) {
+    private boolean fitSide(GreyImage image, int i) {
         SideFit side = sides[i];
         double blur = !side.started() ? FIRST_BLUR_PX : side.unknowns[SideFit.BLUR];
         double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
         profile.turn(side.normalX, side.normalY);
         setPattern(i);
-        findPaper(image, scale, side, std);
+        findPaper(image, side, std);
         double band = SideBand.halfWidthPx(blur);
         double inner = Math.min(band, depth[0] - 0.5);
         double outer = Math.min(band, Math.max(1, paperPx - 0.3));
@@ -781,7 +778,7 @@ final class MarkerEdges {
      * outwards, a mean over seven places along the side, is fitted by white, ground and the place of the edge
      * (Gauss-Newton).
      */
-    private void findPaper(GreyImage image, GreyScale scale, SideFit side, double std) {
+    private void findPaper(GreyImage image, SideFit side, double std) {
         double most = Double.NEGATIVE_INFINITY;
         int mostAt = 0;
         paperPx = Double.POSITIVE_INFINITY;
@@ -812,7 +809,7 @@ final class MarkerEdges {
                 break;
             }
         }
-        double dark = side.started() ? scale.light(side.unknowns[SideFit.DARK]) : darkestInside(image, scale, side);
+        double dark = side.started() ? scale.light(side.unknowns[SideFit.DARK]) : darkestInside(image, side);
         if (!(most > dark) || most - least < PAPER_CONTRAST * (most - dark)) {
             return;
         }
@@ -887,7 +884,7 @@ final class MarkerEdges {
         }
     }
 
-    private double darkestInside(GreyImage image, GreyScale scale, SideFit side) {
+    private double darkestInside(GreyImage image, SideFit side) {
         toImage(side.middleX - side.normalX * depth[0] / 2, side.middleY - side.normalY * depth[0] / 2, point, 0);
         return scale.tabulatedLight(interpolate(image, point[0], point[1]));
     }
@@ -1042,11 +1039,10 @@ final class MarkerEdges {
     /**
      * Evaluates what the fits say of themselves.
      *
-     * @param scale tone curve and noise
      * @param withPower whether the power of the curve is asked for
      * @return false where the information of a side is singular
      */
-    boolean conclude(GreyScale scale, boolean withPower) {
+    boolean conclude(boolean withPower) {
         for (SideFit side : sides) {
             profile.turn(side.normalX, side.normalY);
             if (!side.conclude(scale, profile, withPower)) {
@@ -1063,18 +1059,18 @@ final class MarkerEdges {
      * the dark by s, the true outline lies s outside the one that is seen, and all that hangs on it moves along; and
      * white cells are s larger on all sides.
      */
-    void measureShift(GreyImage image, GreyScale scale) {
+    void measureShift(GreyImage image) {
         setHomography();
         for (int i = 0; i < MAX_SHIFT_STEPS; i++) {
             double from = shiftPx;
-            stepShift(image, scale);
+            stepShift(image);
             if (!shiftMeasured || Math.abs(shiftPx - from) < LINEAR_SHIFT_PX) {
                 return;
             }
         }
     }
 
-    private void stepShift(GreyImage image, GreyScale scale) {
+    private void stepShift(GreyImage image) {
         double[] n = normal;
         double[] g = gradient;
         Arrays.fill(n, 0);
