@@ -16,6 +16,7 @@ import georegression.struct.point.Point2D_F64;
 import georegression.struct.shapes.Quadrilateral_F64;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
@@ -114,7 +115,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final @Nullable BaseDetectFiducialSquare<GrayU8> bentSquares;
     private final @Nullable ToneCurve statedCurve;
     private final GreyScale scale = new GreyScale();
-    private final LightFit light = new LightFit(scale);
+    private final MarkerLoop loop = new MarkerLoop();
+    private final LightFit light = new LightFit(scale, loop);
     private final PatternReader reader;
     private final OtherGrids otherGrids;
     /** Of the marker read last: see {@link PatternReader#whiteOverMargin}. */
@@ -215,6 +217,18 @@ public final class BoofMarkerDetector implements MarkerDetector {
         return forCell(cell, false);
     }
 
+    /**
+     * Fits several markers at once from now on, on the threads of the Java machine's common pool beside the calling
+     * one: for photos that are waited for, and not where each thread has a photo of its own. Corners are the same
+     * either way.
+     *
+     * @return this detector
+     */
+    public BoofMarkerDetector spread() {
+        loop.spread();
+        return this;
+    }
+
     private static BoofMarkerDetector forCell(Cell cell, boolean looksTwice) {
         Set<Integer> ids = new HashSet<>();
         cell.references().forEach(r -> ids.add(r.id()));
@@ -296,12 +310,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         List<Seen> seen = new ArrayList<>();
         try {
             squares.process(view);
-            for (int i = 0; i < squares.getFound().size(); i++) {
-                FoundFiducial found = squares.getFound().get(i);
-                if (isOfFamily(found)) {
-                    seen.add(seen(image, (int) found.id, found.distortedPixels));
-                }
-            }
+            seeAll(image, seen);
             if (bentSquares != null) {
                 lookAgain(bentSquares, image, seen);
             }
@@ -443,22 +452,62 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
     }
 
+    /** Fits the sides of all squares that were found. */
+    private void seeAll(GreyImage image, List<Seen> seen) {
+        List<Seen> found = new ArrayList<>();
+        for (int i = 0; i < squares.getFound().size(); i++) {
+            FoundFiducial one = squares.getFound().get(i);
+            if (isOfFamily(one)) {
+                found.add(new Seen((int) one.id, corners(one.distortedPixels), edges(found.size())));
+            }
+        }
+        boolean[][] patternOf = new boolean[found.size()][];
+        for (int i = 0; i < patternOf.length; i++) {
+            patternOf[i] = pattern(found.get(i).idRead);
+        }
+        boolean[] fitted = new boolean[found.size()];
+        loop.each(found.size(), i -> fitted[i] = edges.get(i).fit(image, found.get(i).cornersPx, patternOf[i]));
+        edgesUsed = 0;
+        for (int i = 0; i < fitted.length; i++) {
+            if (fitted[i]) {
+                seen.add(found.get(i));
+                // those that could not be fitted stand behind, to be used next
+                Collections.swap(edges, edgesUsed++, i);
+            } else {
+                seen.add(new Seen(found.get(i).idRead, found.get(i).cornersPx, null));
+            }
+        }
+    }
+
     private Seen seen(GreyImage image, int idRead, Quadrilateral_F64 q) {
+        double[] corners = corners(q);
+        MarkerEdges own = edges(edgesUsed);
+        if (!own.fit(image, corners, pattern(idRead))) {
+            return new Seen(idRead, corners, null);
+        }
+        edgesUsed++;
+        return new Seen(idRead, corners, own);
+    }
+
+    private MarkerEdges edges(int number) {
+        if (number == edges.size()) {
+            edges.add(new MarkerEdges(camera, grid, scale));
+        }
+        return edges.get(number);
+    }
+
+    private boolean[] pattern(int id) {
+        boolean[] listed = patterns.get(id);
+        return listed != null ? listed : familyPatterns.white(id);
+    }
+
+    private static double[] corners(Quadrilateral_F64 q) {
         double[] corners = new double[8];
         put(q.a, corners, 0);
         put(q.b, corners, 2);
         put(q.c, corners, 4);
         put(q.d, corners, 6);
-        if (edgesUsed == edges.size()) {
-            edges.add(new MarkerEdges(camera, grid, scale));
-        }
-        MarkerEdges own = edges.get(edgesUsed);
-        boolean[] listed = patterns.get(idRead);
-        if (!own.fit(image, corners, listed != null ? listed : familyPatterns.white(idRead))) {
-            return new Seen(idRead, corners, null);
-        }
-        edgesUsed++;
-        return new Seen(idRead, corners, own);
+        return corners;
     }
 
     /**

@@ -141,6 +141,7 @@ final class LightFit {
     private static final double SETTLED_RADIUS = 0.02;
 
     private final GreyScale scale;
+    private final MarkerLoop loop;
     private ToneCurve curve = ToneCurve.LINEAR;
     /** What the photo before was found to have, and how many were fitted from it on; null where that tells nothing. */
     private @Nullable ToneCurve before;
@@ -170,8 +171,15 @@ final class LightFit {
     private boolean inBlocks;
     private final BlockGrid blocks = new BlockGrid();
 
-    LightFit(GreyScale scale) {
+    /**
+     * The light of photos.
+     *
+     * @param scale receives curve and noise; that of the markers' edges
+     * @param loop how markers are gone through
+     */
+    LightFit(GreyScale scale, MarkerLoop loop) {
         this.scale = scale;
+        this.loop = loop;
     }
 
     /**
@@ -226,10 +234,10 @@ final class LightFit {
             scan(image, some, patterns);
         }
         for (int round = 0; estimated && round < MAX_ROUNDS; round++) {
-            for (MarkerEdges marker : some) {
-                marker.measureShift(image);
-                marker.conclude(true);
-            }
+            loop.each(some.size(), m -> {
+                some.get(m).measureShift(image);
+                some.get(m).conclude(true);
+            });
             setNoise(some);
             scale.setNoise(noiseGrey);
             double variance = noiseGrey * noiseGrey;
@@ -276,21 +284,19 @@ final class LightFit {
             scale.set(curve);
             boolean anew = stale > STALE_PX;
             stale = anew ? 0 : stale;
-            for (int m = 0; m < some.size(); m++) {
+            loop.each(some.size(), m -> {
                 if (anew) {
                     some.get(m).refitNearly(image, patterns.get(m));
                 } else {
                     some.get(m).refitSamePixels();
                 }
-            }
+            });
         }
         findBlocks(image, some);
         double ofPower = estimated ? offsetByPower / Math.sqrt(information) : 0;
         // what blocks leave of noise and edges looks like a mask's doing, and a refused photo's mask is of no account
         ofPower = inBlocks || isFarTooBright(some) ? ofPower : findMask(image, some, patterns, ofPower);
-        for (int m = 0; m < markers.size(); m++) {
-            refit(image, markers.get(m), patterns.get(m));
-        }
+        loop.each(markers.size(), m -> refit(image, markers.get(m), patterns.get(m)));
         setNoise(markers);
         fitOutliersAnew(image, markers);
         setNoise(markers);
@@ -364,15 +370,16 @@ final class LightFit {
         double[] score = new double[SHAPES];
         double[] offsetBy = new double[SHAPES];
         for (int round = 0; round < MASK_ROUNDS; round++) {
-            for (MarkerEdges marker : some) {
-                if (round > 0) {
-                    marker.measureShift(image);
-                    marker.conclude(false);
-                } else if (!estimated) {
-                    marker.conclude(false);
+            boolean first = round == 0;
+            loop.each(some.size(), m -> {
+                if (!first) {
+                    some.get(m).measureShift(image);
                 }
-                marker.sharpness(maskAmount, maskRadiusPx);
-            }
+                if (!first || !estimated) {
+                    some.get(m).conclude(false);
+                }
+                some.get(m).sharpness(maskAmount, maskRadiusPx);
+            });
             setNoise(some);
             scale.setNoise(noiseGrey);
             double correlation = correlation(some);
@@ -440,10 +447,10 @@ final class LightFit {
     }
 
     private void undoMask(GreyImage image, List<MarkerEdges> of, List<boolean[]> patterns) {
-        for (int m = 0; m < of.size(); m++) {
+        loop.each(of.size(), m -> {
             of.get(m).unsharpen(image, maskAmount, maskRadiusPx);
             of.get(m).refit(image, patterns.get(m));
-        }
+        });
     }
 
     /** Undoes a mask that edges hint at about a few markers, and asks whether their noise speaks clearly against it. */
@@ -605,10 +612,10 @@ final class LightFit {
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
         for (double power : SCANNED) {
             scale.set(curve.withPower(power));
-            for (int m = 0; m < few.size(); m++) {
+            loop.each(few.size(), m -> {
                 few.get(m).refitNearly(image, patterns.get(m));
                 few.get(m).conclude(false);
-            }
+            });
             setNoise(few);
             if (noiseGrey < least) {
                 least = noiseGrey;
@@ -617,9 +624,7 @@ final class LightFit {
         }
         curve = best;
         scale.set(curve);
-        for (int m = 0; m < some.size(); m++) {
-            some.get(m).refit(image, patterns.get(m));
-        }
+        loop.each(some.size(), m -> some.get(m).refit(image, patterns.get(m)));
     }
 
     /**
