@@ -119,6 +119,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final LightFit light = new LightFit(scale, loop);
     private final PatternReader reader;
     private final OtherGrids otherGrids;
+    /** Ids that the frame before showed: none of them was a square of another grid. */
+    private final Set<Integer> ownGrid = new HashSet<>();
     /** Of the marker read last: see {@link PatternReader#whiteOverMargin}. */
     private double whiteOverMargin;
     /** Work space for the markers of one image, used anew for the next. */
@@ -344,6 +346,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (accepted.isEmpty() || accepted.size() < patterns.size() && looksTwice) {
             survey(image, byId.keySet(), warnings);
         }
+        ownGrid.clear();
+        accepted.forEach(marker -> ownGrid.add(marker.id()));
         return new Detections(imageName, image.widthPx(), image.heightPx(), accepted, warnings,
                 fitted.isEmpty() ? null : light.light());
     }
@@ -543,7 +547,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
             if (listedId(white) != NONE) {
                 whiteOverMargin = reader.whiteOverMargin(asSeen);
                 double misfit = reader.misfit(image, scale, marker.darkGrey(), marker.brightGrey(), asSeen);
-                return otherGrids.explainBetter(misfit, image, corners, scale, marker) ? NONE : turns;
+                boolean known = light.isKept() && ownGrid.contains(listedId(white));
+                return !known && otherGrids.explainBetter(misfit, image, corners, scale, marker) ? NONE : turns;
             }
             System.arraycopy(familyPatterns.turnedClockwise(white), 0, white, 0, white.length);
         }

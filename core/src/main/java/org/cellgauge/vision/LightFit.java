@@ -144,8 +144,12 @@ final class LightFit {
     private final MarkerLoop loop;
     private ToneCurve curve = ToneCurve.LINEAR;
     /** What the photo before was found to have, and how many were fitted from it on; null where that tells nothing. */
-    private @Nullable ToneCurve before;
+    private @Nullable Found before;
     private int sinceScan;
+    /** What the photo at hand is taken to have unless its edges say otherwise; null where all is to be looked for. */
+    private @Nullable Found kept;
+    private double offsetByPower;
+    private double powerInformation;
     private double powerMean;
     private double powerStd;
     private boolean estimated;
@@ -171,6 +175,25 @@ final class LightFit {
     private boolean inBlocks;
     private final BlockGrid blocks = new BlockGrid();
 
+    /** Of a photo: its curve, its unsharp mask, what edges are off by for not knowing both, and whether it has blocks. */
+    private static final class Found {
+        final ToneCurve curve;
+        final double maskAmount;
+        final double maskRadiusPx;
+        final double maskOvershoot;
+        final double ofPowerPx;
+        final boolean inBlocks;
+
+        Found(LightFit of, double ofPowerPx) {
+            this.curve = of.curve;
+            this.maskAmount = of.maskAmount;
+            this.maskRadiusPx = of.maskRadiusPx;
+            this.maskOvershoot = of.maskOvershoot;
+            this.ofPowerPx = ofPowerPx;
+            this.inBlocks = of.inBlocks;
+        }
+    }
+
     /**
      * The light of photos.
      *
@@ -187,8 +210,8 @@ final class LightFit {
      *
      * @param stated the curve that the user states, or null
      * @param ofFile the curve that the image file says, or null
-     * @param isNextFrame whether it is of the same camera as the photo before: then its curve is where to start, unless
-     *     edges say that it is wrong
+     * @param isNextFrame whether it is of the same camera as the photo before: then its curve is where to start, and
+     *     its mask is taken as it was, unless edges say that they are wrong
      */
     void start(@Nullable ToneCurve stated, @Nullable ToneCurve ofFile, boolean isNextFrame) {
         estimated = stated == null;
@@ -202,6 +225,8 @@ final class LightFit {
         overshoot = 0;
         whiteGrey = 255;
         scale.setNoise(FIRST_NOISE_GREY);
+        kept = isNextFrame && sinceScan < FRAMES_OF_A_SCAN ? before : null;
+        sinceScan = kept == null ? 0 : sinceScan + 1;
         if (stated != null) {
             scale.set(stated);
             return;
@@ -209,10 +234,9 @@ final class LightFit {
         curve = ofFile == null ? ToneCurve.gamma(UNKNOWN_POWER) : ofFile;
         powerMean = curve.power();
         powerStd = ofFile == null ? UNKNOWN_POWER_STD : SAID_POWER_STD;
-        if (isNextFrame && ofFile == null && before != null && sinceScan < FRAMES_OF_A_SCAN) {
-            sinceScan++;
+        if (kept != null && (ofFile == null || kept.maskAmount > 0)) {
             said = true;
-            curve = before;
+            curve = kept.curve;
         }
         scale.set(curve);
     }
@@ -227,55 +251,92 @@ final class LightFit {
     void fit(GreyImage image, List<MarkerEdges> markers, List<boolean[]> patterns) {
         // some markers tell the curve as well as all: what is left is the model's
         List<MarkerEdges> some = markers.subList(0, Math.min(MOST_MARKERS, markers.size()));
-        double information = 0;
-        double offsetByPower = 0;
+        double ofPower;
+        if (kept != null && kept.maskAmount > 0 && bearOut(kept, image, markers, some, patterns)) {
+            ofPower = kept.ofPowerPx;
+        } else {
+            ofPower = estimated ? findCurve(image, some, patterns) : 0;
+            if (kept == null) {
+                findBlocks(image, some);
+                // what blocks leave of noise and edges looks like a mask's doing, and a refused photo's mask is of no
+                // account
+                ofPower = inBlocks || isFarTooBright(some) ? ofPower : findMask(image, some, patterns, ofPower);
+            } else {
+                inBlocks = kept.inBlocks;
+            }
+            loop.each(markers.size(), m -> refit(image, markers.get(m), patterns.get(m)));
+        }
+        setNoise(markers);
+        fitOutliersAnew(image, markers);
+        setNoise(markers);
+        expectBlurOfOthers(image, markers, patterns);
+        // one marker, or clipped whites, do not tell it well enough
+        before = markers.size() > 1 && !isFarTooBright(some) ? new Found(this, ofPower) : null;
+        edgeShiftStdPx = Math.hypot(ofPower, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
+        double[] blurs = new double[markers.size()];
+        for (int m = 0; m < blurs.length; m++) {
+            blurs[m] = markers.get(m).blurPx();
+        }
+        blurPx = blurs.length == 0 ? 0 : median(blurs);
+        for (int m = 0; m < blurs.length; m++) {
+            blurs[m] /= markers.get(m).cellPx();
+        }
+        blurInCells = blurs.length == 0 ? 0 : median(blurs);
+    }
+
+    /**
+     * Fits markers with the mask and the curve of the photo before, and asks whether edges agree.
+     *
+     * @param found in the photo before
+     * @param image the photo
+     * @param markers its markers
+     * @param some of them that are asked
+     * @param patterns what each was read as
+     * @return whether they do; if not, the mask is forgotten, and markers are left as they are fitted
+     */
+    private boolean bearOut(Found found, GreyImage image, List<MarkerEdges> markers, List<MarkerEdges> some,
+            List<boolean[]> patterns) {
+        maskAmount = found.maskAmount;
+        maskRadiusPx = found.maskRadiusPx;
+        loop.each(markers.size(), m -> refit(image, markers.get(m), patterns.get(m), true));
+        if (!estimated || Math.abs(powerStep(some) * offsetByPower) < SURPRISE_PX) {
+            inBlocks = found.inBlocks;
+            maskOvershoot = found.maskOvershoot;
+            return true;
+        }
+        drop();
+        maskAmount = 0;
+        maskRadiusPx = USUAL_RADIUS_PX;
+        for (MarkerEdges marker : markers) {
+            marker.unsharpen(image, 0, USUAL_RADIUS_PX);
+        }
+        return false;
+    }
+
+    /**
+     * Finds the power of the curve that some markers show.
+     *
+     * @return how well edges are known by it, px
+     */
+    private double findCurve(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
         double stale = 0;
-        if (estimated && !said && !some.isEmpty()) {
+        if (!said && !some.isEmpty()) {
             scan(image, some, patterns);
         }
-        for (int round = 0; estimated && round < MAX_ROUNDS; round++) {
+        for (int round = 0; round < MAX_ROUNDS; round++) {
             loop.each(some.size(), m -> {
                 some.get(m).measureShift(image);
                 some.get(m).conclude(true);
             });
-            setNoise(some);
-            scale.setNoise(noiseGrey);
-            double variance = noiseGrey * noiseGrey;
-            double shapeScore = 0;
-            double shapeInformation = 0;
-            double moved = 0;
-            double weight = 0;
-            double shift = 0;
-            double shiftWeight = 0;
-            for (MarkerEdges marker : some) {
-                for (int i = 0; i < 4; i++) {
-                    SideFit side = marker.side(i);
-                    shapeScore += side.powerScore / variance;
-                    shapeInformation += side.powerInformation / variance;
-                    moved += side.powerInformation * side.offsetByPower;
-                    weight += side.powerInformation;
-                }
-                double w = marker.shiftWeight(variance);
-                shift += w * marker.shiftPx();
-                shiftWeight += w;
-            }
-            offsetByPower = weight > 0 ? moved / weight : 0;
-            // curves that are no powers, blur that is no Gaussian: however many pixels there are, the power is no
-            // better
-            double deflated = 1 / (1 + shapeInformation * MODEL_POWER_STD * MODEL_POWER_STD);
-            double shiftInformation = shiftWeight > 0 ? 1 / (SHIFT_STD_PX * SHIFT_STD_PX + 1 / shiftWeight) : 0;
-            double score = (powerMean - curve.power()) / (powerStd * powerStd) + deflated * shapeScore
-                    + (shiftWeight > 0 ? shift / shiftWeight * offsetByPower * shiftInformation : 0);
-            information = 1 / (powerStd * powerStd) + deflated * shapeInformation
-                    + offsetByPower * offsetByPower * shiftInformation;
-            if (round == 0 && said && Math.abs(score / information * offsetByPower) > SURPRISE_PX) {
+            double unbounded = powerStep(some);
+            if (round == 0 && said && Math.abs(unbounded * offsetByPower) > SURPRISE_PX) {
                 // not the curve that the file says: Gauss-Newton from far off may end beside the best one
-                said = false;
+                drop();
                 scan(image, some, patterns);
                 continue;
             }
-            double step = Math.max(-LARGEST_STEP, Math.min(LARGEST_STEP, score / information));
-            double next = Math.max(LEAST_POWER, Math.min(LARGEST_POWER, curve.power() + step));
+            double step = clamp(unbounded, LARGEST_STEP);
+            double next = clamp(curve.power() + step, LEAST_POWER, LARGEST_POWER);
             if (Math.abs((next - curve.power()) * offsetByPower) < SETTLED_PX) {
                 break;
             }
@@ -292,27 +353,56 @@ final class LightFit {
                 }
             });
         }
-        findBlocks(image, some);
-        double ofPower = estimated ? offsetByPower / Math.sqrt(information) : 0;
-        // what blocks leave of noise and edges looks like a mask's doing, and a refused photo's mask is of no account
-        ofPower = inBlocks || isFarTooBright(some) ? ofPower : findMask(image, some, patterns, ofPower);
-        loop.each(markers.size(), m -> refit(image, markers.get(m), patterns.get(m)));
-        setNoise(markers);
-        fitOutliersAnew(image, markers);
-        setNoise(markers);
-        expectBlurOfOthers(image, markers, patterns);
-        // under a mask the curve without it is not known, and of one marker or clipped whites not well enough
-        before = estimated && maskAmount == 0 && markers.size() > 1 && !isFarTooBright(some) ? curve : null;
-        edgeShiftStdPx = Math.hypot(ofPower, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
-        double[] blurs = new double[markers.size()];
-        for (int m = 0; m < blurs.length; m++) {
-            blurs[m] = markers.get(m).blurPx();
+        return offsetByPower / Math.sqrt(powerInformation);
+    }
+
+    /** Whether the photo at hand has the light of the one before, by its edges. */
+    boolean isKept() {
+        return kept != null;
+    }
+
+    /** Believes neither what the file says nor what the photo before had. */
+    private void drop() {
+        said = false;
+        kept = null;
+        sinceScan = 0;
+    }
+
+    /**
+     * The step of Gauss-Newton that fitted and concluded markers ask of the power; sets its information and by how much
+     * edges move with it, and the noise.
+     */
+    private double powerStep(List<MarkerEdges> some) {
+        setNoise(some);
+        scale.setNoise(noiseGrey);
+        double variance = noiseGrey * noiseGrey;
+        double shapeScore = 0;
+        double shapeInformation = 0;
+        double moved = 0;
+        double weight = 0;
+        double shift = 0;
+        double shiftWeight = 0;
+        for (MarkerEdges marker : some) {
+            for (int i = 0; i < 4; i++) {
+                SideFit side = marker.side(i);
+                shapeScore += side.powerScore / variance;
+                shapeInformation += side.powerInformation / variance;
+                moved += side.powerInformation * side.offsetByPower;
+                weight += side.powerInformation;
+            }
+            double w = marker.shiftWeight(variance);
+            shift += w * marker.shiftPx();
+            shiftWeight += w;
         }
-        blurPx = blurs.length == 0 ? 0 : median(blurs);
-        for (int m = 0; m < blurs.length; m++) {
-            blurs[m] /= markers.get(m).cellPx();
-        }
-        blurInCells = blurs.length == 0 ? 0 : median(blurs);
+        offsetByPower = weight > 0 ? moved / weight : 0;
+        // curves that are no powers, blur that is no Gaussian: however many pixels there are, the power is no better
+        double deflated = 1 / (1 + shapeInformation * MODEL_POWER_STD * MODEL_POWER_STD);
+        double shiftInformation = shiftWeight > 0 ? 1 / (SHIFT_STD_PX * SHIFT_STD_PX + 1 / shiftWeight) : 0;
+        double score = (powerMean - curve.power()) / (powerStd * powerStd) + deflated * shapeScore
+                + (shiftWeight > 0 ? shift / shiftWeight * offsetByPower * shiftInformation : 0);
+        powerInformation = 1 / (powerStd * powerStd) + deflated * shapeInformation
+                + offsetByPower * offsetByPower * shiftInformation;
+        return score / powerInformation;
     }
 
     /** Whether so much white is clipped that the photo will be refused whatever a second look says. */
@@ -606,7 +696,6 @@ final class LightFit {
 
     /** Starts at the power, of a few, under which the sides leave the smallest residuals. */
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
-        sinceScan = 0;
         ToneCurve best = curve;
         double least = Double.POSITIVE_INFINITY;
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
@@ -635,10 +724,14 @@ final class LightFit {
      * @param pattern what it was read as
      */
     void refit(GreyImage image, MarkerEdges marker, boolean[] pattern) {
+        refit(image, marker, pattern, false);
+    }
+
+    private void refit(GreyImage image, MarkerEdges marker, boolean[] pattern, boolean withPower) {
         marker.unsharpen(image, maskAmount, maskRadiusPx);
         marker.refit(image, pattern);
         marker.measureShift(image);
-        marker.conclude(false);
+        marker.conclude(withPower);
     }
 
     /**

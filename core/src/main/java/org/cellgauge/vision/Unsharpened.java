@@ -30,7 +30,10 @@ final class Unsharpened {
     private int width;
     private int height;
     private GreyImage image = GreyImage.packed(new byte[1], 1, 1);
+    private double[] sharpened = new double[0];
+    private int[] clippedAt = new int[0];
     private double[] before = new double[0];
+    private double[] next = new double[0];
     private double[] blurred = new double[0];
     private double[] rows = new double[0];
     private double[] padded = new double[0];
@@ -63,6 +66,9 @@ final class Unsharpened {
         int size = width * height;
         if (before.length < size) {
             before = new double[size];
+            next = new double[size];
+            sharpened = new double[size];
+            clippedAt = new int[size];
             blurred = new double[size];
             rows = new double[size];
             level = new double[size];
@@ -72,34 +78,40 @@ final class Unsharpened {
         double[] weights = weights(radiusPx);
         double own = weights[0] * weights[0];
         double ofOwn = 1 + amount - amount * own;
-        for (int i = 0; i < size; i++) {
-            before[i] = sharpened(i);
+        int clipped = 0;
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int i = y * width + x;
+                int grey = of.get(x0 + x, y0 + y);
+                sharpened[i] = grey;
+                if (grey == 0 || grey == (int) WHITE) {
+                    clippedAt[clipped++] = i;
+                }
+            }
         }
+        System.arraycopy(sharpened, 0, before, 0, size);
         setLikely(blurPx, radiusPx);
         double changed = Double.POSITIVE_INFINITY;
         for (int round = 0; round < MAX_ROUNDS && changed > SETTLED_GREY; round++) {
             blur(weights);
-            changed = 0;
-            for (int i = 0; i < size; i++) {
-                int s = sharpened(i);
-                double next;
-                if (s == 0 || s == (int) WHITE) {
-                    double limit = (s + amount * (blurred[i] - own * before[i])) / ofOwn;
-                    double likely = likely(blurred[i], dark, bright);
-                    next = s == 0 ? Math.min(limit, likely) : Math.max(limit, likely);
-                } else {
-                    next = (s + amount * blurred[i]) / (1 + amount);
-                }
-                changed = Math.max(changed, Math.abs(next - before[i]));
-                before[i] = next;
+            step(size, amount, next);
+            for (int k = 0; k < clipped; k++) {
+                int i = clippedAt[k];
+                double limit = (sharpened[i] + amount * (blurred[i] - own * before[i])) / ofOwn;
+                double likely = likely(blurred[i], dark, bright);
+                next[i] = sharpened[i] == 0 ? Math.min(limit, likely) : Math.max(limit, likely);
             }
+            changed = largestChange(size, next);
+            double[] old = before;
+            before = next;
+            next = old;
         }
         blur(weights);
         for (int i = 0; i < size; i++) {
             double others = amount * (blurred[i] - own * before[i]);
             cap[i] = (WHITE + others) / ofOwn;
             floor[i] = others / ofOwn;
-            level[i] = (sharpened(i) + others) / ofOwn;
+            level[i] = (sharpened[i] + others) / ofOwn;
         }
     }
 
@@ -195,8 +207,21 @@ final class Unsharpened {
         return gain;
     }
 
-    private int sharpened(int i) {
-        return image.get(firstX + i % width, firstY + i / width);
+    private void step(int size, double amount, double[] to) {
+        double[] s = sharpened;
+        double[] around = blurred;
+        for (int i = 0; i < size; i++) {
+            to[i] = (s[i] + amount * around[i]) / (1 + amount);
+        }
+    }
+
+    private double largestChange(int size, double[] now) {
+        double[] then = before;
+        double largest = 0;
+        for (int i = 0; i < size; i++) {
+            largest = Math.max(largest, Math.abs(now[i] - then[i]));
+        }
+        return largest;
     }
 
     /** Blurs {@link #before} along rows and columns; beyond its border it goes on as there. */
