@@ -209,9 +209,11 @@ final class Unsharpened {
 
     private void step(int size, double amount, double[] to) {
         double[] s = sharpened;
+        double[] u = before;
         double[] around = blurred;
+        double length = 2 / (2 + amount);
         for (int i = 0; i < size; i++) {
-            to[i] = (s[i] + amount * around[i]) / (1 + amount);
+            to[i] = u[i] + length * (s[i] - (1 + amount) * u[i] + amount * around[i]);
         }
     }
 
@@ -246,14 +248,17 @@ final class Unsharpened {
                 }
             }
         }
-        Arrays.fill(blurred, 0, size, 0);
-        for (int k = 1 - weights.length; k < weights.length; k++) {
-            double weight = weights[Math.abs(k)];
-            for (int y = 0; y < height; y++) {
-                int to = y * width;
-                int from = Math.max(0, Math.min(height - 1, y + k)) * width;
+        for (int y = 0; y < height; y++) {
+            int to = y * width;
+            for (int x = 0; x < width; x++) {
+                blurred[to + x] = weights[0] * rows[to + x];
+            }
+            for (int k = 1; k <= reach; k++) {
+                double weight = weights[k];
+                int above = Math.max(0, y - k) * width;
+                int below = Math.min(height - 1, y + k) * width;
                 for (int x = 0; x < width; x++) {
-                    blurred[to + x] += weight * rows[from + x];
+                    blurred[to + x] += weight * (rows[above + x] + rows[below + x]);
                 }
             }
         }
