@@ -37,6 +37,8 @@ final class LightFit {
     private static final double[] SCANNED = {1, 1.4, 1.8, 2.3};
     /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
     private static final double SURPRISE_PX = 0.1;
+    /** And one that changes the mask of the frame before by this amount says that it is gone. */
+    private static final double SURPRISE_AMOUNT = 0.25;
     /** A marker whose edges are shifted by so much more than the others', or whose noise is so many times theirs. */
     private static final double ODD_SHIFT_PX = 0.08;
     private static final double NOT_BELIEVED_SHIFT_PX = 0.14;
@@ -298,8 +300,14 @@ final class LightFit {
             List<boolean[]> patterns) {
         maskAmount = found.maskAmount;
         maskRadiusPx = found.maskRadiusPx;
-        loop.each(markers.size(), m -> refit(image, markers.get(m), patterns.get(m), true));
-        if (!estimated || Math.abs(powerStep(some) * offsetByPower) < SURPRISE_PX) {
+        loop.each(markers.size(), m -> refit(image, markers.get(m), patterns.get(m)));
+        loop.each(some.size(), m -> some.get(m).sharpness(maskAmount, maskRadiusPx));
+        setNoise(some);
+        double[] score = new double[SHAPES];
+        double[] offsetBy = new double[SHAPES];
+        double[] covariance = shapeCovariance(some, correlation(some), true, scale.curve().power(), score, offsetBy);
+        if (covariance != null && Math.abs(step(covariance, 0, score) * offsetBy[0]) < SURPRISE_PX
+                && Math.abs(step(covariance, 1, score)) < SURPRISE_AMOUNT) {
             inBlocks = found.inBlocks;
             maskOvershoot = found.maskOvershoot;
             return true;
@@ -481,10 +489,7 @@ final class LightFit {
                 break;
             }
             for (int a = 0; a < SHAPES; a++) {
-                shape[a] = 0;
-                for (int b = 0; b < SHAPES; b++) {
-                    shape[a] += covariance[a * SHAPES + b] * score[b];
-                }
+                shape[a] = step(covariance, a, score);
             }
             if (round == 0) {
                 sharpNoise = noiseGrey;
@@ -534,6 +539,14 @@ final class LightFit {
         }
         maskOvershoot = median(overshoot);
         return Math.sqrt(Math.max(0, quadratic(covariance, offsetBy)));
+    }
+
+    private static double step(double[] covariance, int of, double[] score) {
+        double sum = 0;
+        for (int b = 0; b < SHAPES; b++) {
+            sum += covariance[of * SHAPES + b] * score[b];
+        }
+        return sum;
     }
 
     private void undoMask(GreyImage image, List<MarkerEdges> of, List<boolean[]> patterns) {
@@ -724,14 +737,10 @@ final class LightFit {
      * @param pattern what it was read as
      */
     void refit(GreyImage image, MarkerEdges marker, boolean[] pattern) {
-        refit(image, marker, pattern, false);
-    }
-
-    private void refit(GreyImage image, MarkerEdges marker, boolean[] pattern, boolean withPower) {
         marker.unsharpen(image, maskAmount, maskRadiusPx);
         marker.refit(image, pattern);
         marker.measureShift(image);
-        marker.conclude(withPower);
+        marker.conclude(false);
     }
 
     /**

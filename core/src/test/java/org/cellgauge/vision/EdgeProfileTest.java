@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class EdgeProfileTest {
     /** Against the blurred step averaged over a fine grid of the pixel's square, and against differences. */
@@ -34,6 +35,29 @@ class EdgeProfileTest {
                 1e-3);
         assertEquals((average(blur + h, distance, nx, ny) - average(blur - h, distance, nx, ny)) / (2 * h), byBlur,
                 1e-3);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.3, 0.5, 0.9, 2.5})
+    void manyAtOnceAreEachAsAlone(double blur) {
+        EdgeProfile profile = new EdgeProfile();
+        profile.turn(0.6, 0.8);
+        int n = 301;
+        double[] distances = new double[n];
+        for (int i = 0; i < n; i++) {
+            distances[i] = 0.1 * (i - n / 2);
+        }
+        double[] shares = new double[n];
+        double[] byDistances = new double[n];
+        double[] byBlurs = new double[n];
+        profile.at(distances, n, blur, shares, byDistances, byBlurs);
+        for (int i = 0; i < n; i++) {
+            profile.at(distances[i], blur);
+            assertEquals(profile.share, shares[i]);
+            // zero has no sign here
+            assertEquals(profile.byDistance + 0.0, byDistances[i] + 0.0);
+            assertEquals(profile.byBlur + 0.0, byBlurs[i] + 0.0);
+        }
     }
 
     /** The blurred step averaged over the pixel's square by Simpson's rule in both directions. */

@@ -2,11 +2,14 @@ package org.cellgauge.vision;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferByte;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import javax.imageio.ImageIO;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
@@ -63,5 +66,74 @@ class FramesOfACameraTest {
         assertSame(BoofMarkerDetector.forFrames(cell).detect(curved, "alone"), second);
         assertEquals(GAMMA, second.light().toneCurve().power(), 0.1);
         assertSame(BoofMarkerDetector.forFrames(cell).detect(linear, "alone"), frames.detect(linear, "third"));
+    }
+
+    @Test
+    void aSharpenedFrameIsSeenAsByItself() {
+        BoofMarkerDetector frames = BoofMarkerDetector.forFrames(cell);
+        Detections first = frames.detect(sharpened(curved, 0.8), "first");
+        Detections second = frames.detect(sharpened(curved, 0.8), "second");
+        assertSame(first, second);
+        assertEquals(6, first.markers().size());
+        assertTrue(saysSharpened(first) && saysSharpened(second));
+        // what a mask's doing leaves unknown is still allowed for
+        assertEquals(first.light().edgeShiftStdPx(), second.light().edgeShiftStdPx(), 1e-12);
+        assertEquals(first.light().outlineStdPx(), second.light().outlineStdPx(), 1e-4);
+    }
+
+    @Test
+    void aFrameThatIsNoLongerSharpenedIsSeenAsByItself() {
+        BoofMarkerDetector frames = BoofMarkerDetector.forFrames(cell);
+        frames.detect(sharpened(curved, 0.8), "first");
+        Detections second = frames.detect(curved, "second");
+        assertSame(BoofMarkerDetector.forFrames(cell).detect(curved, "alone"), second);
+        assertFalse(saysSharpened(second));
+    }
+
+    /** Each marker is fitted by one thread, whichever that is. */
+    @Test
+    void markersFittedAtOnceAreSeenAsOneAfterAnother() {
+        for (GreyImage photo : List.of(curved, sharpened(curved, 0.8))) {
+            List<MarkerObservation> expected = BoofMarkerDetector.forCell(cell).detect(photo, "one").markers();
+            List<MarkerObservation> found = BoofMarkerDetector.forCell(cell).spread().detect(photo, "both").markers();
+            assertEquals(6, found.size());
+            for (int i = 0; i < found.size(); i++) {
+                assertEquals(expected.get(i).id(), found.get(i).id());
+                assertArrayEquals(expected.get(i).cornersPx(), found.get(i).cornersPx(), 0);
+                assertArrayEquals(expected.get(i).covariancePx2(), found.get(i).covariancePx2(), 0);
+            }
+        }
+    }
+
+    private static boolean saysSharpened(Detections seen) {
+        return seen.warnings().stream().anyMatch(w -> w.kind() == DetectionWarning.SHARPENED);
+    }
+
+    /** With a mask of a Gaussian of 1 px. */
+    private static GreyImage sharpened(GreyImage of, double amount) {
+        double[] weights = Unsharpened.weights(1);
+        int width = of.widthPx();
+        int height = of.heightPx();
+        double[] rows = new double[width * height];
+        byte[] out = new byte[width * height];
+        for (int pass = 0; pass < 2; pass++) {
+            for (int y = 0; y < height; y++) {
+                for (int x = 0; x < width; x++) {
+                    double sum = 0;
+                    for (int k = 1 - weights.length; k < weights.length; k++) {
+                        double weight = weights[Math.abs(k)];
+                        sum += pass == 0 ? weight * of.get(Math.max(0, Math.min(width - 1, x + k)), y)
+                                : weight * rows[Math.max(0, Math.min(height - 1, y + k)) * width + x];
+                    }
+                    if (pass == 0) {
+                        rows[y * width + x] = sum;
+                    } else {
+                        double grey = of.get(x, y) + amount * (of.get(x, y) - sum);
+                        out[y * width + x] = (byte) Math.round(Math.max(0, Math.min(255, grey)));
+                    }
+                }
+            }
+        }
+        return GreyImage.packed(out, width, height);
     }
 }

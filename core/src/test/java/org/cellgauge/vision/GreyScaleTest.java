@@ -2,6 +2,7 @@ package org.cellgauge.vision;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.Arrays;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.cellgauge.light.ToneCurve;
 import org.junit.jupiter.api.Test;
@@ -66,6 +67,33 @@ class GreyScaleTest {
             double h = 1e-4;
             assertEquals((curve.light((level + h) / 255) - curve.light((level - h) / 255)) / (2 * h),
                     scale.lightByGrey(level), 1e-5);
+        }
+    }
+
+    /** Within the scale, over its ends, and without light; curve and noise are those that were set last. */
+    @ParameterizedTest
+    @ValueSource(strings = {"linear", "srgb", "gamma 2.2"})
+    void manyAtOnceAreEachAsAlone(String words) {
+        GreyScale first = new GreyScale();
+        GreyScale scale = first.another();
+        first.set(ToneCurve.of(words));
+        first.setNoise(4);
+        double[] lights = {-0.2, 0, 1e-8, 1e-7, 1e-4, 0.01, 0.3, 0.97, 1, 1.2, 2.9, 3.5};
+        int n = lights.length;
+        double[] floors = new double[n];
+        double[] caps = new double[n];
+        Arrays.fill(caps, 255);
+        floors[6] = 200;
+        caps[5] = 3;
+        double[] greys = new double[n];
+        double[] byLights = new double[n];
+        double[] insides = new double[n];
+        scale.at(lights, floors, caps, n, greys, byLights, insides);
+        for (int i = 0; i < n; i++) {
+            first.at(lights[i], floors[i], caps[i]);
+            assertEquals(first.grey, greys[i], "at " + lights[i]);
+            assertEquals(first.byLight, byLights[i], "at " + lights[i]);
+            assertEquals(first.inside, insides[i], "at " + lights[i]);
         }
     }
 

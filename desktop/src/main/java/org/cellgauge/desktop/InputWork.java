@@ -326,6 +326,9 @@ final class InputWork {
         Cell shown = shown(photo.widthPx(), photo.heightPx(), name);
         if (detector == null || shown.camera().widthPx() != detectorWidthPx) {
             detector = BoofMarkerDetector.forCell(shown);
+            if (plan.settings().sampling().threads() > 1) {
+                detector.spread();
+            }
             detectorWidthPx = shown.camera().widthPx();
         }
         Detections detections = detector.detect(photo, name);

@@ -7,8 +7,8 @@ import org.cellgauge.vision.MarkerDetector;
 /** Makes what finds markers: the library's detectors, or those of a test. */
 public interface Detectors {
     /** The library's. */
-    Detectors OF_LIBRARY = (cell, frames) -> frames ? BoofMarkerDetector.forFrames(cell)
-            : BoofMarkerDetector.forCell(cell);
+    Detectors OF_LIBRARY = (cell, frames) -> (frames ? BoofMarkerDetector.forFrames(cell)
+            : BoofMarkerDetector.forCell(cell)).spread();
 
     /**
      * Makes a detector.
