@@ -2,6 +2,7 @@ package org.cellgauge.vision;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.vision.SideBand;
 import org.cellgauge.light.ToneCurve;
@@ -39,6 +40,8 @@ final class LightFit {
     private static final double SURPRISE_PX = 0.1;
     /** And one that changes the mask of the frame before by this amount says that it is gone. */
     private static final double SURPRISE_AMOUNT = 0.25;
+    /** And an overshoot that is larger by so much, as a share of the step, says that there is one now. */
+    private static final double SURPRISE_OVERSHOOT = 0.01;
     /** A marker whose edges are shifted by so much more than the others', or whose noise is so many times theirs. */
     private static final double ODD_SHIFT_PX = 0.08;
     private static final double NOT_BELIEVED_SHIFT_PX = 0.14;
@@ -170,6 +173,8 @@ final class LightFit {
     private double maskOvershoot;
     /** What is seen of sharpening, undone or not, as a share of the step from black to white. */
     private double overshoot;
+    /** The same before a mask was looked for, of the markers that tell the curve. */
+    private double untouchedOvershoot;
     private double whiteGrey;
     /** Whether the noise is blue, as a mask alone makes it, and how many pairs of pixels say so. */
     private boolean noiseTells;
@@ -185,6 +190,7 @@ final class LightFit {
         final double maskOvershoot;
         final double ofPowerPx;
         final boolean inBlocks;
+        final double untouchedOvershoot;
 
         Found(LightFit of, double ofPowerPx) {
             this.curve = of.curve;
@@ -193,6 +199,7 @@ final class LightFit {
             this.maskOvershoot = of.maskOvershoot;
             this.ofPowerPx = ofPowerPx;
             this.inBlocks = of.inBlocks;
+            this.untouchedOvershoot = of.untouchedOvershoot;
         }
     }
 
@@ -258,6 +265,13 @@ final class LightFit {
             ofPower = kept.ofPowerPx;
         } else {
             ofPower = estimated ? findCurve(image, some, patterns) : 0;
+            untouchedOvershoot = estimated && !some.isEmpty() ? medianOf(some, side -> side.overshoot) : 0;
+            if (kept != null && untouchedOvershoot > kept.untouchedOvershoot + SURPRISE_OVERSHOOT) {
+                // sharpened since
+                drop();
+                curve = curve.withPower(powerMean);
+                ofPower = findCurve(image, some, patterns);
+            }
             if (kept == null) {
                 findBlocks(image, some);
                 // what blocks leave of noise and edges looks like a mask's doing, and a refused photo's mask is of no
@@ -418,11 +432,7 @@ final class LightFit {
         if (!estimated || fileSaid || markers.isEmpty()) {
             return false;
         }
-        double[] clipped = new double[4 * markers.size()];
-        for (int k = 0; k < clipped.length; k++) {
-            clipped[k] = markers.get(k / 4).side(k % 4).clippedShare;
-        }
-        return median(clipped) > FAR_TOO_BRIGHT * CLIPPED_SHARE;
+        return medianOf(markers, side -> side.clippedShare) > FAR_TOO_BRIGHT * CLIPPED_SHARE;
     }
 
     /** Looks for blocks of a JPEG file about the markers. */
@@ -533,11 +543,7 @@ final class LightFit {
             return shiftStdPx;
         }
         curve = scale.curve();
-        double[] overshoot = new double[4 * some.size()];
-        for (int k = 0; k < overshoot.length; k++) {
-            overshoot[k] = some.get(k / 4).side(k % 4).maskOvershoot;
-        }
-        maskOvershoot = median(overshoot);
+        maskOvershoot = medianOf(some, side -> side.maskOvershoot);
         return Math.sqrt(Math.max(0, quadratic(covariance, offsetBy)));
     }
 
@@ -875,37 +881,25 @@ final class LightFit {
         if (markers.isEmpty()) {
             return;
         }
-        int sides = 4 * markers.size();
-        double[] clipped = new double[sides];
-        double[] crushed = new double[sides];
-        double[] overshoots = new double[sides];
-        double[] white = new double[sides];
-        double[] contrast = new double[sides];
-        for (int k = 0; k < sides; k++) {
-            SideFit side = markers.get(k / 4).side(k % 4);
-            clipped[k] = side.clippedShare;
-            crushed[k] = side.crushedShare;
-            overshoots[k] = side.overshoot;
-            white[k] = side.unknowns[SideFit.BRIGHT];
-            contrast[k] = side.unknowns[SideFit.BRIGHT] - side.unknowns[SideFit.DARK];
-        }
-        clippedShare = median(clipped);
+        clippedShare = medianOf(markers, side -> side.clippedShare);
         if (clippedShare > CLIPPED_SHARE) {
             warnings.add(Warning.of(DetectionWarning.WHITES_CLIPPED, percent(clippedShare)));
         }
-        if (median(crushed) > CRUSHED_SHARE) {
-            warnings.add(Warning.of(DetectionWarning.BLACKS_CRUSHED, percent(median(crushed))));
+        double crushed = medianOf(markers, side -> side.crushedShare);
+        if (crushed > CRUSHED_SHARE) {
+            warnings.add(Warning.of(DetectionWarning.BLACKS_CRUSHED, percent(crushed)));
         }
-        overshoot = Math.max(maskOvershoot, median(overshoots));
+        overshoot = Math.max(maskOvershoot, medianOf(markers, side -> side.overshoot));
         if (overshoot > OVERSHOOT && clippedShare < CLIPPED_SHARE) {
             warnings.add(Warning.of(DetectionWarning.SHARPENED, percent(overshoot)));
         }
         if (inBlocks) {
             warnings.add(Warning.of(DetectionWarning.IN_BLOCKS));
         }
-        double medianWhite = median(white);
+        double medianWhite = medianOf(markers, side -> side.unknowns[SideFit.BRIGHT]);
         whiteGrey = medianWhite;
-        double medianContrast = median(contrast);
+        double medianContrast = medianOf(markers,
+                side -> side.unknowns[SideFit.BRIGHT] - side.unknowns[SideFit.DARK]);
         if (medianContrast < DARK_CONTRAST && medianWhite > FAINT_WHITE) {
             warnings.add(Warning.of(DetectionWarning.FAINT, (int) Math.round(medianWhite - medianContrast),
                     (int) Math.round(medianWhite)));
@@ -930,6 +924,14 @@ final class LightFit {
 
     private static int percent(double share) {
         return (int) Math.round(100 * share);
+    }
+
+    private static double medianOf(List<MarkerEdges> markers, ToDoubleFunction<SideFit> ofSide) {
+        double[] values = new double[4 * markers.size()];
+        for (int k = 0; k < values.length; k++) {
+            values[k] = ofSide.applyAsDouble(markers.get(k / 4).side(k % 4));
+        }
+        return median(values);
     }
 
     private static double median(double[] values) {

@@ -90,6 +90,15 @@ class FramesOfACameraTest {
         assertFalse(saysSharpened(second));
     }
 
+    @Test
+    void aFrameThatIsSharpenedFromNowOnIsSeenAsByItself() {
+        BoofMarkerDetector frames = BoofMarkerDetector.forFrames(cell);
+        frames.detect(curved, "first");
+        Detections second = frames.detect(sharpened(curved, 0.8), "second");
+        assertSame(BoofMarkerDetector.forFrames(cell).detect(sharpened(curved, 0.8), "alone"), second);
+        assertTrue(saysSharpened(second));
+    }
+
     /** Each marker is fitted by one thread, whichever that is. */
     @Test
     void markersFittedAtOnceAreSeenAsOneAfterAnother() {
