@@ -325,10 +325,8 @@ final class InputWork {
         stage("image file");
         Cell shown = shown(photo.widthPx(), photo.heightPx(), name);
         if (detector == null || shown.camera().widthPx() != detectorWidthPx) {
-            detector = BoofMarkerDetector.forCell(shown);
-            if (plan.settings().sampling().threads() > 1) {
-                detector.spread();
-            }
+            BoofMarkerDetector ofSize = BoofMarkerDetector.forCell(shown);
+            detector = plan.settings().sampling().threads() > 1 ? ofSize.spread() : ofSize;
             detectorWidthPx = shown.camera().widthPx();
         }
         Detections detections = detector.detect(photo, name);
