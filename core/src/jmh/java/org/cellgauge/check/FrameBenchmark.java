@@ -45,7 +45,7 @@ import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * What one frame of a live check costs before any chain: four references and three objects in 1280 x 720 px, one
- * thread; and what a second of a moving camera costs as a live check has it, in 1920 x 1080 px.
+ * thread where nothing else is said; and what a second of a moving camera costs as a live check has it, in 1920 x 1080 px.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -64,6 +64,8 @@ public class FrameBenchmark {
     private Cell cell;
     private GreyImage image;
     private BoofMarkerDetector detector;
+    private BoofMarkerDetector frames;
+    private BoofMarkerDetector spreadFrames;
     private Detections detections;
     private ReferenceView view;
     private CameraFit unfitted;
@@ -89,6 +91,8 @@ public class FrameBenchmark {
         }
         image = picture.image();
         detector = new BoofMarkerDetector(CAMERA, MarkerFamily.SQUARE_BINARY, ids);
+        frames = BoofMarkerDetector.forFrames(cell);
+        spreadFrames = BoofMarkerDetector.forFrames(cell).spread();
         detections = detection();
         if (detections.markers().size() != ids.size()) {
             throw new IllegalStateException("only " + detections.markers().size() + " markers were found");
@@ -198,10 +202,25 @@ public class FrameBenchmark {
         return CellOverlay.of(cell, detections, quickLook.update(), PORTRAIT);
     }
 
+    /** All markers of the frame, which is one of many. */
+    @Benchmark
+    public Detections detectionOfFrame() {
+        return frames.detect(image, "frame");
+    }
+
     /** A frame of a moving camera: markers, figures from the last mode, overlay. */
     @Benchmark
     public Overlay wholeFrame() {
-        Detections seen = detection();
+        return lookedAt(detectionOfFrame());
+    }
+
+    /** The same, its markers fitted on all processors. */
+    @Benchmark
+    public Overlay wholeFrameSpread() {
+        return lookedAt(spreadFrames.detect(image, "frame"));
+    }
+
+    private Overlay lookedAt(Detections seen) {
         CheckUpdate update = CellCheck.quickLook(cell, seen, settings, lastFrame).update();
         return CellOverlay.of(cell, seen, update, PORTRAIT);
     }

@@ -23,7 +23,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Time to find the six or seven markers of the fixtures' photos, 1280 x 720 px, on one thread. All say sRGB but {@code
+ * Time to find the six or seven markers of the fixtures' photos, 1280 x 720 px, on one thread and on all. All say sRGB but {@code
  * plane-3}, which says nothing.
  */
 @State(Scope.Benchmark)
@@ -39,6 +39,8 @@ public class FixtureDetectionBenchmark {
 
     private BoofMarkerDetector detector;
     private BoofMarkerDetector ofFrames;
+    private BoofMarkerDetector spread;
+    private BoofMarkerDetector spreadOfFrames;
     private GreyImage image;
     private GreyImage frame;
 
@@ -60,6 +62,8 @@ public class FixtureDetectionBenchmark {
         Cell cell = CellReader.read(folder.resolve("cell.yaml"));
         detector = BoofMarkerDetector.forCell(cell);
         ofFrames = BoofMarkerDetector.forFrames(cell);
+        spread = BoofMarkerDetector.forCell(cell).spread();
+        spreadOfFrames = BoofMarkerDetector.forFrames(cell).spread();
         frame = image.withToneCurve(null);
     }
 
@@ -81,5 +85,25 @@ public class FixtureDetectionBenchmark {
     @Benchmark
     public Detections frame() {
         return ofFrames.detect(frame, fixture);
+    }
+
+    /**
+     * One photo, its markers fitted on all processors.
+     *
+     * @return what was found
+     */
+    @Benchmark
+    public Detections photoSpread() {
+        return spread.detect(image, fixture);
+    }
+
+    /**
+     * A frame, likewise.
+     *
+     * @return what was found
+     */
+    @Benchmark
+    public Detections frameSpread() {
+        return spreadOfFrames.detect(frame, fixture);
     }
 }
