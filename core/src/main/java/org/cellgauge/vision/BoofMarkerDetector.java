@@ -210,7 +210,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * A detector for the frames of a camera: a marker that is missing costs no second look, as long as another of the
      * cell is seen. It finds faint markers less often than {@link #forCell} and gives fewer reasons. Where nothing says
      * the tone curve, that of the frame before is where to start, so that corners hang on it by thousandths of a
-     * pixel.
+     * pixel; and an unsharp mask, blocks of a JPEG file, or that there are none, are taken as they were. All is looked
+     * for anew where edges say otherwise, and every thirtieth frame.
      *
      * @param cell the cell
      * @return a new detector

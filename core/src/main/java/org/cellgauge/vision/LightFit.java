@@ -17,6 +17,8 @@ import org.jspecify.annotations.Nullable;
  * prior about what it says; each round fits all sides at one power, sums up score and information of the power with the
  * sides' own unknowns projected out, and takes one Gauss-Newton step (variable projection: Golub and Pereyra, SIAM
  * J. Numer. Anal. 1973). A curve that the user states is taken as it is.
+ *
+ * <p>Of frames of one camera, what one was found to have is believed of the next until edges contradict it.
  */
 final class LightFit {
     private static final double UNKNOWN_POWER = 1.6;
