@@ -25,7 +25,7 @@ class LocalMeanThresholdTest {
     void darkIsWhatIsBelowTheShareOfTheMean(int width, int height) {
         GrayU8 image = noise(width, height);
         GrayU8 found = new GrayU8(1, 1);
-        new LocalMeanThreshold(10, 85).process(image, found);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(image, found);
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
                 double sum = 0;
@@ -47,7 +47,7 @@ class LocalMeanThresholdTest {
         GrayU8 image = noise(200, 150);
         GrayU8 own = new GrayU8(1, 1);
         GrayU8 boof = new GrayU8(200, 150);
-        new LocalMeanThreshold(10, 85).process(image, own);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(image, own);
         ConfigThreshold config = ConfigThreshold.local(ThresholdType.LOCAL_MEAN, 21);
         config.scale = 0.85;
         FactoryThresholdBinary.threshold(config, GrayU8.class).process(image, boof);
@@ -65,8 +65,8 @@ class LocalMeanThresholdTest {
         GrayU8 part = image.subimage(11, 7, 61, 47);
         GrayU8 found = new GrayU8(1, 1);
         GrayU8 ofCopy = new GrayU8(1, 1);
-        new LocalMeanThreshold(10, 85).process(part, found);
-        new LocalMeanThreshold(10, 85).process(part.clone(), ofCopy);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(part, found);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(part.clone(), ofCopy);
         for (int y = 0; y < 40; y++) {
             for (int x = 0; x < 50; x++) {
                 assertEquals(ofCopy.get(x, y), found.get(x, y));
