@@ -210,6 +210,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * the tone curve, that of the frame before is where to start, so that corners hang on it by thousandths of a
      * pixel.
      *
+     * <p>It searches a frame near the markers of the frame before, all of it where one of them is not found there, and
+     * every tenth time: a marker that comes into the view is seen by then. Where a marker is found its corners are
+     * those of a search of all of the frame, to the last bit.
+     *
      * @param cell the cell
      * @return a new detector
      */
@@ -362,6 +366,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
             windows.see(square.idRead, square.cornersPx);
         }
         return windows.areWhole() || !windows.missMarkers();
+    }
+
+    /** Where the last image was searched. */
+    SearchWindows windows() {
+        return windows;
     }
 
     /** Whether every marker of the cell is among the squares, as they were read at first. */

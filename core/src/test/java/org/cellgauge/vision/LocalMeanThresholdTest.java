@@ -7,7 +7,9 @@ import boofcv.factory.filter.binary.ConfigThreshold;
 import boofcv.factory.filter.binary.FactoryThresholdBinary;
 import boofcv.factory.filter.binary.ThresholdType;
 import boofcv.struct.image.GrayU8;
+import java.util.Arrays;
 import java.util.Random;
+import org.cellgauge.cell.MarkerFamily;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -70,6 +72,39 @@ class LocalMeanThresholdTest {
         for (int y = 0; y < 40; y++) {
             for (int x = 0; x < 50; x++) {
                 assertEquals(ofCopy.get(x, y), found.get(x, y));
+            }
+        }
+    }
+
+    /** With contrast at the windows' borders, on both sides of them. */
+    @Test
+    void inWindowsAllIsAsInTheWholeImage() {
+        GreyImage photo = new DrawnMarkers(640, 480, 130)
+                .draw(MarkerFamily.SQUARE_BINARY, 944, new double[] {100, 100, 160, 104, 158, 163, 99, 160})
+                .draw(MarkerFamily.SQUARE_BINARY, 20, new double[] {190, 110, 230, 114, 228, 153, 189, 150})
+                .draw(MarkerFamily.SQUARE_BINARY, 5, new double[] {590, 430, 630, 430, 630, 470, 590, 470}).image();
+        GrayU8 image = new GrayU8(photo.widthPx(), photo.heightPx());
+        image.data = photo.luminance();
+        SearchWindows windows = new SearchWindows();
+        windows.begin(640, 480);
+        windows.keep(944, new double[] {110, 110, 150, 110, 150, 150, 110, 150}, true);
+        windows.keep(5, new double[] {590, 430, 630, 430, 630, 470, 590, 470}, true);
+        windows.end();
+        windows.begin(640, 480);
+        assertEquals(2, windows.count());
+        GrayU8 found = new GrayU8(640, 480);
+        Arrays.fill(found.data, (byte) 7);
+        GrayU8 whole = new GrayU8(1, 1);
+        new LocalMeanThreshold(10, 85, windows).process(image, found);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(image, whole);
+        for (int y = 0; y < 480; y++) {
+            for (int x = 0; x < 640; x++) {
+                boolean asked = false;
+                for (int i = 0; i < 2; i++) {
+                    asked |= x >= windows.left(i) && x < windows.right(i) && y >= windows.top(i)
+                            && y < windows.bottom(i);
+                }
+                assertEquals(asked ? whole.get(x, y) : 7, found.get(x, y), x + ", " + y);
             }
         }
     }
