@@ -34,7 +34,8 @@ final class WindowContours extends BinaryContourFinderLinearExternal {
     private final DogArray<Point2D_I32> points = new DogArray<>(Point2D_I32::new);
     private final GrayU8 view = new GrayU8();
 
-    private WindowContours(SearchWindows windows) {
+    /** Where they are looked for. */
+    WindowContours(SearchWindows windows) {
         this.windows = windows;
     }
 

@@ -9,7 +9,6 @@ import boofcv.factory.filter.binary.ThresholdType;
 import boofcv.struct.image.GrayU8;
 import java.util.Arrays;
 import java.util.Random;
-import org.cellgauge.cell.MarkerFamily;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -76,15 +75,16 @@ class LocalMeanThresholdTest {
         }
     }
 
-    /** With contrast at the windows' borders, on both sides of them. */
+    /** Of tiles that are plain, so that all contrast is with the tiles beside, those outside of a window too. */
     @Test
     void inWindowsAllIsAsInTheWholeImage() {
-        GreyImage photo = new DrawnMarkers(640, 480, 130)
-                .draw(MarkerFamily.SQUARE_BINARY, 944, new double[] {100, 100, 160, 104, 158, 163, 99, 160})
-                .draw(MarkerFamily.SQUARE_BINARY, 20, new double[] {190, 110, 230, 114, 228, 153, 189, 150})
-                .draw(MarkerFamily.SQUARE_BINARY, 5, new double[] {590, 430, 630, 430, 630, 470, 590, 470}).image();
-        GrayU8 image = new GrayU8(photo.widthPx(), photo.heightPx());
-        image.data = photo.luminance();
+        GrayU8 image = new GrayU8(640, 480);
+        Random random = new Random(3);
+        byte[] tiles = new byte[40 * 30];
+        random.nextBytes(tiles);
+        for (int i = 0; i < image.data.length; i++) {
+            image.data[i] = tiles[i / 640 / 16 * 40 + i % 640 / 16];
+        }
         SearchWindows windows = new SearchWindows();
         windows.begin(640, 480);
         windows.keep(944, new double[] {110, 110, 150, 110, 150, 150, 110, 150}, true);
