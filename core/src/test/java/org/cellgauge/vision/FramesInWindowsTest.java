@@ -118,6 +118,10 @@ class FramesInWindowsTest {
         return GreyImage.packed(grey, photo.widthPx(), photo.heightPx());
     }
 
+    private static double middle(MarkerObservation marker, int axis) {
+        return (marker.cornersPx()[axis] + marker.cornersPx()[4 + axis]) / 2;
+    }
+
     private static Detections whole(Cell cell, GreyImage frame) {
         return BoofMarkerDetector.forFrames(cell).detect(frame, "frame");
     }
@@ -201,6 +205,24 @@ class FramesInWindowsTest {
         Detections again = frames.detect(elsewhere, "frame");
         assertSame(whole(cell, elsewhere), again);
         assertEquals(ids(found), ids(again));
+    }
+
+    /** So there are as many squares in the windows as before. */
+    @Test
+    void anotherMarkerInItsWindowDoesNotStandForIt() {
+        Cell cell = cell("lifted-4");
+        GreyImage photo = photo("lifted-4");
+        BoofMarkerDetector frames = BoofMarkerDetector.forFrames(cell);
+        Detections found = frames.detect(photo, "frame");
+        MarkerObservation one = found.markers().get(1);
+        MarkerObservation other = found.markers().get(4);
+        int du = (int) Math.round(middle(one, 0) - middle(other, 0));
+        int dv = (int) Math.round(middle(one, 1) - middle(other, 1));
+        GreyImage changed = withAnother(without(withAnother(photo, one, -60, 70), one), other, du, dv);
+        Detections again = frames.detect(changed, "frame");
+        assertNotNull(again.find(one.id()));
+        assertTrue(frames.windows().areWhole());
+        assertSame(whole(cell, changed), again);
     }
 
     @Test

@@ -12,6 +12,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LocalMeanThresholdTest {
     private static GrayU8 noise(int width, int height) {
@@ -75,36 +76,48 @@ class LocalMeanThresholdTest {
         }
     }
 
-    /** Of tiles that are plain, so that all contrast is with the tiles beside, those outside of a window too. */
-    @Test
-    void inWindowsAllIsAsInTheWholeImage() {
-        GrayU8 image = new GrayU8(640, 480);
-        Random random = new Random(3);
-        byte[] tiles = new byte[40 * 30];
-        random.nextBytes(tiles);
-        for (int i = 0; i < image.data.length; i++) {
-            image.data[i] = tiles[i / 640 / 16 * 40 + i % 640 / 16];
+    private static boolean isAskedFor(SearchWindows windows, int x, int y) {
+        boolean asked = false;
+        for (int i = 0; i < windows.count(); i++) {
+            asked |= x >= windows.left(i) && x < windows.right(i) && y >= windows.top(i) && y < windows.bottom(i);
         }
+        return asked;
+    }
+
+    /**
+     * Of tiles that are plain, so that all contrast is with the tiles beside, or only with those outside of a window;
+     * after another image.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void inWindowsAllIsAsInTheWholeImage(boolean plainInside) {
         SearchWindows windows = new SearchWindows();
+        LocalMeanThreshold threshold = new LocalMeanThreshold(10, 85, windows);
+        GrayU8 plain = new GrayU8(640, 480);
+        Arrays.fill(plain.data, (byte) 90);
+        threshold.process(plain, new GrayU8(1, 1));
         windows.begin(640, 480);
         windows.keep(944, new double[] {110, 110, 150, 110, 150, 150, 110, 150}, true);
         windows.keep(5, new double[] {590, 430, 630, 430, 630, 470, 590, 470}, true);
         windows.end();
         windows.begin(640, 480);
         assertEquals(2, windows.count());
+        byte[] tiles = new byte[40 * 30];
+        new Random(3).nextBytes(tiles);
+        GrayU8 image = new GrayU8(640, 480);
+        for (int y = 0; y < 480; y++) {
+            for (int x = 0; x < 640; x++) {
+                image.set(x, y, plainInside && isAskedFor(windows, x, y) ? 90 : tiles[y / 16 * 40 + x / 16]);
+            }
+        }
         GrayU8 found = new GrayU8(640, 480);
         Arrays.fill(found.data, (byte) 7);
         GrayU8 whole = new GrayU8(1, 1);
-        new LocalMeanThreshold(10, 85, windows).process(image, found);
+        threshold.process(image, found);
         new LocalMeanThreshold(10, 85, new SearchWindows()).process(image, whole);
         for (int y = 0; y < 480; y++) {
             for (int x = 0; x < 640; x++) {
-                boolean asked = false;
-                for (int i = 0; i < 2; i++) {
-                    asked |= x >= windows.left(i) && x < windows.right(i) && y >= windows.top(i)
-                            && y < windows.bottom(i);
-                }
-                assertEquals(asked ? whole.get(x, y) : 7, found.get(x, y), x + ", " + y);
+                assertEquals(isAskedFor(windows, x, y) ? whole.get(x, y) : 7, found.get(x, y), x + ", " + y);
             }
         }
     }
