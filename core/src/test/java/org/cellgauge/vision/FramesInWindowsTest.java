@@ -96,7 +96,7 @@ class FramesInWindowsTest {
         double[] c = marker.cornersPx();
         int u = (int) (c[0] + c[4]) / 2;
         int v = (int) (c[1] + c[5]) / 2;
-        int reach = (int) Math.hypot(c[0] - c[4], c[1] - c[5]);
+        int reach = (int) Math.hypot(c[0] - c[4], c[1] - c[5]) * 5 / 8;
         for (int y = v - reach; y < v + reach; y++) {
             Arrays.fill(grey, y * photo.widthPx() + u - reach, y * photo.widthPx() + u + reach, (byte) 200);
         }
@@ -109,7 +109,7 @@ class FramesInWindowsTest {
         double[] c = marker.cornersPx();
         int u = (int) (c[0] + c[4]) / 2;
         int v = (int) (c[1] + c[5]) / 2;
-        int reach = (int) Math.hypot(c[0] - c[4], c[1] - c[5]) * 3 / 4;
+        int reach = (int) Math.hypot(c[0] - c[4], c[1] - c[5]) * 5 / 8;
         for (int y = v - reach; y < v + reach; y++) {
             for (int x = u - reach; x < u + reach; x++) {
                 grey[(y + dv) * photo.widthPx() + x + du] = (byte) photo.get(x, y);
