@@ -9,7 +9,6 @@ import boofcv.factory.distort.LensDistortionFactory;
 import boofcv.factory.fiducial.ConfigFiducialBinary;
 import boofcv.factory.fiducial.ConfigFiducialHammingDetector;
 import boofcv.factory.fiducial.ConfigHammingMarker;
-import boofcv.factory.shape.FactoryShapeDetector;
 import boofcv.struct.calib.CameraPinholeBrown;
 import boofcv.struct.image.GrayU8;
 import georegression.struct.point.Point2D_F64;
@@ -107,6 +106,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final BaseDetectFiducialSquare<GrayU8> squares;
     /** Whether markers that are missing are looked for again, and their reasons, at several times the cost. */
     private final boolean looksTwice;
+    /** Where each image is searched; all of it where it looks twice. */
+    private final SearchWindows windows = new SearchWindows();
     /** Finds faint markers; null until one is missing. */
     private @Nullable BaseDetectFiducialSquare<GrayU8> faintSquares;
     /** Says why markers are missing; null until one is. */
@@ -183,8 +184,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.familyPatterns = new FamilyPatterns(family);
         this.hasChecksum = familyPatterns.correctable() > 0;
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
-        this.squares = squares(family, familyPatterns, USUAL_PERCENT);
-        this.bentSquares = camera.lens().isWide() ? squares(family, familyPatterns, USUAL_PERCENT) : null;
+        this.squares = squares(family, familyPatterns, USUAL_PERCENT, windows);
+        this.bentSquares =
+                camera.lens().isWide() ? squares(family, familyPatterns, USUAL_PERCENT, windows) : null;
         configure(squares, camera.isDistorting());
         if (bentSquares != null) {
             configure(bentSquares, false);
@@ -212,6 +214,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * the tone curve, that of the frame before is where to start, so that corners hang on it by thousandths of a
      * pixel; and an unsharp mask, blocks of a JPEG file, or that there are none, are taken as they were. All is looked
      * for anew where edges say otherwise, and every thirtieth frame.
+     *
+     * <p>It searches a frame near the markers of the frame before, all of it where one of them is not found there, and
+     * every tenth time: a marker that comes into the view is seen by then. Where a marker is found its corners are
+     * those of a search of all of the frame, to the last bit.
      *
      * @param cell the cell
      * @return a new detector
@@ -242,45 +248,40 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     /** The usual search for squares, not yet prepared for a camera. */
     static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family) {
-        return squares(family, new FamilyPatterns(family), USUAL_PERCENT);
+        return squares(family, new FamilyPatterns(family), USUAL_PERCENT, new SearchWindows());
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family, FamilyPatterns patterns, int percent) {
-        return family.isSquareBinary() ? squareBinary(family.codeCells(), percent)
-                : squareHamming(Objects.requireNonNull(patterns.dictionary(), "no square-binary"), percent);
+    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family, FamilyPatterns patterns, int percent,
+            SearchWindows windows) {
+        LocalMeanThreshold threshold = new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent, windows);
+        return family.isSquareBinary() ? squareBinary(family.codeCells(), threshold, windows)
+                : squareHamming(Objects.requireNonNull(patterns.dictionary(), "no square-binary"), threshold, windows);
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squareBinary(int codeCells, int percent) {
+    private static BaseDetectFiducialSquare<GrayU8> squareBinary(int codeCells, LocalMeanThreshold threshold,
+            SearchWindows windows) {
         ConfigFiducialBinary config = new ConfigFiducialBinary(1);
         DetectFiducialSquareBinary<GrayU8> detector = new DetectFiducialSquareBinary<>(codeCells,
-                config.borderWidthFraction, config.minimumBlackBorderFraction, threshold(percent),
-                FactoryShapeDetector.polygon(config.squareDetector, GrayU8.class), GrayU8.class);
+                config.borderWidthFraction, config.minimumBlackBorderFraction, threshold,
+                WindowContours.polygons(config.squareDetector, windows), GrayU8.class);
         // whatever looks like a marker may pass here: PatternReader judges the cells with the blur in mind
         detector.setAmbiguityThreshold(1);
         return detector;
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squareHamming(ConfigHammingMarker markers, int percent) {
+    private static BaseDetectFiducialSquare<GrayU8> squareHamming(ConfigHammingMarker markers,
+            LocalMeanThreshold threshold, SearchWindows windows) {
         ConfigFiducialHammingDetector config = new ConfigFiducialHammingDetector();
         DetectFiducialSquareHamming<GrayU8> detector = new DetectFiducialSquareHamming<>(markers,
-                config.minimumBlackBorderFraction, threshold(percent),
-                FactoryShapeDetector.polygon(config.squareDetector, GrayU8.class), GrayU8.class);
+                config.minimumBlackBorderFraction, threshold,
+                WindowContours.polygons(config.squareDetector, windows), GrayU8.class);
         detector.setAmbiguousPenaltyFrac(config.ambiguousPenaltyFrac);
         return detector;
     }
 
-    /**
-     * Local mean with a margin: plain grounds and weak textures then give no contours to follow.
-     *
-     * @param percent of the mean at which black begins
-     */
-    private static LocalMeanThreshold threshold(int percent) {
-        return new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent);
-    }
-
-    /** The usual one. */
+    /** Local mean with a margin: plain grounds and weak textures then give no contours to follow. */
     static LocalMeanThreshold threshold() {
-        return threshold(USUAL_PERCENT);
+        return new LocalMeanThreshold(THRESHOLD_RADIUS_PX, USUAL_PERCENT, new SearchWindows());
     }
 
     static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {
@@ -309,16 +310,13 @@ public final class BoofMarkerDetector implements MarkerDetector {
         Map<Integer, List<Candidate>> byId = new TreeMap<>();
         List<Warning> warnings = new ArrayList<>();
         light.start(statedCurve, image.toneCurve(), !looksTwice);
-        edgesUsed = 0;
         List<Seen> seen = new ArrayList<>();
         try {
-            squares.process(view);
-            seeAll(image, seen);
-            if (bentSquares != null) {
-                lookAgain(bentSquares, image, seen);
-            }
-            if (looksTwice && !showsAll(seen)) {
-                lookAgain(faintSquares(), image, seen);
+            windows.begin(view.width, view.height);
+            if (!look(image, seen)) {
+                windows.showWhole();
+                seen.clear();
+                look(image, seen);
             }
         } finally {
             view.data = NO_PIXELS;
@@ -326,9 +324,6 @@ public final class BoofMarkerDetector implements MarkerDetector {
         List<MarkerEdges> fitted = new ArrayList<>();
         List<boolean[]> read = new ArrayList<>();
         for (Seen square : seen) {
-            if (square.edges != null && !patterns.containsKey(square.idRead)) {
-                readAgain(image, square, square.edges);
-            }
             if (square.edges != null && patterns.containsKey(square.idRead)) {
                 fitted.add(square.edges);
                 read.add(patterns.get(square.idRead));
@@ -338,10 +333,14 @@ public final class BoofMarkerDetector implements MarkerDetector {
         light.warn(fitted, warnings);
         for (Seen square : seen) {
             Candidate candidate = candidate(image, square, warnings);
+            if (!looksTwice && (candidate != null || patterns.containsKey(square.idRead))) {
+                windows.keep(square.idRead, square.cornersPx, candidate != null);
+            }
             if (candidate != null) {
                 byId.computeIfAbsent(candidate.observation.id(), k -> new ArrayList<>()).add(candidate);
             }
         }
+        windows.end();
         List<MarkerObservation> accepted = new ArrayList<>();
         byId.forEach((id, ofId) -> judge(id, ofId, accepted, warnings));
         if (accepted.isEmpty() || accepted.size() < patterns.size() && looksTwice) {
@@ -351,6 +350,39 @@ public final class BoofMarkerDetector implements MarkerDetector {
         accepted.forEach(marker -> ownGrid.add(marker.id()));
         return new Detections(imageName, image.widthPx(), image.heightPx(), accepted, warnings,
                 fitted.isEmpty() ? null : light.light());
+    }
+
+    /** Fills in the squares of this image. False where its windows do not show the markers they were made for. */
+    private boolean look(GreyImage image, List<Seen> seen) {
+        squares.process(view);
+        int count = squares.getFound().size();
+        if (bentSquares != null) {
+            bentSquares.process(view);
+            count += bentSquares.getFound().size();
+        }
+        if (!windows.areWhole() && count < windows.markers()) {
+            return false;
+        }
+        seeAll(image, seen);
+        if (bentSquares != null) {
+            lookAgain(bentSquares, image, seen);
+        }
+        if (looksTwice && !showsAll(seen)) {
+            faintSquares().process(view);
+            lookAgain(faintSquares(), image, seen);
+        }
+        for (Seen square : seen) {
+            if (square.edges != null && !patterns.containsKey(square.idRead)) {
+                readAgain(image, square, square.edges);
+            }
+            windows.see(square.idRead, square.cornersPx);
+        }
+        return windows.areWhole() || !windows.missMarkers();
+    }
+
+    /** Where the last image was searched. */
+    SearchWindows windows() {
+        return windows;
     }
 
     /** Whether every marker of the cell is among the squares, as they were read at first. */
@@ -366,7 +398,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     private BaseDetectFiducialSquare<GrayU8> faintSquares() {
         if (faintSquares == null) {
-            faintSquares = squares(family, familyPatterns, FAINT_PERCENT);
+            faintSquares = squares(family, familyPatterns, FAINT_PERCENT, windows);
             configure(faintSquares, straightensOnePlane());
         }
         return faintSquares;
@@ -399,11 +431,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /**
-     * Adds the squares that another search shows as markers of the cell: in the bent image of a wide lens, far off the
-     * axis, where {@link LensPlane} is not straight or stretches a marker out of shape; or with weaker contours.
+     * Adds the squares that another search has shown as markers of the cell: in the bent image of a wide lens, far off
+     * the axis, where {@link LensPlane} is not straight or stretches a marker out of shape; or with weaker contours.
      */
     private void lookAgain(BaseDetectFiducialSquare<GrayU8> again, GreyImage image, List<Seen> seen) {
-        again.process(view);
         int straight = seen.size();
         for (int i = 0; i < again.getFound().size(); i++) {
             FoundFiducial found = again.getFound().get(i);

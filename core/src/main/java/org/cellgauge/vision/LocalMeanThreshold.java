@@ -14,17 +14,20 @@ import java.util.Arrays;
  * can be dark. So the image is first looked at in tiles, in every second pixel of every second row, and only tiles with
  * such a contrast in them or beside them are gone through. A dark speck of a single pixel may then be missed on plain
  * ground, which is nobody's marker; about anything larger all is found. Rows are unpacked once and kept while they are
- * in the window, and every loop does one thing: so nearly all of them run on several pixels at a time. Not thread-safe:
- * sums and rows are kept.
+ * in the window, and every loop does one thing: so nearly all of them run on several pixels at a time.
+ *
+ * <p>Outside of the {@link SearchWindows} of a frame nothing is looked at and nothing set; inside, all is as in the
+ * whole image. Not thread-safe: sums and rows are kept.
  */
 final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     /** Width and height of a tile, px; at least the radius, so that windows end in the tiles beside. */
-    private static final int TILE = 16;
+    static final int TILE = 16;
     private static final int STEP = 2;
     private static final int NOWHERE = -2;
 
     private final int radius;
     private final int percent;
+    private final SearchWindows windows;
     private int width;
     private int height;
     private int tilesAcross;
@@ -49,26 +52,41 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
      * @param radius pixels on each side of a pixel that its mean is over, up to {@value #TILE}; at the border, those
      *     that there are
      * @param percent of the mean at which black begins
+     * @param windows where pixels are asked for
      */
-    LocalMeanThreshold(int radius, int percent) {
+    LocalMeanThreshold(int radius, int percent, SearchWindows windows) {
         this.radius = radius;
         this.percent = percent;
+        this.windows = windows;
     }
 
     @Override
     public void process(GrayU8 input, GrayU8 output) {
         reshape(input.width, input.height);
         output.reshape(width, height);
-        lookForContrast(input);
+        for (int i = 0; i < windows.count(); i++) {
+            process(input, output, windows.left(i) / TILE, windows.top(i) / TILE,
+                    tiles(Math.min(width, windows.right(i))), tiles(Math.min(height, windows.bottom(i))));
+        }
+    }
+
+    private static int tiles(int px) {
+        return (px + TILE - 1) / TILE;
+    }
+
+    /** Marks what is dark in a window of tiles, the last ones not with it. */
+    private void process(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
+        lookForContrast(input, Math.max(0, left - 1), Math.max(0, top - 1), Math.min(tilesAcross, right + 1),
+                Math.min(tilesDown, bottom + 1));
         Arrays.fill(summedAbout, NOWHERE);
-        for (int down = 0; down < tilesDown; down++) {
+        for (int down = top; down < bottom; down++) {
             int first = down * TILE;
             int end = Math.min(height, first + TILE);
             for (int y = first; y < end; y++) {
                 int at = output.startIndex + y * output.stride;
-                Arrays.fill(output.data, at, at + width, (byte) 0);
+                Arrays.fill(output.data, at + TILE * left, at + Math.min(width, TILE * right), (byte) 0);
             }
-            int count = findRuns(down);
+            int count = findRuns(down, left, right);
             for (int r = 0; r < 4 * count; r += 4) {
                 for (int across = runs[r]; across < runs[r + 1]; across++) {
                     if (summedAbout[across] != first - 1) {
@@ -90,8 +108,8 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         }
         width = toWidth;
         height = toHeight;
-        tilesAcross = (width + TILE - 1) / TILE;
-        tilesDown = (height + TILE - 1) / TILE;
+        tilesAcross = tiles(width);
+        tilesDown = tiles(height);
         columns = new int[width];
         before = new int[width + 1];
         dark = new int[width];
@@ -102,32 +120,34 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         runs = new int[4 * (tilesAcross / 2 + 1)];
     }
 
-    private void lookForContrast(GrayU8 input) {
+    private void lookForContrast(GrayU8 input, int left, int top, int right, int bottom) {
         byte[] in = input.data;
-        Arrays.fill(darkest, 255);
-        Arrays.fill(brightest, 0);
-        for (int y = 0; y < height; y += STEP) {
-            int row = y / TILE * tilesAcross;
-            int at = input.startIndex + y * input.stride;
-            for (int across = 0; across < tilesAcross; across++) {
-                int low = darkest[row + across];
-                int high = brightest[row + across];
-                int end = at + Math.min(width, TILE * (across + 1));
-                for (int i = at + TILE * across; i < end; i += STEP) {
-                    int grey = in[i] & 0xFF;
-                    low = Math.min(low, grey);
-                    high = Math.max(high, grey);
+        for (int down = top; down < bottom; down++) {
+            int row = down * tilesAcross;
+            Arrays.fill(darkest, row + left, row + right, 255);
+            Arrays.fill(brightest, row + left, row + right, 0);
+            for (int y = TILE * down; y < Math.min(height, TILE * (down + 1)); y += STEP) {
+                int at = input.startIndex + y * input.stride;
+                for (int across = left; across < right; across++) {
+                    int low = darkest[row + across];
+                    int high = brightest[row + across];
+                    int end = at + Math.min(width, TILE * (across + 1));
+                    for (int i = at + TILE * across; i < end; i += STEP) {
+                        int grey = in[i] & 0xFF;
+                        low = Math.min(low, grey);
+                        high = Math.max(high, grey);
+                    }
+                    darkest[row + across] = low;
+                    brightest[row + across] = high;
                 }
-                darkest[row + across] = low;
-                brightest[row + across] = high;
             }
         }
     }
 
-    /** Fills the runs of a row of tiles. */
-    private int findRuns(int down) {
+    /** Fills the runs of a window's row of tiles. */
+    private int findRuns(int down, int left, int right) {
         int count = 0;
-        for (int across = 0; across < tilesAcross; across++) {
+        for (int across = left; across < right; across++) {
             if (!hasContrast(across, down)) {
                 continue;
             }

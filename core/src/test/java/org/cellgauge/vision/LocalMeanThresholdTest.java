@@ -7,10 +7,12 @@ import boofcv.factory.filter.binary.ConfigThreshold;
 import boofcv.factory.filter.binary.FactoryThresholdBinary;
 import boofcv.factory.filter.binary.ThresholdType;
 import boofcv.struct.image.GrayU8;
+import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LocalMeanThresholdTest {
     private static GrayU8 noise(int width, int height) {
@@ -25,7 +27,7 @@ class LocalMeanThresholdTest {
     void darkIsWhatIsBelowTheShareOfTheMean(int width, int height) {
         GrayU8 image = noise(width, height);
         GrayU8 found = new GrayU8(1, 1);
-        new LocalMeanThreshold(10, 85).process(image, found);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(image, found);
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
                 double sum = 0;
@@ -47,7 +49,7 @@ class LocalMeanThresholdTest {
         GrayU8 image = noise(200, 150);
         GrayU8 own = new GrayU8(1, 1);
         GrayU8 boof = new GrayU8(200, 150);
-        new LocalMeanThreshold(10, 85).process(image, own);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(image, own);
         ConfigThreshold config = ConfigThreshold.local(ThresholdType.LOCAL_MEAN, 21);
         config.scale = 0.85;
         FactoryThresholdBinary.threshold(config, GrayU8.class).process(image, boof);
@@ -65,11 +67,57 @@ class LocalMeanThresholdTest {
         GrayU8 part = image.subimage(11, 7, 61, 47);
         GrayU8 found = new GrayU8(1, 1);
         GrayU8 ofCopy = new GrayU8(1, 1);
-        new LocalMeanThreshold(10, 85).process(part, found);
-        new LocalMeanThreshold(10, 85).process(part.clone(), ofCopy);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(part, found);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(part.clone(), ofCopy);
         for (int y = 0; y < 40; y++) {
             for (int x = 0; x < 50; x++) {
                 assertEquals(ofCopy.get(x, y), found.get(x, y));
+            }
+        }
+    }
+
+    private static boolean isAskedFor(SearchWindows windows, int x, int y) {
+        boolean asked = false;
+        for (int i = 0; i < windows.count(); i++) {
+            asked |= x >= windows.left(i) && x < windows.right(i) && y >= windows.top(i) && y < windows.bottom(i);
+        }
+        return asked;
+    }
+
+    /**
+     * Of tiles that are plain, so that all contrast is with the tiles beside, or only with those outside of a window;
+     * after another image.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void inWindowsAllIsAsInTheWholeImage(boolean plainInside) {
+        SearchWindows windows = new SearchWindows();
+        LocalMeanThreshold threshold = new LocalMeanThreshold(10, 85, windows);
+        GrayU8 plain = new GrayU8(640, 480);
+        Arrays.fill(plain.data, (byte) 90);
+        threshold.process(plain, new GrayU8(1, 1));
+        windows.begin(640, 480);
+        windows.keep(944, new double[] {110, 110, 150, 110, 150, 150, 110, 150}, true);
+        windows.keep(5, new double[] {590, 430, 630, 430, 630, 470, 590, 470}, true);
+        windows.end();
+        windows.begin(640, 480);
+        assertEquals(2, windows.count());
+        byte[] tiles = new byte[40 * 30];
+        new Random(3).nextBytes(tiles);
+        GrayU8 image = new GrayU8(640, 480);
+        for (int y = 0; y < 480; y++) {
+            for (int x = 0; x < 640; x++) {
+                image.set(x, y, plainInside && isAskedFor(windows, x, y) ? 90 : tiles[y / 16 * 40 + x / 16]);
+            }
+        }
+        GrayU8 found = new GrayU8(640, 480);
+        Arrays.fill(found.data, (byte) 7);
+        GrayU8 whole = new GrayU8(1, 1);
+        threshold.process(image, found);
+        new LocalMeanThreshold(10, 85, new SearchWindows()).process(image, whole);
+        for (int y = 0; y < 480; y++) {
+            for (int x = 0; x < 640; x++) {
+                assertEquals(isAskedFor(windows, x, y) ? whole.get(x, y) : 7, found.get(x, y), x + ", " + y);
             }
         }
     }
