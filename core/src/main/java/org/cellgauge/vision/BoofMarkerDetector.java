@@ -118,12 +118,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final GreyScale scale = new GreyScale();
     private final MarkerLoop loop = new MarkerLoop();
     private final LightFit light = new LightFit(scale, loop);
-    private final PatternReader reader;
-    private final OtherGrids otherGrids;
+    /** For the squares of one image, each read by its own; used anew for the next. */
+    private final List<Reader> readers = new ArrayList<>();
     /** Ids that the frame before showed: none of them was a square of another grid. */
     private final Set<Integer> ownGrid = new HashSet<>();
-    /** Of the marker read last: see {@link PatternReader#whiteOverMargin}. */
-    private double whiteOverMargin;
     /** Work space for the markers of one image, used anew for the next. */
     private final List<MarkerEdges> edges = new ArrayList<>();
     private int edgesUsed;
@@ -192,8 +190,6 @@ public final class BoofMarkerDetector implements MarkerDetector {
             configure(bentSquares, false);
         }
         this.grid = familyPatterns.grid();
-        this.reader = new PatternReader(camera, grid);
-        this.otherGrids = new OtherGrids(camera, grid);
         this.residual = new SquareResidual(camera);
         view.subImage = true;
     }
@@ -331,8 +327,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         light.fit(image, fitted, read);
         light.warn(fitted, warnings);
+        readAll(image, seen);
         for (Seen square : seen) {
-            Candidate candidate = candidate(image, square, warnings);
+            Candidate candidate = candidate(square, warnings);
             if (!looksTwice && (candidate != null || patterns.containsKey(square.idRead))) {
                 windows.keep(square.idRead, square.cornersPx, candidate != null);
             }
@@ -463,6 +460,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
         int idRead;
         final double[] cornersPx;
         final @Nullable MarkerEdges edges;
+        /** Of the marker of the cell that it is, in the photo's light; {@link #NONE} for none. */
+        int id = NONE;
+        /** See {@link PatternReader#whiteOverMargin}. */
+        double whiteOverMargin;
 
         Seen(int idRead, double[] cornersPx, @Nullable MarkerEdges edges) {
             this.idRead = idRead;
@@ -554,7 +555,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private void readAgain(GreyImage image, Seen square, MarkerEdges own) {
         own.corners(square.cornersPx);
         boolean[] white = familyPatterns.white(square.idRead).clone();
-        int turns = read(image, own, square.cornersPx, white);
+        int turns = read(image, own, reader(0), square, white);
         if (turns == NONE) {
             return;
         }
@@ -570,45 +571,82 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * @return by how many quarters it was turned until it was that of a marker of the cell; {@link #NONE} if it never
      *     is
      */
-    private int read(GreyImage image, MarkerEdges marker, double[] corners, boolean[] white) {
-        if (!reader.read(image, corners, scale, marker.darkGrey(), marker.brightGrey(), marker.blurPx(), white)) {
+    private int read(GreyImage image, MarkerEdges marker, Reader reader, Seen square, boolean[] white) {
+        double[] corners = square.cornersPx;
+        if (!reader.cells.read(image, corners, scale, marker.darkGrey(), marker.brightGrey(), marker.blurPx(), white)) {
             return NONE;
         }
         boolean[] asSeen = white.clone();
         for (int turns = 0; turns < 4; turns++) {
             if (listedId(white) != NONE) {
-                whiteOverMargin = reader.whiteOverMargin(asSeen);
-                double misfit = reader.misfit(image, scale, marker.darkGrey(), marker.brightGrey(), asSeen);
+                square.whiteOverMargin = reader.cells.whiteOverMargin(asSeen);
+                double misfit = reader.cells.misfit(image, scale, marker.darkGrey(), marker.brightGrey(), asSeen);
                 boolean known = light.isKept() && ownGrid.contains(listedId(white));
-                return !known && otherGrids.explainBetter(misfit, image, corners, scale, marker) ? NONE : turns;
+                return !known && reader.otherGrids.explainBetter(misfit, image, corners, scale, marker) ? NONE : turns;
             }
             System.arraycopy(familyPatterns.turnedClockwise(white), 0, white, 0, white.length);
         }
         return NONE;
     }
 
-    /** One square that BoofCV has read, judged in the photo's light; null where it is no marker of the cell. */
-    private @Nullable Candidate candidate(GreyImage image, Seen square, List<Warning> warnings) {
-        int id = square.idRead;
+    /** Reads all squares in the photo's light, and fits those anew that were taken for another marker before. */
+    private void readAll(GreyImage image, List<Seen> seen) {
+        for (int i = 0; i < seen.size(); i++) {
+            reader(i);
+        }
+        loop.each(seen.size(), i -> {
+            Seen square = seen.get(i);
+            if (square.edges == null) {
+                square.id = square.idRead;
+            } else {
+                readLast(image, square, square.edges, readers.get(i));
+            }
+        });
+    }
+
+    private void readLast(GreyImage image, Seen square, MarkerEdges marker, Reader reader) {
+        boolean[] listed = patterns.get(square.idRead);
+        if (listed == null) {
+            listed = familyPatterns.white(square.idRead);
+            light.refit(image, marker, listed);
+        }
+        marker.corners(square.cornersPx);
+        boolean[] white = listed.clone();
+        int turns = read(image, marker, reader, square, white);
+        square.id = turns == NONE ? NONE : listedId(white);
+        if (turns > 0) {
+            // undoes the turn: a pattern that was turned so far lies upright after the rest of a full turn
+            marker.turn(4 - turns);
+        }
+        if (square.id != NONE && (square.id != square.idRead || turns > 0)) {
+            // read as another marker, or turned: the light from its cells was not what the sides were fitted with
+            light.refit(image, marker, patterns.get(square.id));
+        }
+    }
+
+    private Reader reader(int number) {
+        if (number == readers.size()) {
+            readers.add(new Reader(camera, grid));
+        }
+        return readers.get(number);
+    }
+
+    /** Work space for reading one square. */
+    private static final class Reader {
+        final PatternReader cells;
+        final OtherGrids otherGrids;
+
+        Reader(PinholeCamera camera, MarkerGrid grid) {
+            cells = new PatternReader(camera, grid);
+            otherGrids = new OtherGrids(camera, grid);
+        }
+    }
+
+    /** One square that was read, judged in the photo's light; null where it is no marker of the cell. */
+    private @Nullable Candidate candidate(Seen square, List<Warning> warnings) {
+        int id = square.id;
         MarkerEdges marker = square.edges;
         double[] corners = square.cornersPx;
-        boolean turned = false;
-        if (marker != null) {
-            boolean[] listed = patterns.get(id);
-            if (listed == null) {
-                listed = familyPatterns.white(id);
-                light.refit(image, marker, listed);
-            }
-            marker.corners(corners);
-            boolean[] white = listed.clone();
-            int turns = read(image, marker, corners, white);
-            turned = turns > 0;
-            id = turns == NONE ? NONE : listedId(white);
-            if (turned) {
-                // undoes the turn: a pattern that was turned so far lies upright after the rest of a full turn
-                marker.turn(4 - turns);
-            }
-        }
         // without its edges a reading rests on BoofCV's alone, and only a code with a checksum can stand on that
         if (!patterns.containsKey(id) || marker == null && !hasChecksum) {
             if (patterns.containsKey(square.idRead)) {
@@ -621,15 +659,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
         if (marker == null) {
             return new Candidate(new MarkerObservation(id, corners), residual.impliedStdPx(corners), false);
         }
-        if (id != square.idRead || turned) {
-            // read as another marker, or turned: the light from its cells was not what the sides were fitted with
-            light.refit(image, marker, patterns.get(id));
-        }
         int glare = light.glarePercent(marker);
         if (glare > 0) {
             warnings.add(Warning.of(DetectionWarning.GLARE, id, glare));
         }
         // of a sharpened photo the code's white is brighter whatever the margin
+        double whiteOverMargin = square.whiteOverMargin;
         boolean thinMargin = whiteOverMargin > WHITEST_OVER_MARGIN && !light.isSharpened();
         if (thinMargin) {
             warnings.add(Warning.of(DetectionWarning.MARGIN_TOO_THIN, id,
