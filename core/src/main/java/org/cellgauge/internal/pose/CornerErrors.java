@@ -452,11 +452,7 @@ public final class CornerErrors {
      */
     public double squareChiSquare(int id, double sizeMm, PinholeCamera lens, MarkerPoseFinder finder) {
         MarkerErrors m = of(id);
-        List<PoseMode> modes = finder.modes(m.cornersPx, sizeMm, lens, 1);
-        if (modes.isEmpty()) {
-            return Double.NaN;
-        }
-        double[] all = m.covariancePx2.clone();
+        double[] all = unknowns == 0 ? m.covariancePx2 : m.covariancePx2.clone();
         for (int i = 0; i < 8; i++) {
             for (int k = 0; k < 8; k++) {
                 for (int j = 0; j < unknowns; j++) {
@@ -464,7 +460,7 @@ public final class CornerErrors {
                 }
             }
         }
-        return new Squareness(modes, all).chiSquare(0);
+        return finder.squareChiSquare(m.cornersPx, sizeMm, lens, all);
     }
 
     /**

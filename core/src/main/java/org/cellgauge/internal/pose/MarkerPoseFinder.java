@@ -1,8 +1,9 @@
 package org.cellgauge.internal.pose;
 
 import java.util.ArrayList;
-import java.util.Collections;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
@@ -28,6 +29,15 @@ public final class MarkerPoseFinder {
     private final ReprojectionFit fit = new ReprojectionFit(points, observed, IntrinsicsPrior.KNOWN, null);
     private final TargetPnp pnp = new TargetPnp();
     private final CameraState state = new CameraState();
+    private final double[] covariance = new double[StateLayout.POSE * StateLayout.POSE];
+    /** What the last search found, in the order of the first {@link #found} of {@link #order}. */
+    private final RigidTransform[] poses = new RigidTransform[BASINS];
+    private final @Nullable PoseMode[] modes = new @Nullable PoseMode[BASINS];
+    private final double[] logWeights = new double[BASINS];
+    private final double[] squares = new double[BASINS];
+    private final int[] order = new int[BASINS];
+    private int found;
+    private final Squareness.Space space = new Squareness.Space();
 
     /** A finder for one thread. */
     public MarkerPoseFinder() {
@@ -69,6 +79,45 @@ public final class MarkerPoseFinder {
     }
 
     /**
+     * The poses of these modes, weighed alike with one pixel for each coordinate: for those who need nothing else of
+     * them.
+     *
+     * @param cornersPx 8 values, px
+     * @param sizeMm outer edge of the marker, mm
+     * @param camera intrinsics
+     * @return one or two cameraFromMarker, the heavier first; empty if the corners are of no pose
+     */
+    List<RigidTransform> poses(double[] cornersPx, double sizeMm, PinholeCamera camera) {
+        fit.setIsotropic(1);
+        search(cornersPx, sizeMm, camera, false, null);
+        List<RigidTransform> list = new ArrayList<>(2);
+        for (int k = 0; k < found; k++) {
+            list.add(poses[order[k]]);
+        }
+        return list;
+    }
+
+    /**
+     * Squared length of what no pose of the marker explains of its corners, in deviations, of the mode that fits best:
+     * {@link Squareness#chiSquare} of modes that nobody else needs.
+     *
+     * @param cornersPx 8 values, px
+     * @param sizeMm outer edge of the marker, mm
+     * @param camera intrinsics
+     * @param covariancePx2 8x8, px², what is known of the corners' errors
+     * @return not negative; NaN where the corners are of no pose
+     */
+    double squareChiSquare(double[] cornersPx, double sizeMm, PinholeCamera camera, double[] covariancePx2) {
+        fit.setIsotropic(1);
+        search(cornersPx, sizeMm, camera, false, covariancePx2);
+        double least = found == 0 ? Double.NaN : Double.POSITIVE_INFINITY;
+        for (int k = 0; k < found; k++) {
+            least = Math.min(least, squares[order[k]]);
+        }
+        return least;
+    }
+
+    /**
      * The same with a covariance of the corners.
      *
      * @param cornersPx 8 values, px
@@ -83,17 +132,33 @@ public final class MarkerPoseFinder {
     }
 
     private List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera) {
-        System.arraycopy(MarkerGeometry.cornersMm(sizeMm), 0, points, 0, points.length);
+        search(cornersPx, sizeMm, camera, true, null);
+        List<PoseMode> list = new ArrayList<>(2);
+        for (int k = 0; k < found; k++) {
+            list.add(Objects.requireNonNull(modes[order[k]], "it was asked for"));
+        }
+        Arrays.fill(modes, null);
+        return list;
+    }
+
+    /**
+     * Finds the poses and leaves them in the fields, the two heaviest in order.
+     *
+     * @param wholeModes whether all is wanted that Laplace's method needs
+     * @param covariancePx2 what squares are measured by; null where they are not wanted
+     */
+    private void search(double[] cornersPx, double sizeMm, PinholeCamera camera, boolean wholeModes,
+            double @Nullable [] covariancePx2) {
+        MarkerGeometry.cornersMm(sizeMm, points);
         System.arraycopy(cornersPx, 0, observed, 0, observed.length);
+        found = 0;
         RigidTransform start = pnp.planar(camera, points, observed);
         if (start == null) {
             start = pnp.general(camera, points, observed);
         }
         if (start == null) {
-            return Collections.emptyList();
+            return;
         }
-        List<PoseMode> modes = new ArrayList<>(2);
-        List<RigidTransform> known = new ArrayList<>(2);
         RigidTransform pose = start;
         // from each mode found the mirrored pose is tried; a third round comes back to the first
         for (int i = 0; i < BASINS; i++) {
@@ -102,23 +167,40 @@ public final class MarkerPoseFinder {
             }
             pose = state.cameraFromSet();
             // what Laplace's method needs is not worked out for a pose that is known
-            if (!isAmong(known, pose)) {
-                PoseMode mode = fit.modeAt(state);
-                if (mode == null) {
+            if (!isKnown(pose)) {
+                double cost = fit.evaluate(state, true);
+                if (!(cost < Double.POSITIVE_INFINITY) || !fit.invertInformation(covariance)) {
                     break;
                 }
-                modes.add(mode);
-                known.add(pose);
+                if (wholeModes) {
+                    modes[found] = new PoseMode(fit, state, cost, null, covariance.clone());
+                }
+                logWeights[found] = fit.logWeight(cost, covariance);
+                if (covariancePx2 != null) {
+                    squares[found] = space.chiSquare(fit.jacobian(), fit.residuals(), covariancePx2);
+                }
+                poses[found++] = pose;
             }
             pose = mirrored(pose);
         }
-        modes.sort((a, b) -> Double.compare(b.logWeight(), a.logWeight()));
-        return modes.size() > 2 ? modes.subList(0, 2) : modes;
+        sort();
     }
 
-    private static boolean isAmong(List<RigidTransform> known, RigidTransform pose) {
-        for (RigidTransform other : known) {
-            if (pose.angleRadTo(other) < SAME_MODE_RAD) {
+    /** The heaviest first, no more than two. */
+    private void sort() {
+        for (int k = 0; k < found; k++) {
+            int at = k;
+            for (; at > 0 && Double.compare(logWeights[order[at - 1]], logWeights[k]) < 0; at--) {
+                order[at] = order[at - 1];
+            }
+            order[at] = k;
+        }
+        found = Math.min(found, 2);
+    }
+
+    private boolean isKnown(RigidTransform pose) {
+        for (int k = 0; k < found; k++) {
+            if (pose.angleRadTo(poses[k]) < SAME_MODE_RAD) {
                 return true;
             }
         }
