@@ -294,6 +294,16 @@ public final class PoseMode {
     }
 
     /**
+     * The same in an array of the caller's.
+     *
+     * @param marker index of the marker
+     * @param out receives 8 (coordinates of its block) x dimension row by row
+     */
+    public void copyJacobian(int marker, double[] out) {
+        System.arraycopy(jacobian, blocks.firstRow(marker) * columns, out, 0, blocks.rows(marker) * columns);
+    }
+
+    /**
      * Covariance of the whitened residuals of one marker under the linearised model, {@code I - J C J^T}: what the fit
      * leaves of them.
      *

@@ -509,10 +509,23 @@ public final class ReprojectionFit {
      * @throws IllegalStateException if a corner is not in front of the camera there
      */
     public double[] jacobianAt(CameraState state) {
+        double[] out = new double[jacobian.length];
+        jacobianAt(state, out);
+        return out;
+    }
+
+    /**
+     * The same in an array of the caller's.
+     *
+     * @param state where
+     * @param out receives rows x columns row by row
+     * @throws IllegalStateException if a corner is not in front of the camera there
+     */
+    public void jacobianAt(CameraState state, double[] out) {
         if (!(evaluate(state, true) < Double.POSITIVE_INFINITY)) {
             throw new IllegalStateException("a corner is not in front of the camera");
         }
-        return jacobian.clone();
+        System.arraycopy(jacobian, 0, out, 0, jacobian.length);
     }
 
     /** Whitened residuals of the last evaluation; shared, px over px. */
