@@ -31,12 +31,16 @@ public final class MarkerPoseFinder {
     private final CameraState state = new CameraState();
     private final double[] covariance = new double[StateLayout.POSE * StateLayout.POSE];
     /** What the last search found, in the order of the first {@link #found} of {@link #order}. */
-    private final RigidTransform[] poses = new RigidTransform[BASINS];
+    private final double[][] rotations = new double[BASINS][9];
+    private final double[][] offsets = new double[BASINS][3];
     private final @Nullable PoseMode[] modes = new @Nullable PoseMode[BASINS];
     private final double[] logWeights = new double[BASINS];
     private final double[] squares = new double[BASINS];
     private final int[] order = new int[BASINS];
     private int found;
+    private final double[] turn = new double[9];
+    private final double[] product = new double[9];
+    private final double[] all = new double[64];
     private final Squareness.Space space = new Squareness.Space();
 
     /** A finder for one thread. */
@@ -92,7 +96,7 @@ public final class MarkerPoseFinder {
         search(cornersPx, sizeMm, camera, false, null);
         List<RigidTransform> list = new ArrayList<>(2);
         for (int k = 0; k < found; k++) {
-            list.add(poses[order[k]]);
+            list.add(RigidTransform.of(rotations[order[k]], offsets[order[k]]));
         }
         return list;
     }
@@ -101,15 +105,24 @@ public final class MarkerPoseFinder {
      * Squared length of what no pose of the marker explains of its corners, in deviations, of the mode that fits best:
      * {@link Squareness#chiSquare} of modes that nobody else needs.
      *
-     * @param cornersPx 8 values, px
+     * @param errors what is known of the corners' errors but for what is added to each; all of them count
+     * @param unknowns number of unknowns that they share with other markers
      * @param sizeMm outer edge of the marker, mm
      * @param camera intrinsics
-     * @param covariancePx2 8x8, px², what is known of the corners' errors
      * @return not negative; NaN where the corners are of no pose
      */
-    double squareChiSquare(double[] cornersPx, double sizeMm, PinholeCamera camera, double[] covariancePx2) {
+    double squareChiSquare(MarkerErrors errors, int unknowns, double sizeMm, PinholeCamera camera) {
+        System.arraycopy(errors.covariancePx2, 0, all, 0, all.length);
+        double[] columns = errors.columns;
+        for (int i = 0; i < 8; i++) {
+            for (int k = 0; k < 8; k++) {
+                for (int j = 0; j < unknowns; j++) {
+                    all[8 * i + k] += columns[i * unknowns + j] * columns[k * unknowns + j];
+                }
+            }
+        }
         fit.setIsotropic(1);
-        search(cornersPx, sizeMm, camera, false, covariancePx2);
+        search(errors.cornersPx, sizeMm, camera, false, all);
         double least = found == 0 ? Double.NaN : Double.POSITIVE_INFINITY;
         for (int k = 0; k < found; k++) {
             least = Math.min(least, squares[order[k]]);
@@ -159,15 +172,14 @@ public final class MarkerPoseFinder {
         if (start == null) {
             return;
         }
-        RigidTransform pose = start;
+        state.set(start, camera);
         // from each mode found the mirrored pose is tried; a third round comes back to the first
         for (int i = 0; i < BASINS; i++) {
-            if (!fitFrom(pose, camera)) {
+            if (!camera.lens().isWide() && !(state.offset[2] > 0) || Double.isNaN(fit.fit(state))) {
                 break;
             }
-            pose = state.cameraFromSet();
             // what Laplace's method needs is not worked out for a pose that is known
-            if (!isKnown(pose)) {
+            if (!isKnown()) {
                 double cost = fit.evaluate(state, true);
                 if (!(cost < Double.POSITIVE_INFINITY) || !fit.invertInformation(covariance)) {
                     break;
@@ -179,9 +191,11 @@ public final class MarkerPoseFinder {
                 if (covariancePx2 != null) {
                     squares[found] = space.chiSquare(fit.jacobian(), fit.residuals(), covariancePx2);
                 }
-                poses[found++] = pose;
+                System.arraycopy(state.rotation, 0, rotations[found], 0, 9);
+                System.arraycopy(state.offset, 0, offsets[found], 0, 3);
+                found++;
             }
-            pose = mirrored(pose);
+            mirror(state.rotation, state.offset, turn, product);
         }
         sort();
     }
@@ -198,22 +212,13 @@ public final class MarkerPoseFinder {
         found = Math.min(found, 2);
     }
 
-    private boolean isKnown(RigidTransform pose) {
+    private boolean isKnown() {
         for (int k = 0; k < found; k++) {
-            if (pose.angleRadTo(poses[k]) < SAME_MODE_RAD) {
+            if (Rotations.angle(state.rotation, rotations[k], product, turn) < SAME_MODE_RAD) {
                 return true;
             }
         }
         return false;
-    }
-
-    /** Fits from a pose on and leaves the result in {@link #state}; false where there is none. */
-    private boolean fitFrom(RigidTransform pose, PinholeCamera camera) {
-        if (!camera.lens().isWide() && !(pose.translationMm()[2] > 0)) {
-            return false;
-        }
-        state.set(pose, camera);
-        return !Double.isNaN(fit.fit(state));
     }
 
     /**
@@ -223,24 +228,31 @@ public final class MarkerPoseFinder {
      * @return the mirrored pose, same centre
      */
     static RigidTransform mirrored(RigidTransform cameraFromPlane) {
-        double[] r = cameraFromPlane.rotation();
-        double[] t = cameraFromPlane.translationMm();
+        double[] rotation = cameraFromPlane.rotation();
+        double[] offset = cameraFromPlane.translationMm();
+        mirror(rotation, offset, new double[9], new double[9]);
+        return RigidTransform.of(rotation, offset);
+    }
+
+    /** The same in place, with work space of 9 values each. */
+    private static void mirror(double[] r, double[] t, double[] turn, double[] product) {
         double length = Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
-        double[] sight = {t[0] / length, t[1] / length, t[2] / length};
-        double along = r[2] * sight[0] + r[5] * sight[1] + r[8] * sight[2];
+        double sx = t[0] / length;
+        double sy = t[1] / length;
+        double sz = t[2] / length;
+        double along = r[2] * sx + r[5] * sy + r[8] * sz;
         // turning by twice the angle between normal and sight, about their common perpendicular
-        double[] axis = {r[5] * sight[2] - r[8] * sight[1], r[8] * sight[0] - r[2] * sight[2],
-            r[2] * sight[1] - r[5] * sight[0]};
-        double sine = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+        double ax = r[5] * sz - r[8] * sy;
+        double ay = r[8] * sx - r[2] * sz;
+        double az = r[2] * sy - r[5] * sx;
+        double sine = Math.sqrt(ax * ax + ay * ay + az * az);
         if (sine < 1e-9) {
-            return cameraFromPlane;
+            return;
         }
         // the face looks towards the camera, so its normal is nearer to minus the line of sight
         double angle = 2 * (along < 0 ? Math.atan2(sine, along) - Math.PI : Math.atan2(sine, along));
-        double[] turn = new double[9];
-        Rotations.exp(axis[0] / sine * angle, axis[1] / sine * angle, axis[2] / sine * angle, turn);
-        double[] turned = new double[9];
-        Rotations.multiply(turn, r, turned);
-        return RigidTransform.of(turned, t);
+        Rotations.exp(ax / sine * angle, ay / sine * angle, az / sine * angle, turn);
+        Rotations.multiply(turn, r, product);
+        System.arraycopy(product, 0, r, 0, 9);
     }
 }
