@@ -87,7 +87,19 @@ public final class CornerErrors {
      * @return their errors, no marker set aside
      */
     public static CornerErrors of(Cell cell, Detections detections) {
-        return of(cell, detections, Collections.emptyMap());
+        return of(cell, detections, new MarkerPoseFinder());
+    }
+
+    /**
+     * The same with a finder for the poses that errors depend on.
+     *
+     * @param cell the cell
+     * @param detections what the photo shows; ids foreign to the cell are ignored
+     * @param finder of the caller's thread
+     * @return their errors, no marker set aside
+     */
+    public static CornerErrors of(Cell cell, Detections detections, MarkerPoseFinder finder) {
+        return of(cell, detections, Collections.emptyMap(), finder);
     }
 
     /**
@@ -99,6 +111,11 @@ public final class CornerErrors {
      * @return their errors
      */
     public static CornerErrors of(Cell cell, Detections detections, Map<Integer, RigidTransform> cameraFromMarkers) {
+        return of(cell, detections, cameraFromMarkers, new MarkerPoseFinder());
+    }
+
+    private static CornerErrors of(Cell cell, Detections detections, Map<Integer, RigidTransform> cameraFromMarkers,
+            MarkerPoseFinder ofThread) {
         List<MarkerErrors.Source> seen = new ArrayList<>();
         for (Reference r : cell.references()) {
             addSeen(detections.find(r.id()), r.sizeMm(), seen);
@@ -125,7 +142,7 @@ public final class CornerErrors {
         List<Double> variances = new ArrayList<>();
         // where all is stated, errors do not depend on poses
         MarkerPoseFinder finder = unknown || !sizes.isEmpty() || cell.prints().flatnessMm() > 0
-                ? new MarkerPoseFinder() : null;
+                ? ofThread : null;
         for (MarkerErrors.Source m : seen) {
             RigidTransform pose = cameraFromMarkers.get(m.observation.id());
             MarkerErrors errors = errors(cell, m, pose, finder, isotropic, largest, edges, sizes, q);

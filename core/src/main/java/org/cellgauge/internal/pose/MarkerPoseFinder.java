@@ -17,12 +17,13 @@ import org.jspecify.annotations.Nullable;
  * mirrored about the line of sight (Schweighofer and Pinz, "Robust pose estimation from a planar target", PAMI 2006).
  *
  * <p>Not thread-safe: it holds work space, so that the markers of a photo are fitted in the same arrays, one after the
- * other. A pose does not depend on those found before it.
+ * other. A pose does not depend on those found before it; poses found last are not searched for again.
  */
 public final class MarkerPoseFinder {
     /** Two fits closer than this angle are one mode, rad. */
     private static final double SAME_MODE_RAD = 1e-3;
     private static final int BASINS = 3;
+    private static final int REMEMBERED = 16;
 
     private final double[] points = new double[3 * MarkerGeometry.CORNERS];
     private final double[] observed = new double[2 * MarkerGeometry.CORNERS];
@@ -38,10 +39,27 @@ public final class MarkerPoseFinder {
     private final double[] squares = new double[BASINS];
     private final int[] order = new int[BASINS];
     private int found;
+    /** The last searches with unit weights, in turn. */
+    private final @Nullable Searched[] searched = new @Nullable Searched[REMEMBERED];
+    private int searches;
     private final double[] turn = new double[9];
     private final double[] product = new double[9];
     private final double[] all = new double[64];
     private final Squareness.Space space = new Squareness.Space();
+
+    /** Poses of a marker, weighed with one pixel for each coordinate, and what they were found from. */
+    private static final class Searched {
+        private final double[] cornersPx = new double[2 * MarkerGeometry.CORNERS];
+        private double sizeMm;
+        private @Nullable PinholeCamera camera;
+        private final double[][] rotations = new double[2][9];
+        private final double[][] offsets = new double[2][3];
+        private int found;
+
+        boolean isOf(double[] corners, double size, PinholeCamera before) {
+            return camera == before && sizeMm == size && Arrays.equals(cornersPx, corners);
+        }
+    }
 
     /** A finder for one thread. */
     public MarkerPoseFinder() {
@@ -79,7 +97,11 @@ public final class MarkerPoseFinder {
      */
     public List<PoseMode> modes(double[] cornersPx, double sizeMm, PinholeCamera camera, double pixelStdPx) {
         fit.setIsotropic(pixelStdPx);
-        return modes(cornersPx, sizeMm, camera);
+        List<PoseMode> list = modes(cornersPx, sizeMm, camera);
+        if (pixelStdPx == 1) {
+            remember(cornersPx, sizeMm, camera);
+        }
+        return list;
     }
 
     /**
@@ -92,13 +114,39 @@ public final class MarkerPoseFinder {
      * @return one or two cameraFromMarker, the heavier first; empty if the corners are of no pose
      */
     List<RigidTransform> poses(double[] cornersPx, double sizeMm, PinholeCamera camera) {
+        List<RigidTransform> list = new ArrayList<>(2);
+        for (@Nullable Searched last : searched) {
+            if (last != null && last.isOf(cornersPx, sizeMm, camera)) {
+                for (int k = 0; k < last.found; k++) {
+                    list.add(RigidTransform.of(last.rotations[k], last.offsets[k]));
+                }
+                return list;
+            }
+        }
         fit.setIsotropic(1);
         search(cornersPx, sizeMm, camera, false, null);
-        List<RigidTransform> list = new ArrayList<>(2);
         for (int k = 0; k < found; k++) {
             list.add(RigidTransform.of(rotations[order[k]], offsets[order[k]]));
         }
         return list;
+    }
+
+    /** Keeps what the last search with unit weights has found. */
+    private void remember(double[] cornersPx, double sizeMm, PinholeCamera camera) {
+        int place = searches++ % REMEMBERED;
+        Searched last = searched[place];
+        if (last == null) {
+            last = new Searched();
+            searched[place] = last;
+        }
+        System.arraycopy(cornersPx, 0, last.cornersPx, 0, cornersPx.length);
+        last.sizeMm = sizeMm;
+        last.camera = camera;
+        last.found = found;
+        for (int k = 0; k < found; k++) {
+            System.arraycopy(rotations[order[k]], 0, last.rotations[k], 0, 9);
+            System.arraycopy(offsets[order[k]], 0, last.offsets[k], 0, 3);
+        }
     }
 
     /**
@@ -123,6 +171,7 @@ public final class MarkerPoseFinder {
         }
         fit.setIsotropic(1);
         search(errors.cornersPx, sizeMm, camera, false, all);
+        remember(errors.cornersPx, sizeMm, camera);
         double least = found == 0 ? Double.NaN : Double.POSITIVE_INFINITY;
         for (int k = 0; k < found; k++) {
             least = Math.min(least, squares[order[k]]);
