@@ -52,6 +52,16 @@ public final class VarianceBudget {
         return new VarianceBudget(source);
     }
 
+    /**
+     * The same, worked out at once: what is kept for long is not to hold what it is worked out from.
+     *
+     * @return this
+     */
+    public VarianceBudget workedOut() {
+        terms.get();
+        return this;
+    }
+
     private static Map<VarianceSource, double[]> copy(Map<VarianceSource, double[]> map) {
         Map<VarianceSource, double[]> copy = new LinkedHashMap<>();
         map.forEach((source, v) -> copy.put(source, v.clone()));
