@@ -71,6 +71,7 @@ public class FrameBenchmark {
     private RigidTransform lastFrame;
     private CameraFit camera;
     private List<ObjectFit> objects;
+    private final MarkerPoseFinder finder = new MarkerPoseFinder();
     private QuickLooks looks;
     private QuickLook quickLook;
     private MovingCamera moving;
@@ -130,7 +131,7 @@ public class FrameBenchmark {
     /** The same from where the camera was some millimetres ago. */
     @Benchmark
     public List<PoseMode> modeFromLastFrame() {
-        return unfitted.finder(view).modes(lastFrame);
+        return unfitted.finder(view).modes(lastFrame, finder);
     }
 
     /** Both modes of each of three objects. */
@@ -138,7 +139,7 @@ public class FrameBenchmark {
     public List<List<PoseMode>> objectModes() {
         List<List<PoseMode>> all = new ArrayList<>();
         cell.objects().forEach(o -> all.add(
-                new MarkerPoseFinder().modes(detections.find(o.id()).cornersPx(), o.sizeMm(), CAMERA, PIXEL_STD)));
+                finder.modes(detections.find(o.id()).cornersPx(), o.sizeMm(), CAMERA, PIXEL_STD)));
         return all;
     }
 

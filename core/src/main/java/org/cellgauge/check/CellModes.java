@@ -26,7 +26,6 @@ import org.cellgauge.internal.pose.MarkerPoseFinder;
 import org.cellgauge.internal.pose.NoiseBelief;
 import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.PosePrior;
-import org.cellgauge.internal.pose.ReferenceNoise;
 import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.internal.pose.StateLayout;
 import org.cellgauge.internal.statistics.CoverageRegion;
@@ -87,8 +86,6 @@ final class CellModes {
 
     final Observed observed;
     final CameraFit camera;
-    /** How far the corners of references may be off, where the modes are. */
-    final ReferenceNoise noise;
     /** The objects seen, in the order of the cell. */
     final List<ObjectFit> objects;
     /** All warnings so far. */
@@ -101,7 +98,6 @@ final class CellModes {
         this.observed = observed;
         this.contradiction = contradiction;
         this.camera = camera;
-        this.noise = camera.noise(camera.view, camera.noiseLevel);
         this.objects = Collections.unmodifiableList(objects);
         this.warnings = Collections.unmodifiableList(warnings);
     }

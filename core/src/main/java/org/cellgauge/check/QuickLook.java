@@ -127,8 +127,8 @@ public final class QuickLook {
             }
             PointEstimate grip = link.grip();
             double[] gripMm = object.marker.gripMm();
-            list.add(new ObjectEstimate(object.marker, pose, grip, link.budgetWhenAsked(new double[3], cell.noise),
-                    gripMm == null ? null : link.budgetWhenAsked(gripMm, cell.noise),
+            list.add(new ObjectEstimate(object.marker, pose, grip, link.budgetWhenAsked(new double[3]),
+                    gripMm == null ? null : link.budgetWhenAsked(gripMm),
                     ImageEllipses.of(lens, cameraPose, pose.meanTransform().translationMm(),
                             pose.positionCovarianceMm2()),
                     grip == null ? null

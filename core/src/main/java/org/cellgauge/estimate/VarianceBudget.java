@@ -34,8 +34,11 @@ public final class VarianceBudget {
      *     zero, mm²; copied; sources that cannot be taken away are left out
      */
     public VarianceBudget(Map<VarianceSource, double[]> variancesMm2, Map<VarianceSource, double[]> leftMm2) {
-        Terms copied = new Terms(copy(variancesMm2), copy(leftMm2));
-        terms = () -> copied;
+        this(new Terms(copy(variancesMm2), copy(leftMm2)));
+    }
+
+    private VarianceBudget(Terms known) {
+        terms = () -> known;
     }
 
     private VarianceBudget(Supplier<VarianceBudget> source) {
@@ -55,11 +58,10 @@ public final class VarianceBudget {
     /**
      * The same, worked out at once: what is kept for long is not to hold what it is worked out from.
      *
-     * @return this
+     * @return a budget of the same shares and gains
      */
     public VarianceBudget workedOut() {
-        terms.get();
-        return this;
+        return new VarianceBudget(terms.get());
     }
 
     private static Map<VarianceSource, double[]> copy(Map<VarianceSource, double[]> map) {

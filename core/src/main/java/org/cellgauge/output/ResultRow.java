@@ -322,8 +322,8 @@ public final class ResultRow extends Value {
     @Nullable Object[] figures() {
         double @Nullable [] ellipse = ellipse95Px == null ? null : new double[] {ellipse95Px.centreX(),
             ellipse95Px.centreY(), ellipse95Px.semiMajor(), ellipse95Px.semiMinor(), ellipse95Px.angleRad()};
-        return new @Nullable Object[] {kind, id, mean, covariance, pose, modes, budget.get(), ellipse, verdict, withinTarget,
-            laplace, conformities};
+        return new @Nullable Object[] {kind, id, mean, covariance, pose, modes, budget.get(), ellipse, verdict,
+            withinTarget, laplace, conformities};
     }
 
 

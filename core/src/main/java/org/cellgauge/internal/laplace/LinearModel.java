@@ -318,11 +318,11 @@ public final class LinearModel {
         }
 
         /** The same, worked out when it is asked for, on whatever thread: most of a moving camera's never are. */
-        public VarianceBudget budgetWhenAsked(double[] pointMm, ReferenceNoise noise) {
+        public VarianceBudget budgetWhenAsked(double[] pointMm) {
             double[] point = pointMm.clone();
             return VarianceBudget.whenAsked(() -> {
                 synchronized (LinearModel.this) {
-                    return budget(point, noise);
+                    return budget(point, camera.noise(camera.view, camera.noiseLevel));
                 }
             });
         }

@@ -41,7 +41,7 @@ public final class MarkerPoseFinder {
     private int found;
     /** The last searches with unit weights, in turn. */
     private final @Nullable Searched[] searched = new @Nullable Searched[REMEMBERED];
-    private int searches;
+    private int next;
     private final double[] turn = new double[9];
     private final double[] product = new double[9];
     private final double[] all = new double[64];
@@ -133,12 +133,12 @@ public final class MarkerPoseFinder {
 
     /** Keeps what the last search with unit weights has found. */
     private void remember(double[] cornersPx, double sizeMm, PinholeCamera camera) {
-        int place = searches++ % REMEMBERED;
-        Searched last = searched[place];
+        Searched last = searched[next];
         if (last == null) {
             last = new Searched();
-            searched[place] = last;
+            searched[next] = last;
         }
+        next = (next + 1) % REMEMBERED;
         System.arraycopy(cornersPx, 0, last.cornersPx, 0, cornersPx.length);
         last.sizeMm = sizeMm;
         last.camera = camera;

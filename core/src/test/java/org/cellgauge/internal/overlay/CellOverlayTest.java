@@ -111,7 +111,8 @@ class CellOverlayTest {
                     assertEquals(0, offGridMm(camera, pose, p[i], p[i + 1]), 1e-6);
                     if (i > 0) {
                         // straight in between, where the image of a line is bent: a twentieth of a pixel is 0.1 mm
-                        assertEquals(0, offGridMm(camera, pose, (p[i - 2] + p[i]) / 2, (p[i - 1] + p[i + 1]) / 2), 0.15);
+                        assertEquals(0, offGridMm(camera, pose, (p[i - 2] + p[i]) / 2, (p[i - 1] + p[i + 1]) / 2),
+                                0.15);
                     }
                 }
             }

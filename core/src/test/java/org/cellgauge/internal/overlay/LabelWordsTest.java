@@ -26,10 +26,11 @@ class LabelWordsTest {
                 double middle = 0.1 + Math.rint(890 * random.nextDouble()) / 1000;
                 double large = 10 + Math.rint(2000 * random.nextDouble()) / 2;
                 assertEquals("7: \u03c3 " + String.format(locale, "%.3f", small) + between
-                        + String.format(locale, "%.2f", middle) + between + String.format(locale, "%.0f", large) + " mm",
+                        + String.format(locale, "%.2f", middle) + between
+                        + String.format(locale, "%.0f", large) + " mm",
                         words(locale).deviations(7, new double[] {small, middle, large}));
             }
-            assertEquals("7: r, " + String.format(locale, "%.0f %%", 62.5) + " / " + String.format(locale, "%.0f %%", 37.5),
+            assertEquals("7: r, " + String.format(locale, "%.0f %% / %.0f %%", 62.5, 37.5),
                     words(locale).ambiguous(7, Arrays.asList(0.625, 0.375)));
         }
         assertEquals("7: r", words(Locale.ROOT).ambiguous(7, Collections.emptyList()));

@@ -74,7 +74,8 @@ class WorldViewTest {
         assertEquals(4, new WorldView(barrel(0), RigidTransform.IDENTITY, ImageOrientation.IDENTITY).line(from, to)
                 .get(0).length);
         PinholeCamera bending = barrel(-0.05);
-        double[] kept = new WorldView(bending, RigidTransform.IDENTITY, ImageOrientation.IDENTITY).line(from, to).get(0);
+        double[] kept = new WorldView(bending, RigidTransform.IDENTITY, ImageOrientation.IDENTITY).line(from, to)
+                .get(0);
         assertTrue(kept.length >= 10 && kept.length < 2 * 40, kept.length / 2 + " points");
         double farthest = 0;
         for (int i = 0; i + 3 < kept.length; i += 2) {
