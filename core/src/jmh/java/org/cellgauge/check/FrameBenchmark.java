@@ -73,6 +73,8 @@ public class FrameBenchmark {
     private RigidTransform lastFrame;
     private CameraFit camera;
     private List<ObjectFit> objects;
+    private final MarkerPoseFinder finder = new MarkerPoseFinder();
+    private QuickLooks looks;
     private QuickLook quickLook;
     private MovingCamera moving;
 
@@ -107,6 +109,7 @@ public class FrameBenchmark {
         for (List<PoseMode> modes : objectModes()) {
             objects.add(new ObjectFit(cell.objects().get(objects.size()), errors, camera.mode().state(), modes));
         }
+        looks = new QuickLooks(cell, settings);
         quickLook = quickLookFromLastFrame();
         moving = new MovingCamera();
     }
@@ -132,7 +135,7 @@ public class FrameBenchmark {
     /** The same from where the camera was some millimetres ago. */
     @Benchmark
     public List<PoseMode> modeFromLastFrame() {
-        return unfitted.finder(view).modes(lastFrame);
+        return unfitted.finder(view).modes(lastFrame, finder);
     }
 
     /** Both modes of each of three objects. */
@@ -140,7 +143,7 @@ public class FrameBenchmark {
     public List<List<PoseMode>> objectModes() {
         List<List<PoseMode>> all = new ArrayList<>();
         cell.objects().forEach(o -> all.add(
-                new MarkerPoseFinder().modes(detections.find(o.id()).cornersPx(), o.sizeMm(), CAMERA, PIXEL_STD)));
+                finder.modes(detections.find(o.id()).cornersPx(), o.sizeMm(), CAMERA, PIXEL_STD)));
         return all;
     }
 
@@ -184,10 +187,10 @@ public class FrameBenchmark {
         return CellCheck.quickLook(cell, detections, settings, null);
     }
 
-    /** Everything from corners to figures, from the last mode. */
+    /** Everything from corners to figures, from the last mode, one look after another as a live check has them. */
     @Benchmark
     public QuickLook quickLookFromLastFrame() {
-        return CellCheck.quickLook(cell, detections, settings, lastFrame);
+        return looks.of(detections, lastFrame);
     }
 
     /** The overlay with banner and legend. */
@@ -221,7 +224,7 @@ public class FrameBenchmark {
     }
 
     private Overlay lookedAt(Detections seen) {
-        CheckUpdate update = CellCheck.quickLook(cell, seen, settings, lastFrame).update();
+        CheckUpdate update = looks.of(seen, lastFrame).update();
         return CellOverlay.of(cell, seen, update, PORTRAIT);
     }
 

@@ -59,7 +59,7 @@ public final class CellCheck {
      */
     public static QuickLook quickLook(Cell cell, Detections detections, CheckSettings settings,
             @Nullable RigidTransform worldFromCameraStart) {
-        return QuickLook.of(CellModes.of(Observed.of(cell, detections, settings), worldFromCameraStart));
+        return new QuickLooks(cell, settings).of(detections, worldFromCameraStart);
     }
 
     /**

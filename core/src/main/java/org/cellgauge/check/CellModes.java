@@ -26,7 +26,6 @@ import org.cellgauge.internal.pose.MarkerPoseFinder;
 import org.cellgauge.internal.pose.NoiseBelief;
 import org.cellgauge.internal.pose.PoseMode;
 import org.cellgauge.internal.pose.PosePrior;
-import org.cellgauge.internal.pose.ReferenceNoise;
 import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.internal.pose.StateLayout;
 import org.cellgauge.internal.statistics.CoverageRegion;
@@ -87,8 +86,6 @@ final class CellModes {
 
     final Observed observed;
     final CameraFit camera;
-    /** How far the corners of references may be off, where the modes are. */
-    final ReferenceNoise noise;
     /** The objects seen, in the order of the cell. */
     final List<ObjectFit> objects;
     /** All warnings so far. */
@@ -101,7 +98,6 @@ final class CellModes {
         this.observed = observed;
         this.contradiction = contradiction;
         this.camera = camera;
-        this.noise = camera.noise(camera.view, camera.noiseLevel);
         this.objects = Collections.unmodifiableList(objects);
         this.warnings = Collections.unmodifiableList(warnings);
     }
@@ -111,19 +107,20 @@ final class CellModes {
      *
      * @param observed what the photo shows
      * @param worldFromCameraStart where to look first; null for the initial estimate of the settings
+     * @param finder of the caller's thread
      * @return the modes
      * @throws InputRefusedException if no pose explains the corners
      */
-    static CellModes of(Observed observed, @Nullable RigidTransform worldFromCameraStart) {
+    static CellModes of(Observed observed, @Nullable RigidTransform worldFromCameraStart, MarkerPoseFinder finder) {
         Observed as = observed;
-        CellModes found = new Search(as, worldFromCameraStart).found();
+        CellModes found = new Search(as, worldFromCameraStart, finder).found();
         for (int k = 1; k < found.camera.view.size(); k++) {
             WrongCorner wrong = found.wrongCorner();
             if (wrong == null) {
                 break;
             }
             as = as.without(wrong);
-            found = new Search(as, worldFromCameraStart).found();
+            found = new Search(as, worldFromCameraStart, finder).found();
         }
         return found;
     }
@@ -199,10 +196,11 @@ final class CellModes {
         private final CornerErrors errors;
         private final @Nullable RigidTransform worldFromCameraStart;
         private final List<Warning> warnings;
-        private final MarkerPoseFinder finder = new MarkerPoseFinder();
+        private final MarkerPoseFinder finder;
         private @Nullable Contradiction contradiction;
 
-        Search(Observed observed, @Nullable RigidTransform worldFromCameraStart) {
+        Search(Observed observed, @Nullable RigidTransform worldFromCameraStart, MarkerPoseFinder finder) {
+            this.finder = finder;
             this.observed = observed;
             this.worldFromCameraStart = worldFromCameraStart;
             cell = observed.cell;
@@ -370,7 +368,7 @@ final class CellModes {
             }
             NoiseBelief belief = new NoiseBelief(errors.added(), log);
             CameraFit noisy = fit.with(belief, belief.ofMeanVariance(), logNoise);
-            List<PoseMode> modes = noisy.finder(fit.view).modes(fit.worldFromCamera());
+            List<PoseMode> modes = noisy.finder(fit.view).modes(fit.worldFromCamera(), finder);
             if (errors.fromNothing()) {
                 warnings.add(Observed.noiseWarning(belief));
             }
@@ -523,10 +521,10 @@ final class CellModes {
             }
             CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, posePrior, errors,
                     observed.noiseLevel);
-            List<PoseMode> modes = fit.finder(view).modes(initial);
+            List<PoseMode> modes = fit.finder(view).modes(initial, finder);
             if (modes.isEmpty() && settings.sampling().initial() != InitialEstimate.PNP) {
                 RigidTransform other = InitialPose.PNP.estimate(view, start);
-                modes = other == null ? modes : fit.finder(view).modes(other);
+                modes = other == null ? modes : fit.finder(view).modes(other, finder);
             }
             return modes.isEmpty() ? fit : fit.at(notNegligible(modes), initial);
         }
@@ -534,7 +532,7 @@ final class CellModes {
         /** The camera at the modes that the start leads to; null where they leave more unexplained than noise would. */
         private @Nullable CameraFit fitFromStart(ReferenceView view, RigidTransform start, IntrinsicsPrior intrinsics) {
             CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, null, errors, observed.noiseLevel);
-            List<PoseMode> modes = fit.finder(view).modes(start);
+            List<PoseMode> modes = fit.finder(view).modes(start, finder);
             if (modes.isEmpty() || 2 * modes.get(0).halfChiSquare()
                     > CoverageRegion.chiSquareQuantile(EXPLAINED, 8 * view.size() - 6)) {
                 return null;

@@ -10,6 +10,7 @@ import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.ObjectEstimate;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.estimate.VarianceBudget;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.chains.CellQuantities;
@@ -67,7 +68,9 @@ final class Estimates {
                     ? new PointEstimate(summary.mean(quantities.grips[o]),
                             summary.covariance(quantities.grips[o])) : null;
             ObjectEstimate ofModes = quickLook.objects().get(o);
-            objects.add(new ObjectEstimate(target.marker, pose, grip, ofModes.budget(), ofModes.gripBudget(),
+            VarianceBudget ofGrip = ofModes.gripBudget();
+            objects.add(new ObjectEstimate(target.marker, pose, grip, ofModes.budget().workedOut(),
+                    ofGrip == null ? null : ofGrip.workedOut(),
                     ImageEllipses.of(lens, camera, pose.meanTransform().translationMm(),
                             pose.positionCovarianceMm2()),
                     grip == null ? null

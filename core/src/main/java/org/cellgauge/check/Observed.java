@@ -13,6 +13,7 @@ import org.cellgauge.internal.pose.CommonPlacement;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.InitialPose;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
+import org.cellgauge.internal.pose.MarkerPoseFinder;
 import org.cellgauge.internal.pose.NoiseBelief;
 import org.cellgauge.internal.pose.ReferenceView;
 import org.cellgauge.internal.sampling.RandomStreams;
@@ -64,10 +65,11 @@ final class Observed {
      * @param stated the cell; the settings may have another target
      * @param detections markers seen in its photo; ids foreign to the cell are ignored
      * @param settings how the cell is modelled
+     * @param finder of the caller's thread
      * @return the observation
      * @throws InputRefusedException if no reference is in the photo, or its light says nothing of where edges are
      */
-    static Observed of(Cell stated, Detections detections, CheckSettings settings) {
+    static Observed of(Cell stated, Detections detections, CheckSettings settings, MarkerPoseFinder finder) {
         boolean rigid = settings.model().likelihood() == LikelihoodModel.RIGID_MARKER;
         CommonPlacement common = CommonPlacement.of(stated);
         // a likelihood of corners without rigid placement knows nothing that references share
@@ -80,7 +82,7 @@ final class Observed {
         List<Warning> warnings = new ArrayList<>(detections.warnings());
         warnOfPrincipalPoint(cell.camera(), warnings);
         warnOfReferencesNotSeen(cell, detections, warnings);
-        CornerErrors found = CornerErrors.of(cell, detections).withOutliersSetAside();
+        CornerErrors found = CornerErrors.of(cell, detections, finder).withOutliersSetAside();
         found.setAside().forEach((id, factor) ->
                 warnings.add(Warning.of(CheckWarning.MARKER_SET_ASIDE, id, Decimal.of(factor, factor < 10 ? 1 : 0))));
         double noiseLevel = found.added() == null ? 0 : found.squarenessBelief().ofMeanVariance();
@@ -88,7 +90,7 @@ final class Observed {
             warnings.add(noiseWarning(found.squarenessBelief()));
         }
         // the thesis' likelihood has no corner noise for shared errors to be a part of
-        NoiseFit noiseFit = noiseFit(cell, found, settings);
+        NoiseFit noiseFit = noiseFit(cell, found, settings, finder);
         CornerErrors kept = found.withSetAside(noiseFit.inflationOfOutliers());
         CornerErrors errors = rigid ? withCommon(kept, common, cell)
                 : kept.isPlain() ? kept : kept.fixedAt(noiseLevel);
@@ -113,15 +115,16 @@ final class Observed {
         return first == null ? errors : common.addedTo(errors, cell.camera(), first);
     }
 
-    private static NoiseFit noiseFit(Cell cell, CornerErrors errors, CheckSettings settings) {
+    private static NoiseFit noiseFit(Cell cell, CornerErrors errors, CheckSettings settings,
+            MarkerPoseFinder finder) {
         // the thesis' likelihood with corners of objects taken as exact has no corner noise at all
         if (settings.model().likelihood() != LikelihoodModel.RIGID_MARKER
                 && settings.model().objectNoise() == ObjectNoise.NONE) {
             return NoiseFit.untested();
         }
         IntrinsicsPrior prior = IntrinsicsPrior.stated(cell, settings.model());
-        return prior.count() > 0 ? NoiseFit.ofUnknownIntrinsics(cell, errors, prior.proper())
-                : NoiseFit.of(cell, errors, cell.camera());
+        return prior.count() > 0 ? NoiseFit.ofUnknownIntrinsics(cell, errors, prior.proper(), finder)
+                : NoiseFit.of(cell, errors, cell.camera(), finder);
     }
 
     private static void warnOfPrincipalPoint(PinholeCamera camera, List<Warning> warnings) {

@@ -117,17 +117,18 @@ public final class QuickLook {
         PinholeCamera lens = ImageEllipses.camera(camera.lens, camera.intrinsicsPrior, intrinsics);
         List<ObjectEstimate> list = new ArrayList<>();
         for (ObjectFit object : cell.objects) {
-            LinearModel.ObjectLink link = linear.new ObjectLink(object, 0);
             List<ModeEstimate> modes = new ArrayList<>();
             double[] weights = weights(object.modes);
-            for (int k = 0; k < weights.length; k++) {
+            LinearModel.ObjectLink link = linear.new ObjectLink(object, 0);
+            PoseEstimate pose = link.poseEstimate();
+            modes.add(new ModeEstimate(weights[0], pose));
+            for (int k = 1; k < weights.length; k++) {
                 modes.add(new ModeEstimate(weights[k], linear.new ObjectLink(object, k).poseEstimate()));
             }
-            PoseEstimate pose = link.poseEstimate();
             PointEstimate grip = link.grip();
             double[] gripMm = object.marker.gripMm();
-            list.add(new ObjectEstimate(object.marker, pose, grip, link.budget(new double[3], cell.noise),
-                    gripMm == null ? null : link.budget(gripMm, cell.noise),
+            list.add(new ObjectEstimate(object.marker, pose, grip, link.budgetWhenAsked(new double[3]),
+                    gripMm == null ? null : link.budgetWhenAsked(gripMm),
                     ImageEllipses.of(lens, cameraPose, pose.meanTransform().translationMm(),
                             pose.positionCovarianceMm2()),
                     grip == null ? null

@@ -3,14 +3,28 @@ package org.cellgauge.estimate;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.function.Supplier;
+import org.cellgauge.internal.estimate.Once;
 
 /**
  * Where the variance of a point in the world comes from, by source, to first order; immutable.
  * Sources are independent, so their covariances add up (GUM, JCGM 100, 5.1.2).
+ *
+ * <p>Of a quick look it is worked out when a share or gain is first asked for, once, on the thread that asks.
  */
 public final class VarianceBudget {
-    private final Map<VarianceSource, double[]> variancesMm2;
-    private final Map<VarianceSource, double[]> leftMm2;
+    private final Supplier<Terms> terms;
+
+    /** Variances along world x, y, z by source, and those that are left without it, mm². */
+    private static final class Terms {
+        final Map<VarianceSource, double[]> variancesMm2;
+        final Map<VarianceSource, double[]> leftMm2;
+
+        Terms(Map<VarianceSource, double[]> variancesMm2, Map<VarianceSource, double[]> leftMm2) {
+            this.variancesMm2 = variancesMm2;
+            this.leftMm2 = leftMm2;
+        }
+    }
 
     /**
      * A budget.
@@ -20,8 +34,34 @@ public final class VarianceBudget {
      *     zero, mm²; copied; sources that cannot be taken away are left out
      */
     public VarianceBudget(Map<VarianceSource, double[]> variancesMm2, Map<VarianceSource, double[]> leftMm2) {
-        this.variancesMm2 = copy(variancesMm2);
-        this.leftMm2 = copy(leftMm2);
+        this(new Terms(copy(variancesMm2), copy(leftMm2)));
+    }
+
+    private VarianceBudget(Terms known) {
+        terms = () -> known;
+    }
+
+    private VarianceBudget(Supplier<VarianceBudget> source) {
+        terms = new Once<>(() -> source.get().terms.get());
+    }
+
+    /**
+     * A budget that is worked out when it is first asked for.
+     *
+     * @param source asked once, on the thread that asks for a share or gain; given up afterwards
+     * @return the budget
+     */
+    public static VarianceBudget whenAsked(Supplier<VarianceBudget> source) {
+        return new VarianceBudget(source);
+    }
+
+    /**
+     * The same, worked out at once: what is kept for long is not to hold what it is worked out from.
+     *
+     * @return a budget of the same shares and gains
+     */
+    public VarianceBudget workedOut() {
+        return new VarianceBudget(terms.get());
     }
 
     private static Map<VarianceSource, double[]> copy(Map<VarianceSource, double[]> map) {
@@ -55,14 +95,15 @@ public final class VarianceBudget {
     }
 
     private Map<VarianceSource, Double> gains(int[] axes) {
+        Terms of = terms.get();
         double total = 0;
-        for (double[] v : variancesMm2.values()) {
+        for (double[] v : of.variancesMm2.values()) {
             for (int axis : axes) {
                 total += v[axis];
             }
         }
         Map<VarianceSource, Double> gains = new LinkedHashMap<>();
-        for (Map.Entry<VarianceSource, double[]> e : leftMm2.entrySet()) {
+        for (Map.Entry<VarianceSource, double[]> e : of.leftMm2.entrySet()) {
             double left = 0;
             for (int axis : axes) {
                 left += e.getValue()[axis];
@@ -93,14 +134,15 @@ public final class VarianceBudget {
     }
 
     private Map<VarianceSource, Double> shares(int[] axes) {
+        Terms of = terms.get();
         double total = 0;
-        for (double[] v : variancesMm2.values()) {
+        for (double[] v : of.variancesMm2.values()) {
             for (int axis : axes) {
                 total += v[axis];
             }
         }
         Map<VarianceSource, Double> shares = new LinkedHashMap<>();
-        for (Map.Entry<VarianceSource, double[]> e : variancesMm2.entrySet()) {
+        for (Map.Entry<VarianceSource, double[]> e : of.variancesMm2.entrySet()) {
             double sum = 0;
             for (int axis : axes) {
                 sum += e.getValue()[axis];

@@ -172,6 +172,20 @@ public final class RigidTransform {
     }
 
     /**
+     * Writes rotation and translation into arrays of the caller's, for inner loops.
+     *
+     * @param rotationTo receives the rotation matrix, 9 values row by row
+     * @param translationToMm receives the translation, 3 values, mm
+     * @param place how many poses stand before it in both
+     */
+    public void copyTo(double[] rotationTo, double[] translationToMm, int place) {
+        System.arraycopy(rotation, 0, rotationTo, 9 * place, 9);
+        translationToMm[3 * place] = tx;
+        translationToMm[3 * place + 1] = ty;
+        translationToMm[3 * place + 2] = tz;
+    }
+
+    /**
      * The Euler angles of the rotation.
      *
      * @return psi, theta, phi in rad, each in (-pi, pi]; see {@link Rotations#toEuler}
@@ -200,11 +214,7 @@ public final class RigidTransform {
      * @return the angle of {@code R_this R_other^T}, rad, in [0, pi]
      */
     public double angleRadTo(RigidTransform other) {
-        double[] r = new double[9];
-        Rotations.multiplyTransposed(rotation, other.rotation, r);
-        double[] w = new double[3];
-        Rotations.log(r, w, 0);
-        return Math.sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+        return Rotations.angle(rotation, other.rotation, new double[9], new double[3]);
     }
 
     @Override

@@ -23,6 +23,7 @@ import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.cell.Reference;
 import org.cellgauge.check.CellCheck;
 import org.cellgauge.check.CheckUpdate;
+import org.cellgauge.check.QuickLooks;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.cell.CellPhrase;
 import org.cellgauge.settings.CheckSettings;
@@ -46,6 +47,7 @@ final class LiveSession {
     private final FlowableEmitter<LiveState> emitter;
     private final Cell cell;
     private final CheckSettings settings;
+    private final QuickLooks looks;
     private final Scheduler chainScheduler;
     private final Scheduler.Worker worker;
     private final StateGate gate;
@@ -85,6 +87,7 @@ final class LiveSession {
         this.emitter = emitter;
         this.cell = cell;
         this.settings = settings;
+        looks = new QuickLooks(cell, settings);
         this.chainScheduler = chainScheduler;
         worker = watch.createWorker();
         newest = new Frame(new Detections("", cell.camera().widthPx(), cell.camera().heightPx(), List.of()), 0);
@@ -335,7 +338,7 @@ final class LiveSession {
         framesWithout.clear();
         try {
             KeyFrame taken = new KeyFrame(cell, frame.detections, frame.number,
-                    CellCheck.quickLook(cell, frame.detections, settings, lastWorldFromCamera));
+                    looks.of(frame.detections, lastWorldFromCamera));
             key = taken;
             keyMs = worker.now(TimeUnit.MILLISECONDS);
             lastWorldFromCamera = taken.update.estimate().camera().meanTransform();

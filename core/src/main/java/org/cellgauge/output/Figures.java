@@ -10,11 +10,22 @@ final class Figures {
     }
 
     static double[] finite(double[] values) {
-        double[] out = values.clone();
-        for (int i = 0; i < out.length; i++) {
-            out[i] = finite(out[i]);
+        return ownFinite(values.clone());
+    }
+
+    /** The same in an array that is the caller's own. */
+    static double[] ownFinite(double[] values) {
+        for (int i = 0; i < values.length; i++) {
+            values[i] = finite(values[i]);
         }
-        return out;
+        return values;
+    }
+
+    static double[][] ownFinite(double[][] rows) {
+        for (double[] row : rows) {
+            ownFinite(row);
+        }
+        return rows;
     }
 
     static double[][] finite(double[][] rows) {

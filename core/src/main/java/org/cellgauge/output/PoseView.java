@@ -2,6 +2,7 @@ package org.cellgauge.output;
 
 import org.cellgauge.estimate.PoseEstimate;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.estimate.Matrices;
 import org.cellgauge.internal.statistics.Angles;
 import org.jspecify.annotations.Nullable;
 
@@ -20,10 +21,10 @@ public final class PoseView extends Value {
     private PoseView(String frame, double[] mean, double[][] covariance, double[] tangentBaseRad,
             double[][] tangentCovariance, RigidTransform transform) {
         this.frame = frame;
-        this.mean = Figures.finite(mean);
-        this.covariance = Figures.finite(covariance);
-        this.tangentBaseRad = Figures.finite(tangentBaseRad);
-        this.tangentCovariance = Figures.finite(tangentCovariance);
+        this.mean = Figures.ownFinite(mean);
+        this.covariance = Figures.ownFinite(covariance);
+        this.tangentBaseRad = Figures.ownFinite(tangentBaseRad);
+        this.tangentCovariance = Figures.ownFinite(tangentCovariance);
         this.transform = transform;
     }
 
@@ -43,8 +44,8 @@ public final class PoseView extends Value {
     /** A pose read back. */
     static PoseView read(String frame, double[] mean, double[][] covariance, double[] tangentBaseRad,
             double[][] tangentCovariance) {
-        return new PoseView(frame, mean, covariance, tangentBaseRad, tangentCovariance,
-                ofFigures(mean, tangentBaseRad));
+        return new PoseView(frame, mean.clone(), Matrices.copy(covariance), tangentBaseRad.clone(),
+                Matrices.copy(tangentCovariance), ofFigures(mean, tangentBaseRad));
     }
 
     /** The mean by the figures alone: to the last digit what a pose that is read back has. */
@@ -63,6 +64,16 @@ public final class PoseView extends Value {
      */
     public String frame() {
         return frame;
+    }
+
+    /** The mean, shared within the package. */
+    double[] sharedMean() {
+        return mean;
+    }
+
+    /** The covariance, likewise. */
+    double[][] sharedCovariance() {
+        return covariance;
     }
 
     /**

@@ -4,12 +4,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 import java.util.OptionalInt;
+import java.util.function.Supplier;
 import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.ModeEstimate;
 import org.cellgauge.estimate.PointEstimate;
 import org.cellgauge.estimate.PoseEstimate;
+import org.cellgauge.estimate.VarianceBudget;
+import org.cellgauge.internal.estimate.Once;
 import org.cellgauge.statistics.Ellipse;
 import org.jspecify.annotations.Nullable;
 
@@ -34,7 +38,7 @@ public final class ResultRow extends Value {
     private double @Nullable [][] covariance;
     private @Nullable PoseView pose;
     private List<ModeView> modes = Collections.emptyList();
-    private List<BudgetShare> budget = Collections.emptyList();
+    private Supplier<List<BudgetShare>> budget = Collections::emptyList;
     private @Nullable Ellipse ellipse95Px;
     private @Nullable Verdict verdict;
     private @Nullable Boolean withinTarget;
@@ -49,6 +53,7 @@ public final class ResultRow extends Value {
     /** Puts a row together, and is of no more use afterwards. */
     static final class Builder {
         private final ResultRow row;
+        private @Nullable PoseEstimate ofRow;
 
         Builder(Kind kind, OptionalInt id) {
             row = new ResultRow(kind, id);
@@ -56,12 +61,13 @@ public final class ResultRow extends Value {
 
         Builder pose(PoseView pose) {
             row.pose = pose;
-            row.mean = pose.mean();
-            row.covariance = pose.covariance();
+            row.mean = pose.sharedMean();
+            row.covariance = pose.sharedCovariance();
             return this;
         }
 
         Builder pose(PoseEstimate pose) {
+            ofRow = pose;
             return pose(PoseView.of(pose));
         }
 
@@ -78,7 +84,8 @@ public final class ResultRow extends Value {
         Builder modeEstimates(List<ModeEstimate> modes) {
             List<ModeView> views = new ArrayList<>();
             if (modes.size() > 1) {
-                modes.forEach(mode -> views.add(new ModeView(mode.weight(), PoseView.of(mode.pose()))));
+                modes.forEach(mode -> views.add(new ModeView(mode.weight(),
+                        mode.pose() == ofRow ? Objects.requireNonNull(row.pose) : PoseView.of(mode.pose()))));
             }
             return modes(views);
         }
@@ -89,7 +96,14 @@ public final class ResultRow extends Value {
         }
 
         Builder budget(List<BudgetShare> budget) {
-            row.budget = Collections.unmodifiableList(budget);
+            List<BudgetShare> kept = Collections.unmodifiableList(budget);
+            row.budget = () -> kept;
+            return this;
+        }
+
+        /** The same worked out when it is asked for: a picture shows none. */
+        Builder budget(VarianceBudget budget) {
+            row.budget = new Once<>(() -> BudgetShare.of(budget));
             return this;
         }
 
@@ -224,7 +238,7 @@ public final class ResultRow extends Value {
      * @return unmodifiable; empty of the camera, and where not seen
      */
     public List<BudgetShare> budget() {
-        return budget;
+        return budget.get();
     }
 
     /**
@@ -234,7 +248,7 @@ public final class ResultRow extends Value {
      */
     public @Nullable BudgetShare largestShare() {
         @Nullable BudgetShare largest = null;
-        for (BudgetShare share : budget) {
+        for (BudgetShare share : budget.get()) {
             largest = largest == null || share.share() > largest.share() ? share : largest;
         }
         return largest;
@@ -308,8 +322,8 @@ public final class ResultRow extends Value {
     @Nullable Object[] figures() {
         double @Nullable [] ellipse = ellipse95Px == null ? null : new double[] {ellipse95Px.centreX(),
             ellipse95Px.centreY(), ellipse95Px.semiMajor(), ellipse95Px.semiMinor(), ellipse95Px.angleRad()};
-        return new @Nullable Object[] {kind, id, mean, covariance, pose, modes, budget, ellipse, verdict, withinTarget,
-            laplace, conformities};
+        return new @Nullable Object[] {kind, id, mean, covariance, pose, modes, budget.get(), ellipse, verdict,
+            withinTarget, laplace, conformities};
     }
 
 

@@ -330,13 +330,13 @@ public final class ResultView extends Value {
 
     private static ResultRow.Builder object(ObjectEstimate object) {
         return new ResultRow.Builder(ResultRow.Kind.OBJECT, OptionalInt.of(object.id())).pose(object.pose())
-                .modeEstimates(object.modes()).budget(BudgetShare.of(object.budget()))
+                .modeEstimates(object.modes()).budget(object.budget())
                 .ellipse95Px(object.ellipse95Px());
     }
 
     private static ResultRow.Builder grip(ObjectEstimate object, PointEstimate grip) {
         return new ResultRow.Builder(ResultRow.Kind.GRIP, OptionalInt.of(object.id())).point(grip)
-                .budget(BudgetShare.of(Objects.requireNonNull(object.gripBudget())))
+                .budget(Objects.requireNonNull(object.gripBudget()))
                 .ellipse95Px(object.gripEllipse95Px());
     }
 

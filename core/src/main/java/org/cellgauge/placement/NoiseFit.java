@@ -74,16 +74,13 @@ public final class NoiseFit {
      * @param cell the cell
      * @param errors errors of the corners
      * @param lens intrinsics, as estimated where they are unknown
+     * @param finder of the caller's thread
      * @return the test
      */
-    public static NoiseFit of(Cell cell, CornerErrors errors, PinholeCamera lens) {
+    public static NoiseFit of(Cell cell, CornerErrors errors, PinholeCamera lens, MarkerPoseFinder finder) {
         if (errors.added() != null) {
             return new NoiseFit(Double.NaN, Collections.emptyMap(), errors.noSquares(LEVEL));
         }
-        return of(cell, errors, lens, new MarkerPoseFinder());
-    }
-
-    private static NoiseFit of(Cell cell, CornerErrors errors, PinholeCamera lens, MarkerPoseFinder finder) {
         Map<Integer, Double> markers = new LinkedHashMap<>();
         if (!Double.isNaN(errors.statedStdPx())) {
             for (Reference reference : cell.references()) {
@@ -104,13 +101,14 @@ public final class NoiseFit {
      * @param cell the cell
      * @param errors errors of the corners
      * @param prior of the unknown intrinsics
+     * @param finder of the caller's thread
      * @return the test
      */
-    public static NoiseFit ofUnknownIntrinsics(Cell cell, CornerErrors errors, IntrinsicsPrior prior) {
+    public static NoiseFit ofUnknownIntrinsics(Cell cell, CornerErrors errors, IntrinsicsPrior prior,
+            MarkerPoseFinder finder) {
         if (errors.added() != null) {
-            return of(cell, errors, cell.camera());
+            return of(cell, errors, cell.camera(), finder);
         }
-        MarkerPoseFinder finder = new MarkerPoseFinder();
         double[] at = new double[prior.count()];
         NoiseFit best = null;
         for (double k = -SEARCHED_STDS; k <= SEARCHED_STDS; k += FIRST_STEP_STDS) {

@@ -1,5 +1,6 @@
 package org.cellgauge.placement;
 
+import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.internal.laplace.CameraFit;
 import org.cellgauge.internal.pose.PoseMode;
@@ -48,6 +49,7 @@ public final class WrongCorner {
             return null;
         }
         double[] covariance = mode.covariance();
+        double[] byPose = new double[2 * mode.dimension()];
         int worst = -1;
         double most = 0;
         double ofAnother = 0;
@@ -56,7 +58,7 @@ public final class WrongCorner {
             double[] jacobian = mode.jacobian(m);
             double own = 0;
             for (int k = 0; k < 4; k++) {
-                own = Math.max(own, squares(k, mode, m, residual, jacobian, covariance));
+                own = Math.max(own, squares(k, mode, m, residual, jacobian, covariance, byPose));
             }
             if (own > most) {
                 ofAnother = most;
@@ -83,37 +85,40 @@ public final class WrongCorner {
      * {@code V = d' d - d' J C J' d}.
      */
     private static double squares(int corner, PoseMode mode, int marker, double[] residual, double[] jacobian,
-            double[] covariance) {
+            double[] covariance, double[] byPose) {
         int unknowns = mode.dimension();
-        double[] score = new double[2];
-        double[] byPose = new double[2 * unknowns];
-        double[] variance = new double[3];
+        Arrays.fill(byPose, 0);
+        double scoreAlong = 0;
+        double scoreDown = 0;
+        double ofAlong = 0;
+        double ofBoth = 0;
+        double ofDown = 0;
         for (int i = 2 * corner; i < 8; i++) {
             double along = mode.whitening(marker, i, 2 * corner);
             double down = mode.whitening(marker, i, 2 * corner + 1);
-            score[0] += along * residual[i];
-            score[1] += down * residual[i];
-            variance[0] += along * along;
-            variance[1] += along * down;
-            variance[2] += down * down;
+            scoreAlong += along * residual[i];
+            scoreDown += down * residual[i];
+            ofAlong += along * along;
+            ofBoth += along * down;
+            ofDown += down * down;
             for (int p = 0; p < unknowns; p++) {
                 byPose[p] += along * jacobian[i * unknowns + p];
                 byPose[unknowns + p] += down * jacobian[i * unknowns + p];
             }
         }
-        double least = 1e-9 * Math.max(variance[0], variance[2]);
+        double least = 1e-9 * Math.max(ofAlong, ofDown);
         for (int p = 0; p < unknowns; p++) {
             for (int q = 0; q < unknowns; q++) {
                 double c = covariance[p * unknowns + q];
-                variance[0] -= byPose[p] * c * byPose[q];
-                variance[1] -= byPose[p] * c * byPose[unknowns + q];
-                variance[2] -= byPose[unknowns + p] * c * byPose[unknowns + q];
+                ofAlong -= byPose[p] * c * byPose[q];
+                ofBoth -= byPose[p] * c * byPose[unknowns + q];
+                ofDown -= byPose[unknowns + p] * c * byPose[unknowns + q];
             }
         }
-        double determinant = variance[0] * variance[2] - variance[1] * variance[1];
+        double determinant = ofAlong * ofDown - ofBoth * ofBoth;
         // what is left by rounding alone is nothing
-        return !(determinant > least * least) ? 0 : (variance[2] * score[0] * score[0]
-                - 2 * variance[1] * score[0] * score[1] + variance[0] * score[1] * score[1]) / determinant;
+        return !(determinant > least * least) ? 0 : (ofDown * scoreAlong * scoreAlong
+                - 2 * ofBoth * scoreAlong * scoreDown + ofAlong * scoreDown * scoreDown) / determinant;
     }
 
     /**

@@ -20,6 +20,7 @@ import org.cellgauge.cell.Reference;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.IntrinsicsPrior;
+import org.cellgauge.internal.pose.MarkerPoseFinder;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.statistics.BinomialBand;
 import org.cellgauge.placement.Misfit;
@@ -44,11 +45,11 @@ class NoiseFitTest {
     }
 
     private static NoiseFit fit(Cell cell, Detections detections) {
-        return NoiseFit.of(cell, CornerErrors.of(cell, detections), cell.camera());
+        return NoiseFit.of(cell, CornerErrors.of(cell, detections), cell.camera(), new MarkerPoseFinder());
     }
 
     private static ReferenceCheck references(Cell cell, Detections detections) {
-        return CellModes.of(Observed.of(cell, detections, CheckSettings.builder().build()), null).references();
+        return new QuickLooks(cell, CheckSettings.builder().build()).of(detections, null).referenceCheck();
     }
 
     private static String warnings(CheckResult result) {
@@ -83,15 +84,16 @@ class NoiseFitTest {
                 .object(20, RigidTransform.ofEuler(240, 100, 60, 0.6, 0.5, 0.2));
         RandomGenerator random = RandomStreams.of(35);
         IntrinsicsPrior prior = IntrinsicsPrior.focalAndAspect(ThesisScene.CAMERA, 200, 0.005);
+        MarkerPoseFinder finder = new MarkerPoseFinder();
         int failedAsStated = 0;
         int failed = 0;
         int cells = 60;
         for (int c = 0; c < cells; c++) {
             Detections seen = scene.camera(ThesisScene.CAMERA.withFocal(850, 855)).detections(0.05, random, 1, 0.005);
             Cell cell = scene.camera(ThesisScene.CAMERA).cell();
-            CornerErrors errors = CornerErrors.of(cell, seen);
-            failedAsStated += NoiseFit.of(cell, errors, cell.camera()).holds() ? 0 : 1;
-            failed += NoiseFit.ofUnknownIntrinsics(cell, errors, prior).holds() ? 0 : 1;
+            CornerErrors errors = CornerErrors.of(cell, seen, finder);
+            failedAsStated += NoiseFit.of(cell, errors, cell.camera(), finder).holds() ? 0 : 1;
+            failed += NoiseFit.ofUnknownIntrinsics(cell, errors, prior, finder).holds() ? 0 : 1;
         }
         assertTrue(failedAsStated > cells / 2, failedAsStated + " fail through the lens of the file");
         assertTrue(failed <= 1, failed + " of " + cells + " fail");

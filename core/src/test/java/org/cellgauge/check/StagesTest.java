@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
+import org.cellgauge.internal.pose.MarkerPoseFinder;
 import org.cellgauge.internal.sampling.RandomStreams;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.ReferenceCheck;
@@ -28,19 +29,23 @@ class StagesTest {
     private final ThesisScene scene = ThesisScene.inPlane(4).placement(1, 0.003).pixelStd(0.3).target(3);
     private final Cell cell = scene.cell();
 
+    private Observed observed(Detections photo) {
+        return Observed.of(cell, photo, SETTINGS, new MarkerPoseFinder());
+    }
+
     @Test
     void whatIsSeenNeedsNoPose() {
         Detections without = withoutFirstReference();
-        Observed observed = Observed.of(cell, without, SETTINGS);
+        Observed observed = observed(without);
         assertEquals(1, observed.warnings.stream().filter(w -> w.kind() == CheckWarning.REFERENCES_NOT_SEEN).count());
         assertFalse(observed.errors.has(cell.references().get(0).id()));
         assertTrue(observed.errors.has(cell.references().get(1).id()));
         // no name of the photo, and not its place in a batch, but its corners make its random numbers
-        assertEquals(observed.photoSeed(), Observed.of(cell, without, SETTINGS).photoSeed());
-        assertNotEquals(observed.photoSeed(), Observed.of(cell, scene.exactDetections(), SETTINGS).photoSeed());
+        assertEquals(observed.photoSeed(), observed(without).photoSeed());
+        assertNotEquals(observed.photoSeed(), observed(scene.exactDetections()).photoSeed());
         Detections noisy = scene.detections(0.3, RandomStreams.of(1), 0, 0);
-        assertNotEquals(Observed.of(cell, noisy, SETTINGS).photoSeed(),
-                Observed.of(cell, scene.exactDetections(), SETTINGS).photoSeed());
+        assertNotEquals(observed(noisy).photoSeed(),
+                observed(scene.exactDetections()).photoSeed());
     }
 
     @Test
@@ -48,8 +53,8 @@ class StagesTest {
         List<Warning> said = List.of(Warning.of(DetectionWarning.MIRRORED, Listing.and(List.of(22))),
                 Warning.of(DetectionWarning.NEARLY_BLACK, 12));
         Detections exact = scene.exactDetections();
-        String refusal = assertThrows(InputRefusedException.class, () -> Observed.of(cell, new Detections("a.png",
-                exact.widthPx(), exact.heightPx(), List.of(), said), SETTINGS)).getMessage();
+        String refusal = assertThrows(InputRefusedException.class, () -> observed(new Detections("a.png",
+                exact.widthPx(), exact.heightPx(), List.of(), said))).getMessage();
         assertTrue(refusal.startsWith("a.png: none of the references "), refusal);
         assertTrue(refusal.endsWith(" can be used: " + said.get(0) + "; " + said.get(1)), refusal);
     }
@@ -57,7 +62,7 @@ class StagesTest {
     /** Corners without noise: the mode is the truth, and the references fit, without any chain. */
     @Test
     void modesAndTestsOfReferencesNeedNoChains() {
-        CellModes modes = CellModes.of(Observed.of(cell, scene.exactDetections(), SETTINGS), null);
+        CellModes modes = CellModes.of(observed(scene.exactDetections()), null, new MarkerPoseFinder());
         assertArrayEquals(ThesisScene.WORLD_FROM_CAMERA.translationMm(), modes.camera.worldFromCamera().translationMm(),
                 1e-6);
         assertEquals(cell.objects().size(), modes.objects.size());
@@ -68,7 +73,7 @@ class StagesTest {
 
     @Test
     void quickLookIsTheSameAfterItsChainsHaveRunTwice() {
-        QuickLook quickLook = QuickLook.of(CellModes.of(Observed.of(cell, scene.exactDetections(), SETTINGS), null));
+        QuickLook quickLook = new QuickLooks(cell, SETTINGS).of(scene.exactDetections(), null);
         double[] before = quickLook.estimate().camera().std();
         CheckResult first = quickLook.chains(() -> 1).blockingLast().result();
         CheckResult second = quickLook.chains(() -> 1).blockingLast().result();

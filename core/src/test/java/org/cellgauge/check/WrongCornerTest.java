@@ -28,7 +28,7 @@ class WrongCornerTest {
     private final List<Integer> outlying = new ArrayList<>();
 
     private CellModes look(Detections seen) {
-        CellModes modes = CellModes.of(Observed.of(scene.cell(), seen, SETTINGS), null);
+        CellModes modes = new QuickLooks(scene.cell(), SETTINGS).of(seen, null).modes;
         double[] mean = modes.camera.worldFromCamera().translationMm();
         double[] truth = ThesisScene.WORLD_FROM_CAMERA.translationMm();
         double[] std = QuickLook.of(modes).estimate().camera().std();

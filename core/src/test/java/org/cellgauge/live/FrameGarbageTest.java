@@ -29,6 +29,6 @@ class FrameGarbageTest {
         assertTrue(camera.looks() >= 4 * ROUNDS, "looks in three seconds: " + camera.looks());
         assertTrue(camera.drawn() > 10_000, "points drawn: " + camera.drawn());
         // a look at every frame, and its overlay in lists of boxed numbers, were 2300 kB
-        assertTrue(bytes < 200_000, bytes + " bytes a frame");
+        assertTrue(bytes < 100_000, bytes + " bytes a frame");
     }
 }

@@ -684,8 +684,14 @@ public final class CheckSession {
                 // a frame that was under way when the picture was frozen
                 next.still(photo, s.orientation());
             }
-            return judged(next.build());
+            return showsTheSame(s, state) ? next.build() : judged(next.build());
         });
+    }
+
+    /** Whether figures and what is drawn are those of before: most states of a moving camera only say where it is. */
+    private static boolean showsTheSame(CheckScreenState shown, LiveState state) {
+        return state.update() != null && shown.live() != null && shown.live().update() == state.update()
+                && shown.live().keyFrame() == state.keyFrame() && shown.overlay() != null;
     }
 
     private void failed(CheckRun from, Throwable fault) {

@@ -46,11 +46,8 @@ public final class ObjectTarget {
         }
         base.unknowns = fit.camera.unknowns.clone();
         base.noise = fit.camera.noise;
-        double[][] answers = fit.answers(0, IntrinsicsPrior.KNOWN);
-        double[] flat = new double[6 * fit.errors.unknowns()];
-        for (int i = 0; i < 6; i++) {
-            System.arraycopy(answers[i], 0, flat, i * fit.errors.unknowns(), fit.errors.unknowns());
-        }
-        return new ObjectPosterior(fit.errors, fit.marker.id(), fit.marker.sizeMm(), flat, base, fit.modes.size() == 1);
+        double[] answers = fit.answers(0, new ObjectFit.AnswerSpace(fit.errors, IntrinsicsPrior.KNOWN));
+        return new ObjectPosterior(fit.errors, fit.marker.id(), fit.marker.sizeMm(), answers, base,
+                fit.modes.size() == 1);
     }
 }

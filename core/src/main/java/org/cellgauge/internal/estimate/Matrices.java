@@ -15,6 +15,13 @@ public final class Matrices {
         return out;
     }
 
+    /** Sets all to zero. */
+    public static void clear(double[][] a) {
+        for (double[] row : a) {
+            Arrays.fill(row, 0);
+        }
+    }
+
     /** The leading n x n block. */
     public static double[][] block(double[][] a, int n) {
         double[][] out = new double[n][n];
@@ -26,9 +33,13 @@ public final class Matrices {
 
     /** a b a^T added to a symmetric out, for a of rows x n and a symmetric b of n x n row by row. */
     public static void addSandwich(double[][] a, double[] b, int n, double[][] out) {
-        double[] ab = new double[n];
+        addSandwich(a, b, n, out, new double[n]);
+    }
+
+    /** The same with work space of at least n values. */
+    public static void addSandwich(double[][] a, double[] b, int n, double[][] out, double[] ab) {
         for (int i = 0; i < a.length; i++) {
-            Arrays.fill(ab, 0);
+            Arrays.fill(ab, 0, n, 0);
             for (int k = 0; k < n; k++) {
                 for (int l = 0; l < n; l++) {
                     ab[l] += a[i][k] * b[k * n + l];

@@ -22,11 +22,22 @@ public final class MarkerGeometry {
      */
     public static double[] cornersMm(double sizeMm) {
         double[] corners = new double[3 * CORNERS];
-        for (int i = 0; i < CORNERS; i++) {
-            corners[3 * i] = SIGN_X[i] * sizeMm / 2;
-            corners[3 * i + 1] = SIGN_Y[i] * sizeMm / 2;
-        }
+        cornersMm(sizeMm, corners);
         return corners;
+    }
+
+    /**
+     * The same in an array of the caller's.
+     *
+     * @param sizeMm outer edge of the black border, mm, positive
+     * @param out receives 12 values: x, y, z of each corner in the marker's frame, mm
+     */
+    public static void cornersMm(double sizeMm, double[] out) {
+        for (int i = 0; i < CORNERS; i++) {
+            out[3 * i] = SIGN_X[i] * sizeMm / 2;
+            out[3 * i + 1] = SIGN_Y[i] * sizeMm / 2;
+            out[3 * i + 2] = 0;
+        }
     }
 
     /**

@@ -150,6 +150,21 @@ public final class Rotations {
     }
 
     /**
+     * Angle between two rotations.
+     *
+     * @param a 9 values row by row, orthonormal
+     * @param b likewise
+     * @param product work space of 9 values
+     * @param vector work space of 3 values or more
+     * @return the angle of {@code a b^T}, rad, in [0, pi]
+     */
+    public static double angle(double[] a, double[] b, double[] product, double[] vector) {
+        multiplyTransposed(a, b, product);
+        log(product, vector, 0);
+        return Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    }
+
+    /**
      * Logarithm of the density of the uniform (Haar) measure over rotations in coordinates of a rotation vector,
      * {@code 2 log(sin(|w|/2) / (|w|/2))}, up to a constant (0 at w = 0).
      *

@@ -33,6 +33,8 @@ import org.jspecify.annotations.Nullable;
  * <p>With the references at {@code x_c = R (x_w - g) + p} a step (dp, dw) of the camera's chart and a step (dt, de) of
  * the object's move a point of the object, at v from the centroid in camera axes, by
  * {@code dx_w = R^T (dt + de x a - dp + v x dw)}, a being its arm from the marker's centre in camera axes.
+ *
+ * <p>Not thread-safe: it holds work space. Budgets that are asked for later are worked out one at a time.
  */
 public final class LinearModel {
     private static final double NEXT_TO_NOTHING = 1e-9;
@@ -47,6 +49,16 @@ public final class LinearModel {
     private final CameraState state;
     private final double[] worldFromCamera = new double[9];
     private final int columns;
+    private final double[] covariance;
+    private final ObjectFit.AnswerSpace answers;
+    /** Work space: rows by the camera and by an object of a pose, the same of a point, and what comes of them. */
+    private final double[][] poseByCamera;
+    private final double[][] poseByObject = new double[StateLayout.POSE][StateLayout.POSE];
+    private final double[][] pointByCamera;
+    private final double[][] pointByObject = new double[3][StateLayout.POSE];
+    private final double[][] tangent = new double[StateLayout.POSE][StateLayout.POSE];
+    private final double[] row;
+    private final PoseSpace poseSpace = new PoseSpace();
     /** What all budgets need of the references; filled when one is asked for. */
     private @Nullable OfReferences ofReferences;
 
@@ -60,6 +72,11 @@ public final class LinearModel {
         mode = camera.modes.get(0);
         state = mode.state();
         columns = mode.dimension();
+        covariance = mode.covariance();
+        answers = new ObjectFit.AnswerSpace(camera.errors, camera.intrinsicsPrior);
+        poseByCamera = new double[StateLayout.POSE][columns];
+        pointByCamera = new double[3][columns];
+        row = new double[columns];
         Rotations.transpose(state.rotation, worldFromCamera);
     }
 
@@ -107,27 +124,39 @@ public final class LinearModel {
 
     /** A pose of its transform and tangent covariance. */
     public static PoseEstimate pose(String frame, RigidTransform pose, double[][] tangent) {
-        double[] euler = pose.eulerRad();
-        double[] t = pose.translationMm();
-        double[][] covariance = new double[6][6];
-        double[] flat = new double[36];
-        for (int i = 0; i < 6; i++) {
-            System.arraycopy(tangent[i], 0, flat, 6 * i, 6);
+        return new PoseSpace().pose(frame, pose, tangent);
+    }
+
+    /** Work space in which poses are made one after another. */
+    private static final class PoseSpace {
+        private final double[][] covariance = new double[6][6];
+        private final double[] flat = new double[36];
+        private final double[][] byTangent = new double[6][6];
+        private final double[] row = new double[6];
+
+        PoseEstimate pose(String frame, RigidTransform pose, double[][] tangent) {
+            double[] euler = pose.eulerRad();
+            double[] t = pose.translationMm();
+            for (int i = 0; i < 6; i++) {
+                System.arraycopy(tangent[i], 0, flat, 6 * i, 6);
+            }
+            Matrices.clear(covariance);
+            eulerFromTangent(euler, byTangent);
+            Matrices.addSandwich(byTangent, flat, 6, covariance, row);
+            return new PoseEstimate(frame, new double[] {t[0], t[1], t[2], euler[0], euler[1], euler[2]}, covariance,
+                    tangent, pose);
         }
-        Matrices.addSandwich(eulerFromTangent(euler), flat, 6, covariance);
-        return new PoseEstimate(frame, new double[] {t[0], t[1], t[2], euler[0], euler[1], euler[2]}, covariance,
-                tangent, pose);
     }
 
     /**
      * Derivative of (position, psi, theta, phi) by (position, rotation vector in world axes); infinite at gimbal lock.
      */
-    private static double[][] eulerFromTangent(double[] euler) {
+    private static void eulerFromTangent(double[] euler, double[][] j) {
         double st = Math.sin(euler[1]);
         double ct = Math.cos(euler[1]);
         double sf = Math.sin(euler[2]);
         double cf = Math.cos(euler[2]);
-        double[][] j = new double[6][6];
+        // the other entries are 0, always
         for (int i = 0; i < 3; i++) {
             j[i][i] = 1;
         }
@@ -139,7 +168,6 @@ public final class LinearModel {
         j[5][3] = cf * st / ct;
         j[5][4] = sf * st / ct;
         j[5][5] = 1;
-        return j;
     }
 
     /** Covariance of the unknown intrinsics. */
@@ -147,7 +175,7 @@ public final class LinearModel {
         int n = mode.layout().intrinsicsCount();
         int first = mode.layout().intrinsics();
         double[][] out = new double[n][n];
-        double[] c = mode.covariance();
+        double[] c = covariance;
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {
                 out[i][j] = c[(first + i) * columns + first + j];
@@ -178,7 +206,9 @@ public final class LinearModel {
         private final ObjectFit target;
         private final PoseMode objectMode;
         private final CameraState object;
-        private final double[][] byShared;
+        /** 6 rows of what the unknowns do that the object shares with the camera. */
+        private final double[] byShared;
+        private final double[] ownCovariance;
         private final boolean noisy;
 
         public ObjectLink(ObjectFit target, int modeIndex) {
@@ -186,7 +216,8 @@ public final class LinearModel {
             objectMode = target.modes.get(modeIndex);
             object = objectMode.state();
             noisy = camera.settings.model().objectNoise() == ObjectNoise.DETECTION;
-            byShared = target.answers(modeIndex, camera.intrinsicsPrior);
+            ownCovariance = objectMode.covariance();
+            byShared = target.answers(modeIndex, answers);
         }
 
         public RigidTransform pose() {
@@ -196,7 +227,8 @@ public final class LinearModel {
         /** Rows x, y, z of a point of the object (and of its rotation vector) by the camera's chart and intrinsics. */
         private double[][] byCamera(double[] arm, boolean withRotation) {
             double[][] byObject = byObject(arm, withRotation);
-            double[][] a = new double[byObject.length][columns];
+            double[][] a = withRotation ? poseByCamera : pointByCamera;
+            Matrices.clear(a);
             double vx = object.offset[0] + arm[0] - state.offset[0];
             double vy = object.offset[1] + arm[1] - state.offset[1];
             double vz = object.offset[2] + arm[2] - state.offset[2];
@@ -221,7 +253,7 @@ public final class LinearModel {
             for (int f = poses; f < columns; f++) {
                 for (int i = 0; i < a.length; i++) {
                     for (int k = 0; k < 6; k++) {
-                        a[i][f] += byObject[i][k] * byShared[k][f - poses];
+                        a[i][f] += byObject[i][k] * byShared[k * (columns - poses) + f - poses];
                     }
                 }
             }
@@ -229,7 +261,8 @@ public final class LinearModel {
         }
 
         private double[][] byObject(double[] arm, boolean withRotation) {
-            double[][] b = new double[withRotation ? 6 : 3][6];
+            // what is not set here is 0, always
+            double[][] b = withRotation ? poseByObject : pointByObject;
             for (int i = 0; i < 3; i++) {
                 double rx = worldFromCamera[3 * i];
                 double ry = worldFromCamera[3 * i + 1];
@@ -261,12 +294,12 @@ public final class LinearModel {
         /** Pose in the world with its Laplace covariance. */
         public PoseEstimate poseEstimate() {
             double[] arm = new double[3];
-            double[][] tangent = new double[6][6];
-            Matrices.addSandwich(byCamera(arm, true), mode.covariance(), columns, tangent);
+            Matrices.clear(tangent);
+            Matrices.addSandwich(byCamera(arm, true), covariance, columns, tangent, row);
             if (noisy) {
-                Matrices.addSandwich(byObject(arm, true), objectMode.covariance(), 6, tangent);
+                Matrices.addSandwich(byObject(arm, true), ownCovariance, 6, tangent, row);
             }
-            return LinearModel.pose("object in world", pose(), tangent);
+            return poseSpace.pose("object in world", pose(), tangent);
         }
 
         /** Gripping point in the world with its Laplace covariance; null where there is none. */
@@ -276,12 +309,22 @@ public final class LinearModel {
                 return null;
             }
             double[] arm = arm(grip);
-            double[][] covariance = new double[3][3];
-            Matrices.addSandwich(byCamera(arm, false), mode.covariance(), columns, covariance);
+            double[][] ofPoint = new double[3][3];
+            Matrices.addSandwich(byCamera(arm, false), covariance, columns, ofPoint, row);
             if (noisy) {
-                Matrices.addSandwich(byObject(arm, false), objectMode.covariance(), 6, covariance);
+                Matrices.addSandwich(byObject(arm, false), ownCovariance, 6, ofPoint, row);
             }
-            return new PointEstimate(pose().apply(grip), covariance);
+            return new PointEstimate(pose().apply(grip), ofPoint);
+        }
+
+        /** The same, worked out when it is asked for, on whatever thread: most of a moving camera's never are. */
+        public VarianceBudget budgetWhenAsked(double[] pointMm) {
+            double[] point = pointMm.clone();
+            return VarianceBudget.whenAsked(() -> {
+                synchronized (LinearModel.this) {
+                    return budget(point, camera.noise(camera.view, camera.noiseLevel));
+                }
+            });
         }
 
         /**
@@ -299,8 +342,7 @@ public final class LinearModel {
                 ofReferences = new OfReferences(noise.about(mode.placed()), errors);
             }
             OfReferences references = ofReferences;
-            references.placement.forEach((source, covariance) ->
-                    variances.put(source, diagonal(a, covariance, columns)));
+            references.placement.forEach((source, part) -> variances.put(source, diagonal(a, part, columns)));
             double[] cornerNoise = diagonal(a, references.cornerNoise, columns);
             double[] bent = diagonal(a, references.bent, columns);
             double[] own = ownVariance(arm, null);
@@ -319,13 +361,13 @@ public final class LinearModel {
             if (errors.hasFlatness()) {
                 variances.put(VarianceSource.FLATNESS_OF_PRINTS, bent);
             }
-            references.refitted.forEach((source, covariance) -> {
-                double[] variance = diagonal(a, covariance, columns);
+            references.refitted.forEach((source, part) -> {
+                double[] variance = diagonal(a, part, columns);
                 add(variance, source.equals(VarianceSource.FLATNESS_OF_PRINTS)
                         ? ownVariance(arm, VarianceSource.FLATNESS_OF_PRINTS) : own);
                 left.put(source, variance);
             });
-            double[] exactCorners = diagonal(a, mode.covariance(), columns);
+            double[] exactCorners = diagonal(a, covariance, columns);
             add(exactCorners, ownVariance(arm, VarianceSource.CORNER_NOISE_OF_OBJECT));
             left.put(VarianceSource.CORNER_NOISE_OF_OBJECT, exactCorners);
             StateLayout layout = mode.layout();
@@ -333,6 +375,9 @@ public final class LinearModel {
             for (VarianceSource source : OF_INTRINSICS) {
                 int from = firstOf(source);
                 int to = endOf(source);
+                if (to <= from) {
+                    continue;
+                }
                 double[] prior = new double[columns * columns];
                 int first = layout.intrinsics();
                 for (int f = from; f < to; f++) {
@@ -340,9 +385,7 @@ public final class LinearModel {
                         prior[(first + f) * columns + first + g] = camera.intrinsicsPrior.information(f, g);
                     }
                 }
-                if (to > from) {
-                    variances.put(source, priorPart(a, prior));
-                }
+                variances.put(source, priorPart(a, prior));
             }
             for (VarianceSource source : SHARED_BY_MARKERS) {
                 double[] prior = new double[columns * columns];
@@ -377,7 +420,7 @@ public final class LinearModel {
             if (!noisy || (VarianceSource.CORNER_NOISE_OF_OBJECT.equals(without) && !target.errors.hasFlatness())) {
                 return new double[3];
             }
-            double @Nullable [] covariance = objectMode.covariance();
+            double @Nullable [] ofMode = ownCovariance;
             if (without != null) {
                 double[] bent = target.errors.flatness(target.marker.id());
                 double[] noise = new double[64];
@@ -386,17 +429,18 @@ public final class LinearModel {
                     noise[i] -= bent[i];
                 }
                 double[] information = informationOf(objectMode);
+                Exchange exchange = new Exchange(objectMode);
                 boolean stays = without.equals(VarianceSource.FLATNESS_OF_PRINTS);
-                exchange(objectMode, information, 0, stays ? noise : bent, stays ? bent : noise);
-                covariance = Cholesky.inverse(information, 6);
+                exchange.change(information, 0, stays ? noise : bent, stays ? bent : noise);
+                ofMode = Cholesky.inverse(information, 6);
             }
-            return covariance == null ? new double[] {Double.NaN, Double.NaN, Double.NaN}
-                    : diagonal(byObject(arm, false), covariance, 6);
+            return ofMode == null ? new double[] {Double.NaN, Double.NaN, Double.NaN}
+                    : diagonal(byObject(arm, false), ofMode, 6);
         }
 
         /** What a Gaussian prior of the given information contributes: a C I C a^T. */
         private double[] priorPart(double[][] a, double[] information) {
-            return diagonal(times(a, mode.covariance(), columns), information, columns);
+            return diagonal(times(a, covariance, columns), information, columns);
         }
     }
 
@@ -466,29 +510,32 @@ public final class LinearModel {
     private Map<VarianceSource, double[]> refitted(ReferenceNoise atMode, CornerErrors errors) {
         Map<VarianceSource, double[]> out = new LinkedHashMap<>();
         double[] information = informationOf(mode);
+        Exchange exchange = new Exchange(mode);
         int n = camera.view.size();
         double[] placement = new double[64];
         double[] pixel = new double[64];
         double[] others = new double[64];
         double[] exactCorners = information.clone();
         double[] flat = information.clone();
+        double[] exact = information.clone();
+        double[] none = new double[64];
         for (int m = 0; m < n; m++) {
             int id = camera.view.references().get(m).id();
-            double[] bent = errors.flatness(id);
+            double[] bent = errors.hasFlatness() ? errors.flatness(id) : none;
             atMode.covariance(state, m, placement, pixel);
-            double[] exact = information.clone();
-            exchange(mode, exact, m, pixel, placement);
+            System.arraycopy(information, 0, exact, 0, exact.length);
+            exchange.change(exact, m, pixel, placement);
             put(out, VarianceSource.placementOf(id), exact);
             for (int i = 0; i < 64; i++) {
                 pixel[i] -= bent[i];
                 others[i] = placement[i] + bent[i];
             }
-            exchange(mode, exactCorners, m, others, pixel);
+            exchange.change(exactCorners, m, others, pixel);
             for (int i = 0; i < 64; i++) {
                 others[i] = placement[i] + pixel[i];
             }
             if (errors.hasFlatness()) {
-                exchange(mode, flat, m, others, bent);
+                exchange.change(flat, m, others, bent);
             }
         }
         put(out, VarianceSource.CORNER_NOISE_OF_REFERENCES, exactCorners);
@@ -539,10 +586,11 @@ public final class LinearModel {
         out.put(source, full);
     }
 
+    /** Destroys the information. */
     private void put(Map<VarianceSource, double[]> out, VarianceSource source, double[] information) {
-        double[] covariance = Cholesky.inverse(information, columns);
-        if (covariance != null) {
-            out.put(source, covariance);
+        double[] inverse = new double[information.length];
+        if (Cholesky.inverse(information, columns, new double[information.length], inverse)) {
+            out.put(source, inverse);
         }
     }
 
@@ -550,42 +598,55 @@ public final class LinearModel {
      * Exchanges what one marker contributes to an information for what it contributes with other residuals: a part
      * of their covariance that stays and one that goes, all but a billionth of it, which keeps the rest definite.
      */
-    private static void exchange(PoseMode mode, double[] information, int marker, double[] stays, double[] goes) {
-        int columns = mode.dimension();
-        double[] whitened = mode.jacobian(marker);
-        double[] plain = whitened.clone();
-        double[] factor = new double[64];
-        for (int i = 0; i < 64; i++) {
-            factor[i] = stays[i] + NEXT_TO_NOTHING * goes[i];
+    private static final class Exchange {
+        private final PoseMode mode;
+        private final int columns;
+        private final double[] whitened;
+        private final double[] plain;
+        private final double[] factor = new double[64];
+        private final double[] column = new double[8];
+
+        Exchange(PoseMode mode) {
+            this.mode = mode;
+            columns = mode.dimension();
+            whitened = new double[8 * columns];
+            plain = new double[8 * columns];
         }
-        if (!Cholesky.factor(factor, 8)) {
-            return;
-        }
-        double[] column = new double[8];
-        for (int c = 0; c < columns; c++) {
-            // undo the whitening row by row, then whiten by the other covariance
-            for (int i = 0; i < 8; i++) {
-                double s = whitened[i * columns + c];
-                for (int k = 0; k < i; k++) {
-                    s -= mode.whitening(marker, i, k) * plain[k * columns + c];
-                }
-                plain[i * columns + c] = s / mode.whitening(marker, i, i);
-                column[i] = plain[i * columns + c];
+
+        void change(double[] information, int marker, double[] stays, double[] goes) {
+            mode.copyJacobian(marker, whitened);
+            System.arraycopy(whitened, 0, plain, 0, plain.length);
+            for (int i = 0; i < 64; i++) {
+                factor[i] = stays[i] + NEXT_TO_NOTHING * goes[i];
             }
-            Cholesky.solveLower(factor, 8, column);
-            for (int i = 0; i < 8; i++) {
-                plain[i * columns + c] = column[i];
+            if (!Cholesky.factor(factor, 8)) {
+                return;
             }
-            // columns before this one are whitened already, so both products are complete up to here
-            for (int d = 0; d <= c; d++) {
-                double change = 0;
+            for (int c = 0; c < columns; c++) {
+                // undo the whitening row by row, then whiten by the other covariance
                 for (int i = 0; i < 8; i++) {
-                    change += plain[i * columns + c] * plain[i * columns + d]
-                            - whitened[i * columns + c] * whitened[i * columns + d];
+                    double s = whitened[i * columns + c];
+                    for (int k = 0; k < i; k++) {
+                        s -= mode.whitening(marker, i, k) * plain[k * columns + c];
+                    }
+                    plain[i * columns + c] = s / mode.whitening(marker, i, i);
+                    column[i] = plain[i * columns + c];
                 }
-                information[c * columns + d] += change;
-                if (d < c) {
-                    information[d * columns + c] += change;
+                Cholesky.solveLower(factor, 8, column);
+                for (int i = 0; i < 8; i++) {
+                    plain[i * columns + c] = column[i];
+                }
+                // columns before this one are whitened already, so both products are complete up to here
+                for (int d = 0; d <= c; d++) {
+                    double change = 0;
+                    for (int i = 0; i < 8; i++) {
+                        change += plain[i * columns + c] * plain[i * columns + d]
+                                - whitened[i * columns + c] * whitened[i * columns + d];
+                    }
+                    information[c * columns + d] += change;
+                    if (d < c) {
+                        information[d * columns + c] += change;
+                    }
                 }
             }
         }

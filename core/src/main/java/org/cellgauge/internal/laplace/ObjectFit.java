@@ -1,9 +1,11 @@
 package org.cellgauge.internal.laplace;
 
+import java.util.Arrays;
 import java.util.List;
 import org.cellgauge.cell.ObjectMarker;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.estimate.Matrices;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.MarkerGeometry;
 import org.cellgauge.internal.pose.CameraState;
@@ -96,22 +98,25 @@ public final class ObjectFit {
      * Change of the fitted pose by each unknown intrinsic and each unknown that markers share: {@code -(J^T J)^-1 J^T
      * J_f} of the whitened derivatives.
      *
-     * @return 6 rows
+     * @param space of the caller's thread, of these unknowns
+     * @return 6 rows, row by row
      */
-    public double[][] answers(int modeIndex, IntrinsicsPrior intrinsicsPrior) {
-        int n = intrinsicsPrior.count() + errors.unknowns();
-        double[][] out = new double[6][n];
+    public double[] answers(int modeIndex, AnswerSpace space) {
+        int n = space.count;
+        double[] out = new double[6 * n];
         if (n == 0) {
             return out;
         }
+        space.set(this);
         CameraState object = modes.get(modeIndex).state();
-        object.unknowns = new double[errors.unknowns()];
-        ReprojectionFit fit = new ReprojectionFit(MarkerGeometry.cornersMm(marker.sizeMm()), cornersPx,
-                errors.columns(marker.id()), errors.unknowns(), intrinsicsPrior, null);
-        weigh(fit);
-        double[] j = fit.jacobianAt(object);
-        double[] normal = new double[36];
-        double[][] right = new double[n][6];
+        object.unknowns = space.none;
+        ReprojectionFit fit = space.fit;
+        double[] j = space.jacobian;
+        fit.jacobianAt(object, j);
+        double[] normal = space.normal;
+        double[][] right = space.right;
+        Arrays.fill(normal, 0);
+        Matrices.clear(right);
         int all = fit.columns();
         for (int row = 0; row < 8; row++) {
             for (int a = 0; a < 6; a++) {
@@ -128,10 +133,53 @@ public final class ObjectFit {
             Cholesky.solveLower(normal, 6, right[f]);
             Cholesky.solveUpper(normal, 6, right[f]);
             for (int a = 0; a < 6; a++) {
-                out[a][f] = right[f][a];
+                out[a * n + f] = right[f][a];
             }
         }
         return out;
+    }
+
+    /** Work space in which objects of a photo are asked for {@link #answers} one after another; for one thread. */
+    public static final class AnswerSpace {
+        private final int count;
+        private final double[] points = new double[12];
+        private final double[] corners = new double[8];
+        private final double[] byUnknowns;
+        private final double[] none;
+        private final ReprojectionFit fit;
+        private final double[] jacobian;
+        private final double[] normal = new double[36];
+        private final double[][] right;
+        private @Nullable ObjectFit last;
+
+        /**
+         * Work space.
+         *
+         * @param errors of the photo's corners
+         * @param intrinsicsPrior unknown intrinsics
+         */
+        public AnswerSpace(CornerErrors errors, IntrinsicsPrior intrinsicsPrior) {
+            none = new double[errors.unknowns()];
+            byUnknowns = new double[8 * none.length];
+            count = intrinsicsPrior.count() + none.length;
+            fit = new ReprojectionFit(points, corners, byUnknowns, none.length, intrinsicsPrior, null);
+            jacobian = new double[fit.rows() * fit.columns()];
+            right = new double[count][6];
+        }
+
+        private void set(ObjectFit object) {
+            if (object == last) {
+                return;
+            }
+            if (object.errors.unknowns() != none.length) {
+                throw new IllegalArgumentException("an object of a photo with other shared unknowns");
+            }
+            last = object;
+            MarkerGeometry.cornersMm(object.marker.sizeMm(), points);
+            System.arraycopy(object.cornersPx, 0, corners, 0, corners.length);
+            System.arraycopy(object.errors.columns(object.marker.id()), 0, byUnknowns, 0, byUnknowns.length);
+            object.weigh(fit);
+        }
     }
 
     /** Which of the modes a state is turned the least from: rotation alone tells mirrored poses apart. */

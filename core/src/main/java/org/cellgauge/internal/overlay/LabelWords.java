@@ -1,5 +1,7 @@
 package org.cellgauge.internal.overlay;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.text.DecimalFormatSymbols;
 import java.util.List;
 import java.util.Locale;
@@ -10,7 +12,8 @@ public final class LabelWords {
     public static final LabelWords ENGLISH = new LabelWords(Locale.ROOT, "left out", "seems off", "not seen",
             "not in the cell file", "not converged", "not converged yet", "ambiguous", "grip");
 
-    private final Locale locale;
+    private final char decimalSeparator;
+    private final char zero;
     private final String leftOut;
     private final String misplaced;
     private final String notSeen;
@@ -35,7 +38,9 @@ public final class LabelWords {
      */
     public LabelWords(Locale locale, String leftOut, String misplaced, String notSeen, String notInCell,
             String notConverged, String notConvergedYet, String ambiguous, String grip) {
-        this.locale = locale;
+        DecimalFormatSymbols symbols = DecimalFormatSymbols.getInstance(locale);
+        decimalSeparator = symbols.getDecimalSeparator();
+        zero = symbols.getZeroDigit();
         this.leftOut = leftOut;
         this.misplaced = misplaced;
         this.notSeen = notSeen;
@@ -74,7 +79,7 @@ public final class LabelWords {
     String ambiguous(int id, List<Double> shares) {
         StringBuilder text = new StringBuilder(id + ": " + ambiguous);
         for (int i = 0; i < shares.size(); i++) {
-            text.append(i == 0 ? ", " : " / ").append(String.format(locale, "%.0f %%", 100 * shares.get(i)));
+            text.append(i == 0 ? ", " : " / ").append(rounded(100 * shares.get(i), 0)).append(" %");
         }
         return text.toString();
     }
@@ -89,16 +94,30 @@ public final class LabelWords {
 
     private String figures(double[] std) {
         // a comma cannot both part decimals and figures
-        String between = DecimalFormatSymbols.getInstance(locale).getDecimalSeparator() == ',' ? "; " : ", ";
+        String between = decimalSeparator == ',' ? "; " : ", ";
         return figure(std[0]) + between + figure(std[1]) + between + figure(std[2]) + " mm";
     }
 
     /** Two digits that count: more would say more than a standard deviation is known to. */
     private String figure(double value) {
+        int decimals = value >= 9.95 ? 0 : value >= 0.995 ? 1 : value >= 0.0995 ? 2 : 3;
+        return rounded(value, decimals);
+    }
+
+    /** As {@link String#format} writes it in the locale, which looks the locale up for each number anew. */
+    private String rounded(double value, int decimals) {
         if (!Double.isFinite(value)) {
             return "?";
         }
-        int decimals = value >= 9.95 ? 0 : value >= 0.995 ? 1 : value >= 0.0995 ? 2 : 3;
-        return String.format(locale, "%." + decimals + "f", value);
+        String plain = BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_UP).toPlainString();
+        if (decimalSeparator == '.' && zero == '0') {
+            return plain;
+        }
+        StringBuilder text = new StringBuilder(plain);
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            text.setCharAt(i, c == '.' ? decimalSeparator : Character.isDigit(c) ? (char) (c - '0' + zero) : c);
+        }
+        return text.toString();
     }
 }

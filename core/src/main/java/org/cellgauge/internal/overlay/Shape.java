@@ -75,7 +75,7 @@ public abstract sealed class Shape permits EllipseShape, MarkShape, PanelShape, 
      */
     public List<double[]> strokes() {
         List<double[]> strokes = new ArrayList<>();
-        PointRun run = new PointRun();
+        PointRun run = new PointRun(8);
         draw(new Pen() {
             @Override
             public void moveTo(double u, double v) {

@@ -15,6 +15,8 @@ final class WorldView {
     static final double NEAR_MM = 1;
     /** Pieces a line is cut into, so that the lens bends it: 1/64 of the image bends by far less than a pixel. */
     private static final int PIECES = 64;
+    /** How far a drawn line may be from the bent one, px: what a straight one has in between is not kept. */
+    private static final double STRAIGHT_PX = 0.05;
 
     private final PinholeCamera camera;
     private final double[] intrinsics;
@@ -26,8 +28,8 @@ final class WorldView {
     private final double height;
     // work space: a grid has thousands of points
     private final double[] px = new double[2];
-    private final PointRun run = new PointRun();
-    private final PointRun part = new PointRun();
+    private final PointRun run = new PointRun(PIECES + 1);
+    private final PointRun part = new PointRun(PIECES + 1);
 
     WorldView(PinholeCamera camera, RigidTransform worldFromCamera, ImageOrientation orientation) {
         this.camera = camera;
@@ -73,7 +75,7 @@ final class WorldView {
 
     /** The visible parts of straight lines of the world through corners, each cut into pieces. */
     List<double[]> path(int pieces, double[]... cornersMm) {
-        List<double[]> visible = new ArrayList<>();
+        List<double[]> visible = new ArrayList<>(1);
         run.clear();
         for (int c = 0; c + 1 < cornersMm.length; c++) {
             double[] from = cornersMm[c];
@@ -93,6 +95,7 @@ final class WorldView {
     }
 
     private void finish(List<double[]> visible) {
+        run.straighten(STRAIGHT_PX);
         clip(run, part, width, height, visible);
         run.clear();
     }
@@ -106,12 +109,12 @@ final class WorldView {
      * @return polylines within [0, width] x [0, height]
      */
     static List<double[]> clip(double[] points, double width, double height) {
-        PointRun line = new PointRun();
+        PointRun line = new PointRun(points.length / 2);
         for (int i = 0; i + 1 < points.length; i += 2) {
             line.add(points[i], points[i + 1]);
         }
-        List<double[]> parts = new ArrayList<>();
-        clip(line, new PointRun(), width, height, parts);
+        List<double[]> parts = new ArrayList<>(1);
+        clip(line, new PointRun(points.length / 2 + 1), width, height, parts);
         return parts;
     }
 

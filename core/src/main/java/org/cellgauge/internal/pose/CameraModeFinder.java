@@ -12,6 +12,9 @@ import org.jspecify.annotations.Nullable;
  * Modes of the camera's pose, or of its poses in several views, given all references: damped Gauss-Newton with the
  * placement errors of the references linearised, and the residual covariances frozen, at the mode itself; repeated
  * until all agree. Placement errors and unknown intrinsics are the same in all views.
+ *
+ * <p>Not thread-safe: it holds work space, so that all starts are followed in the same arrays. A mode does not depend
+ * on those found before it, but for where a search is given up.
  */
 public final class CameraModeFinder {
     private static final int MAX_FREEZES = 100;
@@ -36,6 +39,9 @@ public final class CameraModeFinder {
     private final ReferenceNoise noise;
     private final IntrinsicsPrior intrinsicsPrior;
     private final @Nullable PosePrior posePrior;
+    private @Nullable Linearisation linearisation;
+    private @Nullable ReprojectionFit fit;
+    private @Nullable CameraState before;
 
     /**
      * A finder.
@@ -76,7 +82,19 @@ public final class CameraModeFinder {
      * @throws IllegalArgumentException if there are several views
      */
     public List<PoseMode> modes(RigidTransform worldFromCamera) {
-        return modes(Collections.singletonList(worldFromCamera));
+        return modes(worldFromCamera, new MarkerPoseFinder());
+    }
+
+    /**
+     * The same with a finder for the poses of every reference alone.
+     *
+     * @param worldFromCamera start, of the only view
+     * @param alone of the caller's thread
+     * @return the modes with any weight, the heaviest first; empty if the start does not lead to a mode
+     * @throws IllegalArgumentException if there are several views
+     */
+    public List<PoseMode> modes(RigidTransform worldFromCamera, MarkerPoseFinder alone) {
+        return modes(Collections.singletonList(worldFromCamera), alone);
     }
 
     /**
@@ -88,6 +106,10 @@ public final class CameraModeFinder {
      * @throws IllegalArgumentException if there are not as many starts as views
      */
     public List<PoseMode> modes(List<RigidTransform> worldFromCameras) {
+        return modes(worldFromCameras, new MarkerPoseFinder());
+    }
+
+    private List<PoseMode> modes(List<RigidTransform> worldFromCameras, MarkerPoseFinder alone) {
         if (worldFromCameras.size() != view.views()) {
             throw new IllegalArgumentException("needs a start for each of " + view.views() + " views");
         }
@@ -103,7 +125,6 @@ public final class CameraModeFinder {
         found.add(first);
         List<List<RigidTransform>> visited = new ArrayList<>();
         visited.add(poses(first));
-        MarkerPoseFinder alone = new MarkerPoseFinder();
         RigidTransform planeFromSet = NearestPlane.planeFromPoints(view.points());
         for (int v = 0; v < view.views(); v++) {
             RigidTransform cameraFromPlane = visited.get(0).get(v).compose(planeFromSet.inverse());
@@ -137,7 +158,7 @@ public final class CameraModeFinder {
      */
     public @Nullable PoseMode mode(RigidTransform worldFromCamera, double hopeless) {
         return converged(state(Collections.singletonList(view.cameraFromSet(worldFromCamera))),
-                new Linearisation(PlacedReferences.nominal(view)), Collections.emptyList(), hopeless);
+                linearisedAt(view.nominal()), Collections.emptyList(), hopeless, Collections.emptyList());
     }
 
     /**
@@ -152,9 +173,9 @@ public final class CameraModeFinder {
         for (PoseMode other : others) {
             CameraState state = other.state();
             state.noise = noise.noise();
-            PoseMode mode = converged(state, new Linearisation(other.placed()), Collections.emptyList(),
-                    Double.POSITIVE_INFINITY);
-            if (mode != null && !isKnown(mode.state(), found, SAME_MODE_STDS)) {
+            PoseMode mode = converged(state, linearisedAt(other.placed()), Collections.emptyList(),
+                    Double.POSITIVE_INFINITY, found);
+            if (mode != null) {
                 found.add(mode);
             }
         }
@@ -175,16 +196,15 @@ public final class CameraModeFinder {
             poses.add(view.cameraFromSet(worldFromCamera));
         }
         CameraState state = state(poses);
-        Linearisation errors = new Linearisation(PlacedReferences.nominal(view));
+        Linearisation errors = linearisedAt(view.nominal());
         ReprojectionFit fit = fit(errors);
-        return errors.freeze(state) && fit.freeze(errors.noise, state) ? fit.modeAt(state, errors.placed) : null;
+        return errors.freeze(state) && fit.freeze(errors.noise, state) ? fit.modeAt(state, view.nominal()) : null;
     }
 
     private static List<RigidTransform> poses(PoseMode mode) {
-        CameraState state = mode.state();
         List<RigidTransform> poses = new ArrayList<>();
-        for (int v = 0; v < state.views(); v++) {
-            poses.add(state.cameraFromSet(v));
+        for (int v = 0; v < mode.layout().views(); v++) {
+            poses.add(mode.cameraFromSet(v));
         }
         return poses;
     }
@@ -195,7 +215,7 @@ public final class CameraModeFinder {
         start.set(inView, pose);
         visited.add(start);
         PoseMode mode = pose.translationMm()[2] > 0 ? fitFrom(start, found) : null;
-        if (mode != null && !isKnown(mode.state(), found, SAME_MODE_STDS)) {
+        if (mode != null) {
             found.add(mode);
             visited.add(poses(mode));
         }
@@ -221,8 +241,8 @@ public final class CameraModeFinder {
                         .compose(RigidTransform.of(IDENTITY, view.centroidMm()));
                 int first = blocks.firstRow(marker) + 2 * blocks.points(marker) * time;
                 double[] corners = Arrays.copyOfRange(view.observed(), first, first + 2 * blocks.points(marker));
-                for (PoseMode mode : finder.modes(corners, body.markerSizeMm(), camera, 1)) {
-                    poses.add(mode.cameraFromSet().compose(markerFromSet));
+                for (RigidTransform cameraFromMarker : finder.poses(corners, body.markerSizeMm(), camera)) {
+                    poses.add(cameraFromMarker.compose(markerFromSet));
                 }
             }
         }
@@ -249,14 +269,14 @@ public final class CameraModeFinder {
      * lemma).
      *
      * @param known modes found; the search is given up where it comes to one of these or lies hopelessly above them
-     * @return null if there is none, or the search is given up
+     * @return null if there is none, it is one of those known, or the search is given up
      */
     private @Nullable PoseMode fitFrom(List<RigidTransform> cameraFromSets, List<PoseMode> known) {
         double hopeless = Double.POSITIVE_INFINITY;
         for (PoseMode mode : known) {
             hopeless = Math.min(hopeless, mode.halfChiSquare() + HOPELESS);
         }
-        return converged(state(cameraFromSets), new Linearisation(PlacedReferences.nominal(view)), known, hopeless);
+        return converged(state(cameraFromSets), linearisedAt(view.nominal()), known, hopeless, known);
     }
 
     private CameraState state(List<RigidTransform> cameraFromSets) {
@@ -266,15 +286,30 @@ public final class CameraModeFinder {
         return state;
     }
 
-    private ReprojectionFit fit(Linearisation errors) {
-        return new ReprojectionFit(view.blocks(), errors.points, errors.observed, view.columns(), view.unknowns(),
-                intrinsicsPrior, posePrior);
+    /** The work space with placement errors as they are at some place. */
+    private Linearisation linearisedAt(PlacedReferences placed) {
+        if (linearisation == null) {
+            linearisation = new Linearisation();
+        }
+        linearisation.start(placed);
+        return linearisation;
     }
 
+    private ReprojectionFit fit(Linearisation errors) {
+        if (fit == null) {
+            fit = new ReprojectionFit(view.blocks(), errors.points, errors.observed, view.columns(), view.unknowns(),
+                    intrinsicsPrior, posePrior);
+        }
+        return fit;
+    }
+
+    /** The same from a state; {@code same} are modes that it must not be one of. */
     private @Nullable PoseMode converged(CameraState state, Linearisation errors, List<PoseMode> known,
-            double hopeless) {
+            double hopeless, List<PoseMode> same) {
         ReprojectionFit fit = fit(errors);
-        CameraState before = state.copy();
+        if (before == null) {
+            before = state.copy();
+        }
         double cost = Double.NaN;
         for (int i = 0; i < MAX_FREEZES; i++) {
             before.copyFrom(state);
@@ -292,7 +327,7 @@ public final class CameraModeFinder {
             }
             errors.move(fit);
         }
-        return PoseMode.of(fit, state, cost, errors.placed);
+        return isKnown(state, same, SAME_MODE_STDS) ? null : PoseMode.of(fit, state, cost, errors.placed.copy());
     }
 
     private double squaredStep(CameraState before, CameraState state, ReprojectionFit fit) {
@@ -317,25 +352,33 @@ public final class CameraModeFinder {
     private final class Linearisation {
         final double[] points = view.pointsMm();
         final double[] observed = view.observedPx();
-        PlacedReferences placed;
-        ReferenceNoise noise;
+        /** Of its own, and moved. */
+        final PlacedReferences placed = view.nominal().copy();
+        final ReferenceNoise noise = CameraModeFinder.this.noise.about(placed);
         private final boolean rigid = CameraModeFinder.this.noise.hasRigidPlacement();
         private final BlockLayout blocks = view.blocks();
         private final int size = rigid ? ERROR * view.size() : 0;
         private final double[] jacobian = new double[rigid ? ERROR * blocks.firstRow(view.size()) : 0];
         private final double[] one = new double[rigid ? ERROR * blocks.mostRows() : 0];
         private final double[] byPlain = new double[blocks.mostRows()];
-        private final double[] errors;
+        private final double[] errors = new double[ERROR * view.size()];
+        private final double[] byError = new double[ERROR];
         /** The errors in their stated deviations (the e of {@link Body#placementRoot}), and what residuals say. */
         private final double[] stated = new double[size];
         private final double[] wanted = new double[size];
-        private double lastChange = Double.POSITIVE_INFINITY;
-        private double share = 1;
+        private double lastChange;
+        private double share;
 
-        Linearisation(PlacedReferences start) {
-            placed = start;
-            noise = CameraModeFinder.this.noise.about(start);
-            errors = start.errors();
+        /** Begins at a place. */
+        void start(PlacedReferences start) {
+            placed.set(start);
+            System.arraycopy(view.points(), 0, points, 0, points.length);
+            System.arraycopy(view.observed(), 0, observed, 0, observed.length);
+            lastChange = Double.POSITIVE_INFINITY;
+            share = 1;
+            for (int k = 0; k < errors.length; k++) {
+                errors[k] = start.error(k / ERROR, k % ERROR);
+            }
             for (int m = 0; m < size / ERROR; m++) {
                 Body body = view.bodies().get(m);
                 for (int i = 0; i < ERROR; i++) {
@@ -380,7 +423,6 @@ public final class CameraModeFinder {
         /** Length of the change that the residuals ask for, in stated deviations. */
         private double change(ReprojectionFit fit) {
             double squares = 0;
-            double[] byError = new double[ERROR];
             for (int m = 0; m < view.size(); m++) {
                 int rows = blocks.rows(m);
                 int first = blocks.firstRow(m);
@@ -440,8 +482,7 @@ public final class CameraModeFinder {
                     errors[ERROR * m + i] = error;
                 }
             }
-            placed = PlacedReferences.of(view, errors);
-            noise = CameraModeFinder.this.noise.about(placed);
+            placed.set(view, errors);
         }
     }
 }

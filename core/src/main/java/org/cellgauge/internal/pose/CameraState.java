@@ -78,7 +78,7 @@ public final class CameraState {
     public static CameraState of(List<RigidTransform> cameraFromSets, PinholeCamera camera) {
         CameraState state = new CameraState(cameraFromSets.size(), NONE);
         for (int v = 0; v < cameraFromSets.size(); v++) {
-            state.setView(v, cameraFromSets.get(v));
+            cameraFromSets.get(v).copyTo(state.rotation, state.offset, v);
         }
         state.lens = camera.lens();
         state.intrinsics = camera.intrinsics();
@@ -87,14 +87,9 @@ public final class CameraState {
 
     /** Sets a state of one view to a pose before a camera; unknowns and noise are left as they are. */
     void set(RigidTransform cameraFromSet, PinholeCamera camera) {
-        setView(0, cameraFromSet);
+        cameraFromSet.copyTo(rotation, offset, 0);
         lens = camera.lens();
         intrinsics = camera.intrinsics();
-    }
-
-    private void setView(int view, RigidTransform cameraFromSet) {
-        System.arraycopy(cameraFromSet.rotation(), 0, rotation, 9 * view, 9);
-        System.arraycopy(cameraFromSet.translationMm(), 0, offset, 3 * view, 3);
     }
 
     /**
@@ -212,7 +207,12 @@ public final class CameraState {
      */
     public double[] stepFrom(CameraState base) {
         double[] step = new double[StateLayout.POSE * views()];
-        double[] turned = new double[9];
+        stepFrom(base, step, new double[9]);
+        return step;
+    }
+
+    /** The same in an array of the caller's, with work space of 9 values. */
+    void stepFrom(CameraState base, double[] step, double[] turned) {
         for (int v = 0; v < views(); v++) {
             for (int i = 0; i < 3; i++) {
                 step[StateLayout.POSE * v + i] = offset[3 * v + i] - base.offset[3 * v + i];
@@ -220,7 +220,6 @@ public final class CameraState {
             Rotations.multiplyTransposed(ofView(rotation, v), ofView(base.rotation, v), turned);
             Rotations.log(turned, step, StateLayout.POSE * v + 3);
         }
-        return step;
     }
 
     private static double[] ofView(double[] rotations, int view) {
@@ -243,7 +242,7 @@ public final class CameraState {
      * @return cameraFromSet
      */
     public RigidTransform cameraFromSet(int view) {
-        return RigidTransform.of(Arrays.copyOfRange(rotation, 9 * view, 9 * view + 9),
-                Arrays.copyOfRange(offset, 3 * view, 3 * view + 3));
+        return RigidTransform.of(ofView(rotation, view), views() == 1 ? offset
+                : Arrays.copyOfRange(offset, 3 * view, 3 * view + 3));
     }
 }

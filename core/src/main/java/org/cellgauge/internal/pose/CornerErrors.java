@@ -87,7 +87,19 @@ public final class CornerErrors {
      * @return their errors, no marker set aside
      */
     public static CornerErrors of(Cell cell, Detections detections) {
-        return of(cell, detections, Collections.emptyMap());
+        return of(cell, detections, new MarkerPoseFinder());
+    }
+
+    /**
+     * The same with a finder for the poses that errors depend on.
+     *
+     * @param cell the cell
+     * @param detections what the photo shows; ids foreign to the cell are ignored
+     * @param finder of the caller's thread
+     * @return their errors, no marker set aside
+     */
+    public static CornerErrors of(Cell cell, Detections detections, MarkerPoseFinder finder) {
+        return of(cell, detections, Collections.emptyMap(), finder);
     }
 
     /**
@@ -99,6 +111,11 @@ public final class CornerErrors {
      * @return their errors
      */
     public static CornerErrors of(Cell cell, Detections detections, Map<Integer, RigidTransform> cameraFromMarkers) {
+        return of(cell, detections, cameraFromMarkers, new MarkerPoseFinder());
+    }
+
+    private static CornerErrors of(Cell cell, Detections detections, Map<Integer, RigidTransform> cameraFromMarkers,
+            MarkerPoseFinder ofThread) {
         List<MarkerErrors.Source> seen = new ArrayList<>();
         for (Reference r : cell.references()) {
             addSeen(detections.find(r.id()), r.sizeMm(), seen);
@@ -120,14 +137,15 @@ public final class CornerErrors {
         int ofEdges = edges == null ? 0 : edges.unknowns();
         int q = ofEdges + sizes.size();
         double[] largest = unknown ? largest(seen) : null;
+        double[] isotropic = unknown ? null : isotropic(stated * stated);
         Map<Integer, MarkerErrors> markers = new LinkedHashMap<>();
         List<Double> variances = new ArrayList<>();
         // where all is stated, errors do not depend on poses
         MarkerPoseFinder finder = unknown || !sizes.isEmpty() || cell.prints().flatnessMm() > 0
-                ? new MarkerPoseFinder() : null;
+                ? ofThread : null;
         for (MarkerErrors.Source m : seen) {
             RigidTransform pose = cameraFromMarkers.get(m.observation.id());
-            MarkerErrors errors = errors(cell, m, pose, finder, stated, largest, edges, sizes, q);
+            MarkerErrors errors = errors(cell, m, pose, finder, isotropic, largest, edges, sizes, q);
             markers.put(m.observation.id(), errors);
             variances.add(meanVariance(errors.covariancePx2));
         }
@@ -172,11 +190,11 @@ public final class CornerErrors {
     }
 
     private static MarkerErrors errors(Cell cell, MarkerErrors.Source m, @Nullable RigidTransform known,
-            @Nullable MarkerPoseFinder finder, double stated, double @Nullable [] otherwise, @Nullable EdgeModel edges,
-            List<Double> sizes, int q) {
-        boolean unknown = Double.isNaN(stated);
+            @Nullable MarkerPoseFinder finder, double @Nullable [] stated, double @Nullable [] otherwise,
+            @Nullable EdgeModel edges, List<Double> sizes, int q) {
+        boolean unknown = stated == null;
         double[] corners = m.observation.cornersPx();
-        double[] covariance = unknown ? m.observation.covariancePx2() : isotropic(stated * stated);
+        double[] covariance = stated == null ? m.observation.covariancePx2() : stated;
         boolean ofFit = unknown && covariance != null;
         if (covariance == null) {
             covariance = otherwise == null ? new double[64] : otherwise.clone();
@@ -185,9 +203,10 @@ public final class CornerErrors {
         if (edges != null) {
             EdgeShift shift = m.observation.edgeShift();
             double mean = edges.mean(m);
-            double[] meanOfCorners = edges.meanOfCorners(m);
+            double[] ofCorner = edges.rowsOfCorners(m);
+            double[] meanOfCorners = edges.meanOfCorners(ofCorner);
             double[] byUnknown = edges.ofInnerByUnknown(m);
-            double[] ofCorners = edges.cornersByUnknown(m);
+            double[] ofCorners = edges.cornersByUnknown(ofCorner);
             // a noise that is stated is independent of what edges show; one of a fit shares its errors with the shift
             double[] shared = shift != null && ofFit ? shift.covarianceWithCornersPx2() : new double[8];
             double variance = shift == null ? 1 : EdgeModel.variance(shift);
@@ -197,7 +216,7 @@ public final class CornerErrors {
                 for (int j = 0; j < byUnknown.length; j++) {
                     columns[i * q + j] = ofCorners[i * byUnknown.length + j] - shared[i] / variance * byUnknown[j];
                 }
-                for (int j = 0; j < 8; j++) {
+                for (int j = 0; j < 8 && ofFit; j++) {
                     covariance[8 * i + j] -= shared[i] * shared[j] / variance;
                 }
             }
@@ -218,6 +237,8 @@ public final class CornerErrors {
             }
             if (by != null && cell.prints().flatnessMm() > 0) {
                 flatness = flatness(by, cell.prints().flatnessMm());
+                // what is stated is the same for all markers, and in one array
+                covariance = stated == null ? covariance : stated.clone();
                 for (int i = 0; i < 64; i++) {
                     covariance[i] += flatness[i];
                 }
@@ -451,20 +472,7 @@ public final class CornerErrors {
      *     model); NaN where the corners are of no pose
      */
     public double squareChiSquare(int id, double sizeMm, PinholeCamera lens, MarkerPoseFinder finder) {
-        MarkerErrors m = of(id);
-        List<PoseMode> modes = finder.modes(m.cornersPx, sizeMm, lens, 1);
-        if (modes.isEmpty()) {
-            return Double.NaN;
-        }
-        double[] all = m.covariancePx2.clone();
-        for (int i = 0; i < 8; i++) {
-            for (int k = 0; k < 8; k++) {
-                for (int j = 0; j < unknowns; j++) {
-                    all[8 * i + k] += m.columns[i * unknowns + j] * m.columns[k * unknowns + j];
-                }
-            }
-        }
-        return new Squareness(modes, all).chiSquare(0);
+        return finder.squareChiSquare(of(id), unknowns, sizeMm, lens);
     }
 
     /**

@@ -161,57 +161,50 @@ public final class EdgeModel {
         return out;
     }
 
-    /** How the mean shift and mean ink move the corners of one marker, 8 values, px. */
-    double[] meanOfCorners(MarkerErrors.Source m) {
+    /** How the mean shift and mean ink move the corners of the marker of {@link #rowsOfCorners}, 8 values, px. */
+    double[] meanOfCorners(double[] rows) {
+        int n = mean.length;
         double[] out = new double[8];
-        double[][] rows = rowsOfCorners(m);
         for (int c = 0; c < 8; c++) {
-            double[] row = rows[c];
-            for (int i = 0; i < row.length; i++) {
-                out[c] += row[i] * mean[i];
+            for (int i = 0; i < n; i++) {
+                out[c] += rows[c * n + i] * mean[i];
             }
         }
         return out;
     }
 
-    /** Change of each corner coordinate of one marker by each unit-normal unknown, 8 rows, px. */
-    double[] cornersByUnknown(MarkerErrors.Source m) {
+    /** Change of each corner coordinate of that marker by each unit-normal unknown, 8 rows, px. */
+    double[] cornersByUnknown(double[] rows) {
         int n = mean.length;
         double[] out = new double[8 * n];
-        double[][] rows = rowsOfCorners(m);
-        for (int c = 0; c < 8; c++) {
-            System.arraycopy(byUnknown(rows[c]), 0, out, c * n, n);
+        for (int c = 0; c < 8 * n; c += n) {
+            for (int j = 0; j < n; j++) {
+                for (int i = j; i < n; i++) {
+                    out[c + j] += rows[c + i] * factor[i * n + j];
+                }
+            }
         }
         return out;
     }
 
     /**
-     * Light moves all sides of a marker by the same in the image, ink by the same on the paper: less where that is seen
-     * aslant.
+     * Change of each corner coordinate of a marker by the photo's shift and by each ink, 8 rows: light moves all sides
+     * of a marker by the same in the image, ink by the same on the paper: less where that is seen aslant.
      */
-    private double[][] rowsOfCorners(MarkerErrors.Source m) {
+    double[] rowsOfCorners(MarkerErrors.Source m) {
+        int n = mean.length;
         double[] corners = m.observation.cornersPx();
         double[] byShift = EdgeShift.ofCorners(corners);
         double[] byInk = EdgeShift.byInk(corners, m.sizeMm);
         int size = sizesMm.indexOf(m.sizeMm);
-        double[][] rows = new double[8][mean.length];
+        double[] rows = new double[8 * n];
         for (int c = 0; c < 8; c++) {
-            rows[c][0] = byShift[c];
+            rows[c * n] = byShift[c];
             if (size >= 0) {
-                rows[c][1 + size] = byInk[c];
+                rows[c * n + 1 + size] = byInk[c];
             }
         }
         return rows;
-    }
-
-    private double[] byUnknown(double[] row) {
-        double[] out = new double[row.length];
-        for (int j = 0; j < row.length; j++) {
-            for (int i = j; i < row.length; i++) {
-                out[j] += row[i] * factor[i * row.length + j];
-            }
-        }
-        return out;
     }
 
     /**

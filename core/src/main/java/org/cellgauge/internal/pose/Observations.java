@@ -24,6 +24,7 @@ public class Observations {
     private final double[] observedPx;
     private final double[] columns;
     private final int unknowns;
+    private final PlacedReferences nominal;
 
     /**
      * Observations.
@@ -67,6 +68,7 @@ public class Observations {
                 armsMm[first + k] = points[k] - centre[k % 3];
             }
         }
+        nominal = PlacedReferences.of(this, new double[StateLayout.POSE * n]);
     }
 
     /**
@@ -188,6 +190,11 @@ public class Observations {
     /** Points relative to their own body's origin, three values each, world axes, mm. */
     double[] arms() {
         return armsMm;
+    }
+
+    /** The bodies where they are stated to stand. */
+    PlacedReferences nominal() {
+        return nominal;
     }
 
     /**

@@ -4,7 +4,7 @@ import org.cellgauge.internal.geometry.Rotations;
 
 /**
  * Where references are taken to stand: each moved rigidly off its nominal place by a placement error. A model that is
- * linear in placement errors is linearised here; immutable.
+ * linear in placement errors is linearised here; immutable but for who makes one and has not shown it yet.
  *
  * <p>An error is a shift along the world axes in mm and a rotation vector w about the marker's own centre in world axes
  * in rad: a corner at the arm a from the centre stands at {@code centre + shift + exp(w) a}, exactly.
@@ -29,7 +29,7 @@ public final class PlacedReferences {
      * @return their places without errors
      */
     public static PlacedReferences nominal(Observations view) {
-        return of(view, new double[6 * view.size()]);
+        return view.nominal();
     }
 
     /**
@@ -46,12 +46,32 @@ public final class PlacedReferences {
         if (errors.length != 6 * n) {
             throw new IllegalArgumentException("needs " + 6 * n + " values, not " + errors.length);
         }
-        double[] points = view.pointsMm();
+        PlacedReferences placed = new PlacedReferences(new double[errors.length], new double[view.points().length],
+                new double[view.points().length], new double[9 * n]);
+        placed.set(view, errors);
+        return placed;
+    }
+
+    /** A copy that shares nothing. */
+    PlacedReferences copy() {
+        return new PlacedReferences(errors.clone(), points.clone(), arms.clone(), turns.clone());
+    }
+
+    /** Moves references to where others of as many corners stand: only of who made this object and has not shown it. */
+    void set(PlacedReferences other) {
+        System.arraycopy(other.errors, 0, errors, 0, errors.length);
+        System.arraycopy(other.points, 0, points, 0, points.length);
+        System.arraycopy(other.arms, 0, arms, 0, arms.length);
+        System.arraycopy(other.turns, 0, turns, 0, turns.length);
+    }
+
+    /** Moves them by placement errors; likewise. */
+    void set(Observations view, double[] to) {
+        System.arraycopy(to, 0, errors, 0, errors.length);
+        double[] nominal = view.points();
         double[] nominalArms = view.arms();
-        double[] arms = nominalArms.clone();
-        double[] turns = new double[9 * n];
         double[] turn = new double[9];
-        for (int m = 0; m < n; m++) {
+        for (int m = 0; m < view.size(); m++) {
             double wx = errors[6 * m + 3];
             double wy = errors[6 * m + 4];
             double wz = errors[6 * m + 5];
@@ -60,13 +80,12 @@ public final class PlacedReferences {
                 for (int i = 0; i < 3; i++) {
                     arms[k + i] = turn[3 * i] * nominalArms[k] + turn[3 * i + 1] * nominalArms[k + 1]
                             + turn[3 * i + 2] * nominalArms[k + 2];
-                    points[k + i] += errors[6 * m + i] + arms[k + i] - nominalArms[k + i];
+                    points[k + i] = nominal[k + i] + (errors[6 * m + i] + arms[k + i] - nominalArms[k + i]);
                 }
             }
             Rotations.leftJacobian(wx, wy, wz, turn);
             System.arraycopy(turn, 0, turns, 9 * m, 9);
         }
-        return new PlacedReferences(errors.clone(), points, arms, turns);
     }
 
     /**

@@ -16,7 +16,8 @@ public final class PoseMode {
     private final double[] jacobian;
     private final double[] residuals;
     private final double[] whitening;
-    private final double[] placement;
+    /** Null where weights were given otherwise. */
+    private final double @Nullable [] placement;
     private final double[] points;
     private final double[] observed;
     private final @Nullable PlacedReferences placed;
@@ -42,13 +43,14 @@ public final class PoseMode {
         return fit.invertInformation(covariance) ? new PoseMode(fit, state, halfChiSquare, placed, covariance) : null;
     }
 
-    private PoseMode(ReprojectionFit fit, CameraState state, double halfChiSquare,
-            @Nullable PlacedReferences placed, double[] covariance) {
+    /** The same with the inverse of the fit's information there; kept. */
+    PoseMode(ReprojectionFit fit, CameraState state, double halfChiSquare, @Nullable PlacedReferences placed,
+            double[] covariance) {
         this.state = state.copy();
         this.jacobian = fit.jacobian().clone();
         this.residuals = fit.residuals().clone();
-        this.whitening = fit.whitening().clone();
-        this.placement = fit.placement().clone();
+        this.whitening = fit.keptWhitening();
+        this.placement = fit.placement();
         this.points = fit.points().clone();
         this.observed = fit.observed().clone();
         this.placed = placed;
@@ -57,14 +59,7 @@ public final class PoseMode {
         this.layout = fit.layout();
         this.blocks = fit.blocks();
         this.halfChiSquare = halfChiSquare;
-        double logWhitening = 0;
-        for (int m = 0; m < blocks.blocks(); m++) {
-            int rows = blocks.rows(m);
-            for (int i = 0; i < rows; i++) {
-                logWhitening += Math.log(whitening[blocks.firstEntry(m) + (rows + 1) * i]);
-            }
-        }
-        logWeight = logWhitening - halfChiSquare + fit.halfLogDeterminant(covariance);
+        logWeight = fit.logWeight(halfChiSquare, covariance);
     }
 
     /**
@@ -82,7 +77,12 @@ public final class PoseMode {
      * @return cameraFromSet, points relative to the centre of their set
      */
     RigidTransform cameraFromSet() {
-        return state.cameraFromSet();
+        return cameraFromSet(0);
+    }
+
+    /** The same in a view, 0 to views - 1. */
+    RigidTransform cameraFromSet(int view) {
+        return state.cameraFromSet(view);
     }
 
     /**
@@ -212,7 +212,7 @@ public final class PoseMode {
      *     weights were given otherwise
      */
     public double[] placementPx2() {
-        return placement.clone();
+        return placement == null ? new double[whitening.length] : placement.clone();
     }
 
     /**
@@ -291,6 +291,16 @@ public final class PoseMode {
      */
     public double[] jacobian(int marker) {
         return Arrays.copyOfRange(jacobian, blocks.firstRow(marker) * columns, blocks.firstRow(marker + 1) * columns);
+    }
+
+    /**
+     * The same in an array of the caller's.
+     *
+     * @param marker index of the marker
+     * @param out receives 8 (coordinates of its block) x dimension row by row
+     */
+    public void copyJacobian(int marker, double[] out) {
+        System.arraycopy(jacobian, blocks.firstRow(marker) * columns, out, 0, blocks.rows(marker) * columns);
     }
 
     /**

@@ -32,18 +32,24 @@ public final class ReprojectionFit {
     private final int columns;
     private final int rows;
     private final double[] whitening;
-    private final double[] placement;
+    /** Null until weights are frozen. */
+    private double @Nullable [] placement;
+    /** The weights in an array that modes share; null where they have changed since. */
+    private double @Nullable [] keptWhitening;
     private final double[] residuals;
     private final double[] jacobian;
     private final double[] information;
     private final double[] gradient;
-    private final DampedGaussNewton solver;
-    private final CameraState candidate;
+    /** Both null until something is fitted. */
+    private @Nullable DampedGaussNewton solver;
+    private @Nullable CameraState candidate;
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
     private double[] byIntrinsics = {};
     private final double[] factor;
     private final double[] inverseFactor;
+    private double isotropicStdPx = Double.NaN;
+    private double[][] squares = {};
     private final double[] plainResiduals;
     private final double[] plainJacobian;
 
@@ -103,15 +109,12 @@ public final class ReprojectionFit {
         int n = blocks.blocks();
         rows = blocks.firstRow(n) + intrinsicsPrior.count() + unknowns + (posePrior == null ? 0 : layout.poses());
         whitening = new double[blocks.firstEntry(n)];
-        placement = new double[blocks.firstEntry(n)];
         residuals = new double[rows];
         jacobian = new double[rows * columns];
         information = new double[columns * columns];
         gradient = new double[columns];
         factor = new double[columns * columns];
         inverseFactor = new double[columns * columns];
-        solver = new DampedGaussNewton(columns, DampedGaussNewton.Damping.NIELSEN, MAX_STEPS);
-        candidate = new CameraState(blocks.views());
         plainResiduals = new double[blocks.mostRows()];
         plainJacobian = new double[blocks.mostRows() * columns];
     }
@@ -122,6 +125,11 @@ public final class ReprojectionFit {
      * @param stdPx standard deviation of each coordinate, px, positive
      */
     public void setIsotropic(double stdPx) {
+        if (stdPx == isotropicStdPx) {
+            return;
+        }
+        weightsChange();
+        isotropicStdPx = stdPx;
         Arrays.fill(whitening, 0);
         for (int m = 0; m < blocks.blocks(); m++) {
             for (int i = 0; i < blocks.rows(m); i++) {
@@ -136,7 +144,13 @@ public final class ReprojectionFit {
      * @param matrices lower triangular, row by row, of a marker in one view 8x8, 1/px; copied
      */
     public void setWhitening(double[] matrices) {
+        weightsChange();
         System.arraycopy(matrices, 0, whitening, 0, whitening.length);
+    }
+
+    private void weightsChange() {
+        keptWhitening = null;
+        isotropicStdPx = Double.NaN;
     }
 
     /**
@@ -147,7 +161,12 @@ public final class ReprojectionFit {
      * @return false if a corner is not in front of the camera there or a covariance is not positive definite
      */
     public boolean freeze(ReferenceNoise noise, CameraState state) {
-        return whitening(noise, state, blocks, whitening, placement);
+        weightsChange();
+        if (placement == null) {
+            placement = new double[whitening.length];
+            squares = new double[3][blocks.mostRows() * blocks.mostRows()];
+        }
+        return whitening(noise, state, blocks, whitening, placement, squares);
     }
 
     /**
@@ -160,15 +179,15 @@ public final class ReprojectionFit {
      * @return false if a corner is not in front of the camera there or a covariance is not positive definite
      */
     public static boolean whitening(ReferenceNoise noise, CameraState state, BlockLayout blocks, double[] out) {
-        return whitening(noise, state, blocks, out, new double[blocks.firstEntry(blocks.blocks())]);
+        return whitening(noise, state, blocks, out, new double[blocks.firstEntry(blocks.blocks())],
+                new double[3][blocks.mostRows() * blocks.mostRows()]);
     }
 
     private static boolean whitening(ReferenceNoise noise, CameraState state, BlockLayout blocks, double[] out,
-            double[] placements) {
-        int most = blocks.mostRows() * blocks.mostRows();
-        double[] placement = new double[most];
-        double[] pixel = new double[most];
-        double[] inverse = new double[most];
+            double[] placements, double[][] space) {
+        double[] placement = space[0];
+        double[] pixel = space[1];
+        double[] inverse = space[2];
         for (int m = 0; m < blocks.blocks(); m++) {
             if (!noise.covariance(state, m, placement, pixel)) {
                 return false;
@@ -194,16 +213,28 @@ public final class ReprojectionFit {
      * @return half the sum of squares at the result, or NaN if a corner of the start is not in front of the camera
      */
     public double fit(CameraState state) {
+        if (solver == null) {
+            solver = new DampedGaussNewton(columns, DampedGaussNewton.Damping.NIELSEN, MAX_STEPS);
+        }
         double cost = solver.minimise(new Chart(state));
         return cost < Double.POSITIVE_INFINITY ? cost : Double.NaN;
+    }
+
+    private CameraState candidate() {
+        if (candidate == null) {
+            candidate = new CameraState(blocks.views());
+        }
+        return candidate;
     }
 
     /** The fit as the solver sees it: steps in the chart from the state that it started with. */
     private final class Chart implements DampedGaussNewton.Problem {
         private final CameraState state;
+        private final CameraState candidate;
 
         Chart(CameraState state) {
             this.state = state;
+            candidate = candidate();
         }
 
         @Override
@@ -478,10 +509,23 @@ public final class ReprojectionFit {
      * @throws IllegalStateException if a corner is not in front of the camera there
      */
     public double[] jacobianAt(CameraState state) {
+        double[] out = new double[jacobian.length];
+        jacobianAt(state, out);
+        return out;
+    }
+
+    /**
+     * The same in an array of the caller's.
+     *
+     * @param state where
+     * @param out receives rows x columns row by row
+     * @throws IllegalStateException if a corner is not in front of the camera there
+     */
+    public void jacobianAt(CameraState state, double[] out) {
         if (!(evaluate(state, true) < Double.POSITIVE_INFINITY)) {
             throw new IllegalStateException("a corner is not in front of the camera");
         }
-        return jacobian.clone();
+        System.arraycopy(jacobian, 0, out, 0, jacobian.length);
     }
 
     /** Whitened residuals of the last evaluation; shared, px over px. */
@@ -512,9 +556,35 @@ public final class ReprojectionFit {
         return Cholesky.halfLogDeterminant(factor, columns);
     }
 
-    /** Covariances by placement that were frozen, block by block; shared. */
-    double[] placement() {
-        return placement;
+    /** Covariances by placement that were frozen, block by block, of the caller's; null where none were. */
+    double @Nullable [] placement() {
+        return placement == null ? null : placement.clone();
+    }
+
+    /** Weights in force, block by block, in an array that stays as it is: shared by the modes found with them. */
+    double[] keptWhitening() {
+        if (keptWhitening == null) {
+            keptWhitening = whitening.clone();
+        }
+        return keptWhitening;
+    }
+
+    /**
+     * Logarithm of the posterior mass around the state of the last evaluation, taken for a mode, by Laplace's method;
+     * see {@link PoseMode#logWeight()}.
+     *
+     * @param halfChiSquare half the sum of squares there
+     * @param covariance the inverse of the information there
+     */
+    double logWeight(double halfChiSquare, double[] covariance) {
+        double logWhitening = 0;
+        for (int m = 0; m < blocks.blocks(); m++) {
+            int size = blocks.rows(m);
+            for (int i = 0; i < size; i++) {
+                logWhitening += Math.log(whitening[blocks.firstEntry(m) + (size + 1) * i]);
+            }
+        }
+        return logWhitening - halfChiSquare + halfLogDeterminant(covariance);
     }
 
     /** Whitening matrices in force, block by block; shared. */

@@ -26,31 +26,59 @@ final class Squareness {
         logVolume = new double[modes.size()];
         z = new double[2 * modes.size()];
         left = new double[3 * modes.size()];
+        Space space = new Space();
         for (int k = 0; k < logVolume.length; k++) {
             PoseMode mode = modes.get(k);
             logVolume[k] = mode.logWeight() + mode.halfChiSquare();
-            double[][] n = complement(mode.jacobian(0));
-            double[] r = mode.whitenedResiduals(0);
+            space.read(mode.jacobian(0), mode.whitenedResiduals(0), covariancePx2);
+            System.arraycopy(space.z, 0, z, 2 * k, 2);
+            System.arraycopy(space.left, 0, left, 3 * k, 3);
+        }
+    }
+
+    /** Work space of what is read off one mode after another; for one thread. */
+    static final class Space {
+        private final double[] z = new double[2];
+        private final double[] left = new double[3];
+        private final double[][] basis = new double[8][8];
+
+        /** Of a mode with its derivative, 8x6, and its residuals, both of unit weights. */
+        private void read(double[] jacobian, double[] r, double[] covariancePx2) {
+            complement(jacobian, basis);
             for (int a = 0; a < 2; a++) {
+                double[] n = basis[6 + a];
+                z[a] = 0;
                 for (int i = 0; i < 8; i++) {
-                    z[2 * k + a] += n[a][i] * r[i];
+                    z[a] += n[i] * r[i];
                 }
                 for (int b = 0; b <= a; b++) {
                     double s = 0;
                     for (int i = 0; i < 8; i++) {
                         for (int j = 0; j < 8; j++) {
-                            s += n[a][i] * covariancePx2[8 * i + j] * n[b][j];
+                            s += n[i] * covariancePx2[8 * i + j] * basis[6 + b][j];
                         }
                     }
-                    left[3 * k + a + b] = s;
+                    left[a + b] = s;
                 }
             }
+        }
+
+        /** The chi-square of this mode alone without added noise; see {@link Squareness#chiSquare}. */
+        double chiSquare(double[] jacobian, double[] r, double[] covariancePx2) {
+            read(jacobian, r, covariancePx2);
+            return squares(z, left, 0, 0);
         }
     }
 
     /** Two orthonormal vectors orthogonal to the 6 columns of an 8x6 matrix (modified Gram-Schmidt, done twice). */
     static double[][] complement(double[] jacobian) {
         double[][] basis = new double[8][8];
+        complement(jacobian, basis);
+        return new double[][] {basis[6], basis[7]};
+    }
+
+    /** The same into the last two of eight rows. */
+    private static void complement(double[] jacobian, double[][] basis) {
         int count = 0;
         for (int c = 0; c < 14 && count < 8; c++) {
             // what does not count is written over by the next
@@ -84,7 +112,6 @@ final class Squareness {
                 count++;
             }
         }
-        return new double[][] {basis[6], basis[7]};
     }
 
     /**
@@ -126,13 +153,21 @@ final class Squareness {
     }
 
     private double determinant(int k, double addedPx2) {
-        return (left[3 * k] + addedPx2) * (left[3 * k + 2] + addedPx2) - left[3 * k + 1] * left[3 * k + 1];
+        return determinant(left, k, addedPx2);
     }
 
     private double squares(int k, double addedPx2) {
+        return squares(z, left, k, addedPx2);
+    }
+
+    private static double determinant(double[] left, int k, double addedPx2) {
+        return (left[3 * k] + addedPx2) * (left[3 * k + 2] + addedPx2) - left[3 * k + 1] * left[3 * k + 1];
+    }
+
+    private static double squares(double[] z, double[] left, int k, double addedPx2) {
         double a = z[2 * k];
         double b = z[2 * k + 1];
         return (a * a * (left[3 * k + 2] + addedPx2) - 2 * a * b * left[3 * k + 1] + b * b * (left[3 * k] + addedPx2))
-                / determinant(k, addedPx2);
+                / determinant(left, k, addedPx2);
     }
 }

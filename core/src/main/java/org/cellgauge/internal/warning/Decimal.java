@@ -2,16 +2,29 @@ package org.cellgauge.internal.warning;
 
 import java.math.BigDecimal;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 
 /** A number as it is written, with so many decimals; immutable. Numbers are equal that are written alike. */
 public final class Decimal {
-    private final String text;
+    private final double exact;
     private final int decimals;
+    /** Written when it is first asked for, on whatever thread: all would write the same. */
+    private @Nullable String text;
 
     private Decimal(double value, int decimals) {
-        // rounds halves up; what is kept is the rounded number, so that no other way of writing can round it otherwise
-        this.text = String.format(Locale.ROOT, "%." + decimals + "f", value);
+        this.exact = value;
         this.decimals = decimals;
+    }
+
+    private String text() {
+        String written = text;
+        if (written == null) {
+            // rounds halves up; all that is told is the rounded number, so that no other way of writing can round it
+            // otherwise
+            written = String.format(Locale.ROOT, "%." + decimals + "f", exact);
+            text = written;
+        }
+        return written;
     }
 
     /**
@@ -41,7 +54,7 @@ public final class Decimal {
      * @return rounded to {@link #decimals()}
      */
     public double value() {
-        return Double.parseDouble(text);
+        return Double.parseDouble(text());
     }
 
     /**
@@ -55,17 +68,17 @@ public final class Decimal {
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof Decimal && text.equals(((Decimal) other).text);
+        return other instanceof Decimal && text().equals(((Decimal) other).text());
     }
 
     @Override
     public int hashCode() {
-        return text.hashCode();
+        return text().hashCode();
     }
 
     /** The number with a point and without grouping. */
     @Override
     public String toString() {
-        return text;
+        return text();
     }
 }
