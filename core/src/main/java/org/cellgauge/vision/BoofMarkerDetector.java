@@ -620,7 +620,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         if (square.id != NONE && (square.id != square.idRead || turns > 0)) {
             // read as another marker, or turned: the light from its cells was not what the sides were fitted with
-            light.refit(image, marker, patterns.get(square.id));
+            light.refit(image, marker, pattern(square.id));
         }
     }
 
