@@ -325,8 +325,7 @@ final class InputWork {
         stage("image file");
         Cell shown = shown(photo.widthPx(), photo.heightPx(), name);
         if (detector == null || shown.camera().widthPx() != detectorWidthPx) {
-            BoofMarkerDetector ofSize = BoofMarkerDetector.forCell(shown);
-            detector = plan.settings().sampling().threads() > 1 ? ofSize.spread() : ofSize;
+            detector = BoofMarkerDetector.forCell(shown);
             detectorWidthPx = shown.camera().widthPx();
         }
         Detections detections = detector.detect(photo, name);
