@@ -3,6 +3,8 @@ package org.cellgauge.check;
 import boofcv.concurrency.BoofConcurrency;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.MarkerFamily;
@@ -41,11 +43,13 @@ import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * What one frame of a live check costs before any chain: four references and three objects in 1280 x 720 px, one
- * thread where nothing else is said; and what a second of a moving camera costs as a live check has it, in 1920 x 1080 px.
+ * thread where nothing else is said; and what a second of a moving camera costs as a live check has it, in 1920 x 1080
+ * px.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -58,6 +62,7 @@ public class FrameBenchmark {
     private static final double PIXEL_STD = 0.1;
     private static final OverlayStyle PORTRAIT =
             OverlayStyle.PHOTO.withOrientation(ImageOrientation.of(1, false)).withoutPanels();
+    private static final int PROCESSORS = Runtime.getRuntime().availableProcessors();
     private static final int FRAMES_OF_A_SECOND = 30;
 
     private final CheckSettings settings = CheckSettings.builder().threads(1).build();
@@ -66,6 +71,7 @@ public class FrameBenchmark {
     private BoofMarkerDetector detector;
     private BoofMarkerDetector frames;
     private BoofMarkerDetector spreadFrames;
+    private ExecutorService helpers;
     private Detections detections;
     private ReferenceView view;
     private CameraFit unfitted;
@@ -93,8 +99,9 @@ public class FrameBenchmark {
         }
         image = picture.image();
         detector = new BoofMarkerDetector(CAMERA, MarkerFamily.SQUARE_BINARY, ids);
+        helpers = Executors.newFixedThreadPool(PROCESSORS);
         frames = BoofMarkerDetector.forFrames(cell);
-        spreadFrames = BoofMarkerDetector.forFrames(cell).spread();
+        spreadFrames = BoofMarkerDetector.forFrames(cell).spread(helpers, PROCESSORS);
         detections = detection();
         if (detections.markers().size() != ids.size()) {
             throw new IllegalStateException("only " + detections.markers().size() + " markers were found");
@@ -112,6 +119,12 @@ public class FrameBenchmark {
         looks = new QuickLooks(cell, settings);
         quickLook = quickLookFromLastFrame();
         moving = new MovingCamera();
+    }
+
+    /** Ends the threads. */
+    @TearDown
+    public void end() {
+        helpers.shutdown();
     }
 
     /** All markers of the frame. */

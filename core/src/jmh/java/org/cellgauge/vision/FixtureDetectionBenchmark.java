@@ -4,6 +4,8 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferByte;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
 import org.cellgauge.cell.Cell;
@@ -20,11 +22,12 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Time to find the six or seven markers of the fixtures' photos, 1280 x 720 px, on one thread and on all. All say sRGB but {@code
- * plane-3}, which says nothing.
+ * Time to find the six or seven markers of the fixtures' photos, 1280 x 720 px, on one thread and on all. All say sRGB
+ * but {@code plane-3}, which says nothing.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.SampleTime)
@@ -33,6 +36,8 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 2)
 @Fork(1)
 public class FixtureDetectionBenchmark {
+    private static final int PROCESSORS = Runtime.getRuntime().availableProcessors();
+
     /** Folder of the fixture. */
     @Param({"lifted-4", "raised-4", "plane-4", "raised-3", "distorted-4", "apriltag-4", "plane-3"})
     public String fixture;
@@ -43,6 +48,7 @@ public class FixtureDetectionBenchmark {
     private BoofMarkerDetector spreadOfFrames;
     private GreyImage image;
     private GreyImage frame;
+    private ExecutorService helpers;
 
     /**
      * Reads the photo.
@@ -60,11 +66,18 @@ public class FixtureDetectionBenchmark {
             image = image.withToneCurve(ToneCurve.SRGB);
         }
         Cell cell = CellReader.read(folder.resolve("cell.yaml"));
+        helpers = Executors.newFixedThreadPool(PROCESSORS);
         detector = BoofMarkerDetector.forCell(cell);
         ofFrames = BoofMarkerDetector.forFrames(cell);
-        spread = BoofMarkerDetector.forCell(cell).spread();
-        spreadOfFrames = BoofMarkerDetector.forFrames(cell).spread();
+        spread = BoofMarkerDetector.forCell(cell).spread(helpers, PROCESSORS);
+        spreadOfFrames = BoofMarkerDetector.forFrames(cell).spread(helpers, PROCESSORS);
         frame = image.withToneCurve(null);
+    }
+
+    /** Ends the threads. */
+    @TearDown
+    public void end() {
+        helpers.shutdown();
     }
 
     /**

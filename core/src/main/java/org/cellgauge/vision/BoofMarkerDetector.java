@@ -23,6 +23,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.Executor;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellRefusal;
 import org.cellgauge.cell.InputRefusedException;
@@ -223,14 +224,15 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /**
-     * Fits several markers at once from now on, on the threads of the Java machine's common pool beside the calling
-     * one: for photos that are waited for, and not where each thread has a photo of its own. Corners are the same
-     * either way.
+     * Fits several markers at once from now on: for frames that are waited for, and not where each thread has a photo
+     * of its own. Corners are the same either way.
      *
+     * @param helpers on what threads, beside the one that detects; where none is free, that one does all
+     * @param threads how many threads at most, that one among them, at least 1
      * @return this detector
      */
-    public BoofMarkerDetector spread() {
-        loop.spread();
+    public BoofMarkerDetector spread(Executor helpers, int threads) {
+        loop.spread(helpers, threads);
         return this;
     }
 

@@ -10,6 +10,9 @@ import java.awt.image.DataBufferByte;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import javax.imageio.ImageIO;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
@@ -102,9 +105,23 @@ class FramesOfACameraTest {
     /** Each marker is fitted by one thread, whichever that is. */
     @Test
     void markersFittedAtOnceAreSeenAsOneAfterAnother() {
+        ExecutorService helpers = Executors.newFixedThreadPool(3);
+        try {
+            markersFittedAtOnceAreSeenAsOneAfterAnother(helpers);
+            helpers.shutdown();
+            markersFittedAtOnceAreSeenAsOneAfterAnother(helpers);
+        } finally {
+            helpers.shutdownNow();
+        }
+        // helpers that never come
+        markersFittedAtOnceAreSeenAsOneAfterAnother(task -> { });
+    }
+
+    private void markersFittedAtOnceAreSeenAsOneAfterAnother(Executor helpers) {
         for (GreyImage photo : List.of(curved, sharpened(curved, 0.8))) {
             List<MarkerObservation> expected = BoofMarkerDetector.forCell(cell).detect(photo, "one").markers();
-            List<MarkerObservation> found = BoofMarkerDetector.forCell(cell).spread().detect(photo, "both").markers();
+            List<MarkerObservation> found = BoofMarkerDetector.forCell(cell).spread(helpers, 4).detect(photo, "all")
+                    .markers();
             assertEquals(6, found.size());
             for (int i = 0; i < found.size(); i++) {
                 assertEquals(expected.get(i).id(), found.get(i).id());

@@ -1,5 +1,6 @@
 package org.cellgauge.android.state;
 
+import io.reactivex.rxjava3.schedulers.Schedulers;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.MarkerDetector;
@@ -8,7 +9,8 @@ import org.cellgauge.vision.MarkerDetector;
 public interface Detectors {
     /** The library's. */
     Detectors OF_LIBRARY = (cell, frames) -> (frames ? BoofMarkerDetector.forFrames(cell)
-            : BoofMarkerDetector.forCell(cell)).spread();
+            : BoofMarkerDetector.forCell(cell))
+            .spread(Schedulers.computation()::scheduleDirect, Runtime.getRuntime().availableProcessors());
 
     /**
      * Makes a detector.
