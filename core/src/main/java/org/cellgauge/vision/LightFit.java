@@ -184,7 +184,7 @@ final class LightFit {
     private boolean inBlocks;
     private final BlockGrid blocks = new BlockGrid();
 
-    /** Of a photo: its curve, its unsharp mask, what edges are off by for not knowing both, and whether it has blocks. */
+    /** Of a photo: its curve, its mask, what edges are off by for not knowing both, and whether it has blocks. */
     private static final class Found {
         final ToneCurve curve;
         final double maskAmount;
