@@ -296,6 +296,14 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     @Override
     public Detections detect(GreyImage image, String imageName) {
+        try {
+            return detected(image, imageName);
+        } finally {
+            loop.dismiss();
+        }
+    }
+
+    private Detections detected(GreyImage image, String imageName) {
         if (image.widthPx() != camera.widthPx() || image.heightPx() != camera.heightPx()) {
             throw new InputRefusedException(imageName, CellRefusal.IMAGE_SIZE, image.widthPx(), image.heightPx(),
                     camera.widthPx(), camera.heightPx(), CellPhrase.PHOTO_SIZE);
@@ -330,6 +338,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         light.fit(image, fitted, read);
         light.warn(fitted, warnings);
         readAll(image, seen);
+        loop.dismiss();
         for (Seen square : seen) {
             Candidate candidate = candidate(square, warnings);
             if (!looksTwice && (candidate != null || patterns.containsKey(square.idRead))) {
@@ -367,8 +376,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
             lookAgain(bentSquares, image, seen);
         }
         if (looksTwice && !showsAll(seen)) {
+            loop.dismiss();
             faintSquares().process(view);
             lookAgain(faintSquares(), image, seen);
+            loop.gather();
         }
         for (Seen square : seen) {
             if (square.edges != null && !patterns.containsKey(square.idRead)) {
@@ -505,6 +516,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
             patternOf[i] = pattern(found.get(i).idRead);
         }
         boolean[] fitted = new boolean[found.size()];
+        loop.gather();
         loop.each(found.size(), i -> fitted[i] = edges.get(i).fit(image, found.get(i).cornersPx, patternOf[i]));
         edgesUsed = 0;
         for (int i = 0; i < fitted.length; i++) {

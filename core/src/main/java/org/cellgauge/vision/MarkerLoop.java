@@ -13,8 +13,12 @@ import org.jspecify.annotations.Nullable;
  * its light, which stand still meanwhile, and nothing else, so results are the same either way.
  */
 final class MarkerLoop {
+    /** Until the last marker is done: it takes some tenths of a millisecond, and to be woken up takes about as long. */
+    private static final int YIELDS = 500;
+
     private @Nullable Executor helpers;
     private int threads = 1;
+    private @Nullable Team team;
 
     /**
      * From now on several at once.
@@ -27,31 +31,71 @@ final class MarkerLoop {
         threads = most;
     }
 
+    /** Has helpers come, and stay until they are let go: to be woken up for each loop takes as long as half of it. */
+    void gather() {
+        dismiss();
+        Executor with = helpers;
+        if (with == null || threads == 1) {
+            return;
+        }
+        Team gathered = new Team();
+        team = gathered;
+        try {
+            for (int i = 1; i < threads; i++) {
+                with.execute(gathered);
+            }
+        } catch (RejectedExecutionException e) {
+            // shut down, or busy: there is the calling thread
+        }
+    }
+
+    /** Lets helpers go. */
+    void dismiss() {
+        Team gathered = team;
+        if (gathered != null) {
+            gathered.dismissed = true;
+            team = null;
+        }
+    }
+
     /**
      * Does the work for each, and returns when all is done. It waits for work that has begun alone: where no helper is
-     * free, the calling thread does all of it.
+     * free, or none was gathered, the calling thread does all of it.
      *
      * @param count how many markers
      * @param work to be done with the number of each, from 0; what it throws is thrown when all others are done
      */
     void each(int count, IntConsumer work) {
-        Executor with = helpers;
-        if (with == null || threads == 1 || count < 2) {
+        Team with = team;
+        if (with == null || count < 2) {
             for (int i = 0; i < count; i++) {
                 work.accept(i);
             }
             return;
         }
         Shared shared = new Shared(count, work);
-        try {
-            for (int i = 1; i < Math.min(threads, count); i++) {
-                with.execute(shared);
-            }
-        } catch (RejectedExecutionException e) {
-            // shut down, or busy: there is the calling thread
-        }
+        with.shared = shared;
         shared.run();
         shared.await();
+    }
+
+    private static final class Team implements Runnable {
+        private volatile @Nullable Shared shared;
+        private volatile boolean dismissed;
+
+        @Override
+        public void run() {
+            Shared last = null;
+            while (!dismissed) {
+                Shared now = shared;
+                if (now == null || now == last) {
+                    Thread.yield();
+                } else {
+                    now.run();
+                    last = now;
+                }
+            }
+        }
     }
 
     private static final class Shared implements Runnable {
@@ -81,6 +125,9 @@ final class MarkerLoop {
         }
 
         void await() {
+            for (int i = 0; i < YIELDS && left.getCount() > 0; i++) {
+                Thread.yield();
+            }
             boolean interrupted = false;
             while (left.getCount() > 0) {
                 try {

@@ -6,11 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -18,14 +21,21 @@ import org.junit.jupiter.api.Test;
 class MarkerLoopTest {
     private final ExecutorService helpers = Executors.newFixedThreadPool(3);
 
+    private final List<MarkerLoop> loops = new ArrayList<>();
+
     @AfterEach
-    void end() {
-        helpers.shutdownNow();
+    void end() throws InterruptedException {
+        loops.forEach(MarkerLoop::dismiss);
+        helpers.shutdown();
+        // those who are let go leave
+        assertTrue(helpers.awaitTermination(1, TimeUnit.MINUTES));
     }
 
     private MarkerLoop spread() {
         MarkerLoop loop = new MarkerLoop();
         loop.spread(helpers, 4);
+        loop.gather();
+        loops.add(loop);
         return loop;
     }
 
