@@ -79,6 +79,12 @@ final class MarkerLoop {
         shared.await();
     }
 
+    /** Nothing but time hangs on what the scheduler makes of it. Android has no hint for waiting loops before level 33. */
+    @SuppressWarnings("ThreadPriorityCheck")
+    private static void waitALittle() {
+        Thread.yield();
+    }
+
     private static final class Team implements Runnable {
         private volatile @Nullable Shared shared;
         private volatile boolean dismissed;
@@ -89,7 +95,7 @@ final class MarkerLoop {
             while (!dismissed) {
                 Shared now = shared;
                 if (now == null || now == last) {
-                    Thread.yield();
+                    waitALittle();
                 } else {
                     now.run();
                     last = now;
@@ -126,7 +132,7 @@ final class MarkerLoop {
 
         void await() {
             for (int i = 0; i < YIELDS && left.getCount() > 0; i++) {
-                Thread.yield();
+                waitALittle();
             }
             boolean interrupted = false;
             while (left.getCount() > 0) {
