@@ -79,7 +79,7 @@ final class MarkerLoop {
         shared.await();
     }
 
-    /** Nothing but time hangs on what the scheduler makes of it. Android has no hint for waiting loops before level 33. */
+    /** Nothing but time hangs on what the scheduler makes of it, and older Androids know no other hint. */
     @SuppressWarnings("ThreadPriorityCheck")
     private static void waitALittle() {
         Thread.yield();
