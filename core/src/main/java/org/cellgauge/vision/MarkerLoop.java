@@ -54,6 +54,8 @@ final class MarkerLoop {
         Team gathered = team;
         if (gathered != null) {
             gathered.dismissed = true;
+            // a helper that was busy may come much later, and is not to hold the image so long
+            gathered.shared = null;
             team = null;
         }
     }

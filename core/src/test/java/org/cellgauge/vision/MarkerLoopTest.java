@@ -15,6 +15,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -42,9 +43,13 @@ class MarkerLoopTest {
     @Test
     void eachIsDoneOnceAndAllBeforeItReturns() {
         MarkerLoop loop = spread();
-        for (int round = 0; round < 1000; round++) {
+        for (int round = 0; round < 200; round++) {
             AtomicIntegerArray done = new AtomicIntegerArray(7);
-            loop.each(7, done::incrementAndGet);
+            loop.each(7, i -> {
+                // long enough for helpers to be in the midst of one when no other is left
+                LockSupport.parkNanos(50_000);
+                done.incrementAndGet(i);
+            });
             for (int i = 0; i < 7; i++) {
                 assertEquals(1, done.get(i));
             }
@@ -60,7 +65,7 @@ class MarkerLoopTest {
             threads.add(Thread.currentThread());
             both.countDown();
             try {
-                both.await();
+                assertTrue(both.await(1, TimeUnit.MINUTES));
             } catch (InterruptedException e) {
                 throw new IllegalStateException(e);
             }

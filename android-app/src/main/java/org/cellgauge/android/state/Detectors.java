@@ -7,10 +7,13 @@ import org.cellgauge.vision.MarkerDetector;
 
 /** Makes what finds markers: the library's detectors, or those of a test. */
 public interface Detectors {
+    /** A cell shows some seven markers, and helpers that wait for work keep their processors awake. */
+    int MOST_THREADS = 4;
     /** The library's. */
     Detectors OF_LIBRARY = (cell, frames) -> (frames ? BoofMarkerDetector.forFrames(cell)
             : BoofMarkerDetector.forCell(cell))
-            .spread(Schedulers.computation()::scheduleDirect, Runtime.getRuntime().availableProcessors());
+            .spread(Schedulers.computation()::scheduleDirect,
+                    Math.min(MOST_THREADS, Runtime.getRuntime().availableProcessors()));
 
     /**
      * Makes a detector.
