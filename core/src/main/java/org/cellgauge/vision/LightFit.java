@@ -121,20 +121,23 @@ final class LightFit {
     private static final double LEAST_DEVIATIONS = 1;
     /**
      * Noise that is correlated between pixels beside each other by less than minus this, and so many deviations, is
-     * blue: then it tells the amount too, though no better than cameras' noise is white before.
+     * blue: then it tells the mask too, though no better than cameras' noise is white before.
      */
     private static final double BLUE_CORRELATION = 0.03;
     private static final double BLUE_DEVIATIONS = 2;
-    private static final double NOISE_AMOUNT_STD = 0.15;
+    private static final double NOISE_CORRELATION_STD = 0.007;
     /** Markers that a mask is undone about first, and how much their noise must speak against it to end the search. */
     private static final int MOST_TRIED = 2;
     private static final double RULED_OUT = -3;
-    /** How much alike the leverages of neighbours are. */
-    private static final double NEIGHBOURS_SHARE = 0.7;
     /** Logarithm of a ratio of likelihoods by which noise bears a mask out. */
     private static final double BORNE_OUT = 8;
     /** Share of a band's pixels that the noise is measured by: those on the edge's slope. */
     private static final double PIXELS_ON_SLOPE = 0.3;
+    /**
+     * What edges that hide a mask say of it is the model's doing as much as the noise's: three times less well known,
+     * where the noise tells it too.
+     */
+    private static final double MODEL_VARIANCE_FACTOR = 9;
     /** How well edges can tell amount and radius at best. */
     private static final double MODEL_AMOUNT_STD = 0.02;
     private static final double MODEL_RADIUS_STD = 0.03;
@@ -144,6 +147,8 @@ final class LightFit {
     private static final double LARGEST_AMOUNT_STEP = 0.6;
     private static final double LARGEST_RADIUS_STEP = 0.35;
     private static final int MASK_ROUNDS = 8;
+    /** Step of numerical derivatives by amount and logarithm of the radius. */
+    private static final double DIFFERENCE = 1e-3;
     private static final double SETTLED_AMOUNT = 0.01;
     private static final double SETTLED_RADIUS = 0.02;
 
@@ -178,9 +183,12 @@ final class LightFit {
     /** The same before a mask was looked for, of the markers that tell the curve. */
     private double untouchedOvershoot;
     private double whiteGrey;
-    /** Whether the noise is blue, as a mask alone makes it, and how many pairs of pixels say so. */
+    private final FlatNoise flatNoise = new FlatNoise();
+    /** Whether the noise of flat ground is blue, as a mask alone makes it. */
     private boolean noiseTells;
-    private double pairs;
+    private final double[] ofMask = new double[FlatNoise.LAGS.length];
+    private final double[] moreAmount = new double[FlatNoise.LAGS.length];
+    private final double[] moreRadius = new double[FlatNoise.LAGS.length];
     private boolean inBlocks;
     private final BlockGrid blocks = new BlockGrid();
 
@@ -230,6 +238,7 @@ final class LightFit {
         fileSaid = said;
         clippedShare = 0;
         inBlocks = false;
+        noiseTells = false;
         maskAmount = 0;
         maskRadiusPx = USUAL_RADIUS_PX;
         maskOvershoot = 0;
@@ -319,9 +328,10 @@ final class LightFit {
         loop.each(markers.size(), m -> refit(image, markers.get(m), patterns.get(m)));
         loop.each(some.size(), m -> some.get(m).sharpness(maskAmount, maskRadiusPx));
         setNoise(some);
+        measureFlatNoise(image, some);
         double[] score = new double[SHAPES];
         double[] offsetBy = new double[SHAPES];
-        double[] covariance = shapeCovariance(some, correlation(some), true, scale.curve().power(), score, offsetBy);
+        double[] covariance = shapeCovariance(some, true, scale.curve().power(), score, offsetBy);
         if (covariance != null && Math.abs(step(covariance, 0, score) * offsetBy[0]) < SURPRISE_PX
                 && Math.abs(step(covariance, 1, score)) < SURPRISE_AMOUNT) {
             inBlocks = found.inBlocks;
@@ -492,11 +502,10 @@ final class LightFit {
             });
             setNoise(some);
             scale.setNoise(noiseGrey);
-            double correlation = correlation(some);
             if (round == 0) {
-                noiseTells = correlation < -Math.max(BLUE_CORRELATION, BLUE_DEVIATIONS / Math.sqrt(pairs));
+                measureFlatNoise(image, some);
             }
-            covariance = shapeCovariance(some, correlation, estimated || round > 0, power, score, offsetBy);
+            covariance = shapeCovariance(some, estimated || round > 0, power, score, offsetBy);
             if (covariance == null) {
                 break;
             }
@@ -590,14 +599,13 @@ final class LightFit {
     /**
      * Sums up what sides, inner edges and what is known beforehand say of power, amount and radius.
      *
-     * @param correlation of the noise between pixels beside each other
      * @param withShift whether the inner edges were measured
      * @param score receives the gradient of the log posterior
      * @param offsetBy receives the mean change of a side's offset, px
      * @return covariance of the three, or null where nothing tells them
      */
-    private double @Nullable [] shapeCovariance(List<MarkerEdges> some, double correlation, boolean withShift,
-            double power, double[] score, double[] offsetBy) {
+    private double @Nullable [] shapeCovariance(List<MarkerEdges> some, boolean withShift, double power,
+            double[] score, double[] offsetBy) {
         double variance = noiseGrey * noiseGrey;
         double[] information = new double[SHAPES * SHAPES];
         double[] ofSides = new double[SHAPES];
@@ -642,6 +650,11 @@ final class LightFit {
                 best[a] += deflated[a * SHAPES + b] * ofSides[b];
             }
         }
+        if (noiseTells) {
+            for (int k = 0; k < deflated.length; k++) {
+                deflated[k] *= MODEL_VARIANCE_FACTOR;
+            }
+        }
         deflated[0] += MODEL_POWER_STD * MODEL_POWER_STD;
         deflated[4] += MODEL_AMOUNT_STD * MODEL_AMOUNT_STD;
         deflated[8] += MODEL_RADIUS_STD * MODEL_RADIUS_STD;
@@ -666,43 +679,71 @@ final class LightFit {
         posterior[4] += 1 / (USUAL_AMOUNT_STD * USUAL_AMOUNT_STD);
         score[1] -= maskAmount / (USUAL_AMOUNT_STD * USUAL_AMOUNT_STD);
         posterior[8] += 1 / (RADIUS_STD * RADIUS_STD);
-        if (noiseTells) {
-            double byAmount = Unsharpened.correlationByAmount(maskAmount, maskRadiusPx);
-            double ofNoise = 1 / (NOISE_AMOUNT_STD * NOISE_AMOUNT_STD + 1 / (pairs * byAmount * byAmount));
-            posterior[4] += ofNoise;
-            score[1] += correlation / byAmount * ofNoise;
-        }
+        addFlatNoise(posterior, score);
         score[2] -= Math.log(maskRadiusPx / USUAL_RADIUS_PX) / (RADIUS_STD * RADIUS_STD);
         return Cholesky.inverse(posterior, SHAPES);
     }
 
-    /**
-     * Correlation of residuals between pixels beside each other, less what fitting leaves where noise is white: a fit
-     * of five unknowns takes their share of the noise out of pixels and neighbours alike.
-     */
-    private double correlation(List<MarkerEdges> some) {
-        double products = 0;
-        double squares = 0;
-        double fitted = 0;
-        pairs = 0;
+    /** Measures the noise of the ground about markers. */
+    private void measureFlatNoise(GreyImage image, List<MarkerEdges> some) {
+        double[] corners = new double[8];
+        flatNoise.clear();
         for (MarkerEdges marker : some) {
-            for (int i = 0; i < 4; i++) {
-                SideFit side = marker.side(i);
-                products += side.pairProducts;
-                squares += side.pairSquares;
-                pairs += side.pairs;
-                fitted += side.pairSquares * SideFit.UNKNOWNS / Math.max(SideFit.UNKNOWNS, side.samples());
-            }
+            marker.corners(corners);
+            flatNoise.add(image, corners);
         }
-        return squares > 0 ? (products + NEIGHBOURS_SHARE * fitted) / squares : 0;
+        noiseTells = flatNoise.conclude() && flatNoise.correlation(0)
+                < -Math.max(BLUE_CORRELATION, BLUE_DEVIATIONS * Math.sqrt(flatNoise.variance(0)));
+    }
+
+    /** Adds what the noise of flat ground says of amount and radius of the mask. */
+    private void addFlatNoise(double[] information, double[] score) {
+        if (!noiseTells) {
+            return;
+        }
+        Unsharpened.noiseCorrelation(maskAmount, maskRadiusPx, ofMask);
+        Unsharpened.noiseCorrelation(maskAmount + DIFFERENCE, maskRadiusPx, moreAmount);
+        Unsharpened.noiseCorrelation(maskAmount, maskRadiusPx * Math.exp(DIFFERENCE), moreRadius);
+        for (int l = 0; l < FlatNoise.LAGS.length; l++) {
+            double weight = flatWeight(l);
+            double byAmount = (moreAmount[l] - ofMask[l]) / DIFFERENCE;
+            double byRadius = (moreRadius[l] - ofMask[l]) / DIFFERENCE;
+            double off = flatNoise.correlation(l) - ofMask[l];
+            score[1] += weight * byAmount * off;
+            score[2] += weight * byRadius * off;
+            information[4] += weight * byAmount * byAmount;
+            information[5] += weight * byAmount * byRadius;
+            information[7] += weight * byAmount * byRadius;
+            information[8] += weight * byRadius * byRadius;
+        }
+    }
+
+    private double flatWeight(int lag) {
+        return 1 / (NOISE_CORRELATION_STD * NOISE_CORRELATION_STD + flatNoise.variance(lag));
+    }
+
+    /** Logarithm of the ratio of the likelihoods of the noise of flat ground with the mask and without one. */
+    private double byFlatNoise() {
+        double sum = 0;
+        Unsharpened.noiseCorrelation(maskAmount, maskRadiusPx, ofMask);
+        for (int l = 0; l < FlatNoise.LAGS.length; l++) {
+            double seen = flatNoise.correlation(l);
+            double off = seen - ofMask[l];
+            sum += 0.5 * flatWeight(l) * (seen * seen - off * off);
+        }
+        return sum;
     }
 
     /**
      * What the noise says of the mask: logarithm of the ratio of the likelihoods of grey values with the mask and
-     * without one. A mask makes white noise blue, and undoing it makes it white again and smaller than its Jacobian
-     * asks for; where noise was white, undoing a mask leaves it larger than that (Jensen).
+     * without one. By flat ground where it is blue; else by the sides: a mask makes white noise blue, and undoing it
+     * makes it white again and smaller than its Jacobian asks for; where noise was white, undoing a mask leaves it
+     * larger than that (Jensen).
      */
     private double byNoise(double sharpNoise) {
+        if (noiseTells) {
+            return byFlatNoise();
+        }
         return PIXELS_ON_SLOPE * degreesOfFreedom * (Math.log(sharpNoise / noiseGrey)
                 - Unsharpened.meanLogGain(maskAmount, maskRadiusPx));
     }
@@ -963,7 +1004,7 @@ final class LightFit {
         light = light.withOutlineStdPx(PhotoLight.usualOutlineStdPx(blurPx, whiteGrey,
                 blurInCells > 0 ? blurPx / blurInCells : Double.POSITIVE_INFINITY));
         double more = Math.hypot(inBlocks ? OUTLINE_STD_IN_BLOCKS_PX : 0,
-                overshoot > OVERSHOOT ? OUTLINE_STD_OF_SHARPENED_PX * blurInCells : 0);
+                overshoot > OVERSHOOT && !(noiseTells && maskAmount > 0) ? OUTLINE_STD_OF_SHARPENED_PX * blurInCells : 0);
         if (more > 0) {
             light = light.withOutlineStdPx(Math.hypot(light.outlineStdPx(), more));
         }

@@ -24,8 +24,6 @@ final class SideFit {
     static final int BRIGHT = 4;
     /** Power of the curve, amount and logarithm of the radius of an unsharp mask. */
     static final int SHAPES = 3;
-    /** Pixels beside each other are so near to 1 px apart, px: a lens bends their distance. */
-    private static final double NEXT_PX = 0.1;
     /** How far from the edge a mask's effect is tabulated, deviations of blur and mask. */
     private static final double STEP_REACH = 5;
     private static final int MAX_STEPS = 20;
@@ -122,10 +120,6 @@ final class SideFit {
     final double[] offsetByShape = new double[SHAPES];
     /** How far the mask lifts grey above white, as a share of the difference of white and black. */
     double maskOvershoot;
-    /** Residuals of pixels beside each other: how many pairs, and the sums of their products and of their squares. */
-    int pairs;
-    double pairProducts;
-    double pairSquares;
     /** Change of the line by {@link #lampAlong}: of its offset, px², and of its slope, px. */
     double offsetByLamp;
     double slopeByLamp;
@@ -187,10 +181,6 @@ final class SideFit {
     /** Whether there was a fit before. */
     boolean started() {
         return started;
-    }
-
-    int samples() {
-        return samples;
     }
 
     /**
@@ -694,7 +684,7 @@ final class SideFit {
     /**
      * Evaluates, at the solution, score and information of the curve's power, of the amount of an unsharp mask that was
      * undone and of the logarithm of its radius ({@link #shapeScore}, {@link #shapeInformation}, {@link
-     * #offsetByShape}), and what residuals of pixels beside each other have in common.
+     * #offsetByShape}).
      *
      * @param scale tone curve and noise
      * @param profile turned to the side's normal
@@ -721,19 +711,9 @@ final class SideFit {
         Arrays.fill(shapeInformation, 0);
         Arrays.fill(shapeScore, 0);
         Arrays.fill(offsetByShape, 0);
-        pairs = 0;
-        pairProducts = 0;
-        pairSquares = 0;
-        double last = 0;
         evaluate(scale, profile, p);
         for (int i = 0; i < samples; i++) {
             double residual = residuals[i];
-            if (i > 0 && isNextPx(along[i] - along[i - 1], across[i] - across[i - 1])) {
-                pairs++;
-                pairProducts += last * residual;
-                pairSquares += (last * last + residual * residual) / 2;
-            }
-            last = residual;
             if (Math.abs(base[i]) >= CLEAN_SHARE) {
                 continue;
             }
@@ -776,12 +756,6 @@ final class SideFit {
                 gathered[a * UNKNOWNS + b] += row[a] * row[b];
             }
         }
-    }
-
-    /** Whether so far apart are pixels beside each other. */
-    private static boolean isNextPx(double dx, double dy) {
-        double squared = dx * dx + dy * dy;
-        return squared > (1 - NEXT_PX) * (1 - NEXT_PX) && squared < (1 + NEXT_PX) * (1 + NEXT_PX);
     }
 
     /** Inverse of the lower triangle gathered in {@link #gathered}, hardly damped; null where it has none. */

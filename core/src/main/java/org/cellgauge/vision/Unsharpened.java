@@ -21,6 +21,17 @@ final class Unsharpened {
     /** A round that changes no grey value by more than this is the last. */
     private static final double SETTLED_GREY = 0.01;
     private static final int FREQUENCIES = 24;
+    /** Cosines of the frequencies, by the multiple of a pixel. */
+    private static final double[][] COSINES = new double[4][FREQUENCIES];
+
+    static {
+        for (int k = 0; k < COSINES.length; k++) {
+            for (int f = 0; f < FREQUENCIES; f++) {
+                COSINES[k][f] = Math.cos(Math.PI * (f + 0.5) / FREQUENCIES * k);
+            }
+        }
+    }
+
     private static final int LIKELY = 64;
     private static final int LARGEST_Z = 8;
     private static final int Z_STEPS = 32;
@@ -174,24 +185,29 @@ final class Unsharpened {
     }
 
     /**
-     * How fast the correlation of white noise between pixels beside each other, after a mask and after undoing one of
-     * the same radius, changes with the amount of the mask where both amounts are the same.
+     * How white noise hangs together after a mask.
      *
-     * @param amount of the masks, at least 0
-     * @param radiusPx deviation of their Gaussian, positive, px
-     * @return negative: what is left of a mask makes the correlation negative
+     * @param amount of the mask, at least 0
+     * @param radiusPx deviation of its Gaussian, positive, px
+     * @param correlation receives the correlation of pixels that are {@link FlatNoise#LAGS} from each other
      */
-    static double correlationByAmount(double amount, double radiusPx) {
+    static void noiseCorrelation(double amount, double radiusPx, double[] correlation) {
         double[] ofGaussian = gain(radiusPx);
-        double mean = 0;
+        double total = 0;
+        Arrays.fill(correlation, 0);
         for (int f = 0; f < FREQUENCIES; f++) {
-            double cosine = Math.cos(Math.PI * (f + 0.5) / FREQUENCIES);
-            for (double across : ofGaussian) {
-                double rest = 1 - ofGaussian[f] * across;
-                mean += 2 * cosine * rest / (1 + amount * rest) / (FREQUENCIES * FREQUENCIES);
+            for (int g = 0; g < FREQUENCIES; g++) {
+                double gain = 1 + amount * (1 - ofGaussian[f] * ofGaussian[g]);
+                double power = gain * gain;
+                total += power;
+                for (int l = 0; l < correlation.length; l++) {
+                    correlation[l] += power * COSINES[FlatNoise.LAGS[l][0]][f] * COSINES[FlatNoise.LAGS[l][1]][g];
+                }
             }
         }
-        return mean;
+        for (int l = 0; l < correlation.length; l++) {
+            correlation[l] /= total;
+        }
     }
 
     /** What a sampled Gaussian leaves of frequencies from 0 to the half of one per pixel. */

@@ -13,7 +13,6 @@ import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.validation.DetectionSource;
 import org.cellgauge.internal.validation.SimulatedCell;
 import org.cellgauge.internal.vision.MarkerPattern;
-import org.cellgauge.internal.vision.SideBand;
 import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 import org.cellgauge.vision.GreyImage;
@@ -85,7 +84,6 @@ public final class RenderedPhotos implements DetectionSource {
 
     private double outlineStdPx(SimulatedCell simulated) {
         double white = 255 * sensor.toneCurve().grey(sensor.exposure() * PlanarMarker.WHITE) + sensor.blackLevelGrey();
-        double blurPx = SideBand.sharpenedBlurPx(sensor.blurPx(), sensor.unsharpAmount(), sensor.unsharpRadiusPx());
         double sides = 0;
         int count = 0;
         int cells = 1;
@@ -95,7 +93,7 @@ public final class RenderedPhotos implements DetectionSource {
             count += sidePx > 0 ? 1 : 0;
             cells = MarkerPattern.of(simulated.cell().family(), marker.id()).cells();
         }
-        return PhotoLight.usualOutlineStdPx(blurPx, Math.min(255, white), sides / Math.max(1, count) / cells);
+        return PhotoLight.usualOutlineStdPx(sensor.blurPx(), Math.min(255, white), sides / Math.max(1, count) / cells);
     }
 
     private record MarkerSize(int id, double sizeMm) {

@@ -40,6 +40,8 @@ public final class SceneRenderer {
     private static final int SURROUNDINGS_PX = 10;
     private static final int BLOCK_PX = 8;
     private static final int NOISE_TABLE = 4096;
+    /** Side of the square of noise that a sharpened wall is tiled with, px. */
+    private static final int NOISE_PATCH = 192;
 
     private SceneRenderer() {
     }
@@ -74,8 +76,8 @@ public final class SceneRenderer {
     /**
      * Takes a picture on the calling thread in a fraction of the time. Around the paper of every marker, as far as blur
      * and unsharp mask reach and {@value #SURROUNDINGS_PX} px more, it has the light of {@link #render}; beyond, the
-     * wall's light is that of every eighth pixel, and its noise is taken from a table of {@value #NOISE_TABLE} draws.
-     * Noise differs from that of {@link #render}. A scene whose wall has a texture is rendered as a whole.
+     * wall's light is that of every eighth pixel, and its noise is taken from a table of {@value #NOISE_TABLE} draws,
+     * or, where a mask makes it blue, from a square of {@value #NOISE_PATCH} px. Noise differs from that of {@link #render}. A scene whose wall has a texture is rendered as a whole.
      *
      * @param scene what stands where
      * @param sensor how it is taken
@@ -134,8 +136,9 @@ public final class SceneRenderer {
         for (int i = 0; i < noise.length; i++) {
             noise[i] = random.nextGaussian();
         }
-        // on an even ground the mask leaves the mean as it is and makes more of the noise
-        double gain = mask == null ? 1 : mask.noiseGain();
+        // on an even ground the mask leaves the mean as it is, makes more of the noise, and makes it blue
+        float[] sharpened = mask == null ? null : sharpenedNoise(mask, random);
+        int shift = mask == null ? 0 : random.nextInt(NOISE_PATCH * NOISE_PATCH);
         Lamp lamp = new Lamp(scene.camera(), sensor);
         int across = (width + BLOCK_PX - 1) / BLOCK_PX;
         double[] level = new double[across];
@@ -146,16 +149,42 @@ public final class SceneRenderer {
                     double light = sensor.exposure() * Backdrop.MEAN_REFLECTANCE
                             * lamp.at((block + 0.5) * BLOCK_PX, row + 0.5 * BLOCK_PX);
                     level[block] = 255 * sensor.toneCurve().grey(light) + sensor.blackLevelGrey();
-                    std[block] = gain * noiseGrey(sensor, light);
+                    std[block] = noiseGrey(sensor, light);
                 }
             }
             int at = random.nextInt(NOISE_TABLE);
             for (int column = 0; column < width; column++) {
                 int block = column / BLOCK_PX;
-                grey[row * width + column] =
-                        rounded(sensor.cutOff(level[block] + std[block] * noise[at++ & NOISE_TABLE - 1]));
+                double here = sharpened == null ? noise[at++ & NOISE_TABLE - 1]
+                        : sharpened[(row + shift / NOISE_PATCH) % NOISE_PATCH * NOISE_PATCH
+                                + (column + shift) % NOISE_PATCH];
+                grey[row * width + column] = rounded(sensor.cutOff(level[block] + std[block] * here));
             }
         }
+    }
+
+    /** A square of white noise of deviation 1 after a mask, which goes on beyond each border as at the other one. */
+    private static float[] sharpenedNoise(UnsharpMask mask, RandomGenerator random) {
+        int reach = mask.reachPx();
+        int side = NOISE_PATCH + 2 * reach;
+        float[] white = new float[NOISE_PATCH * NOISE_PATCH];
+        for (int i = 0; i < white.length; i++) {
+            white[i] = (float) random.nextGaussian();
+        }
+        float[] around = new float[side * side];
+        for (int row = 0; row < side; row++) {
+            for (int column = 0; column < side; column++) {
+                around[row * side + column] = white[Math.floorMod(row - reach, NOISE_PATCH) * NOISE_PATCH
+                        + Math.floorMod(column - reach, NOISE_PATCH)];
+            }
+        }
+        float[] sharpened = new float[around.length];
+        mask.apply(around, side, side, sharpened);
+        float[] patch = new float[white.length];
+        for (int row = 0; row < NOISE_PATCH; row++) {
+            System.arraycopy(sharpened, (row + reach) * side + reach, patch, row * NOISE_PATCH, NOISE_PATCH);
+        }
+        return patch;
     }
 
     /** Deviation of a grey value of an even ground to first order, grey levels. */

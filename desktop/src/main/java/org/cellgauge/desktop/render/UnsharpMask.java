@@ -34,16 +34,6 @@ final class UnsharpMask {
         return weights.length - 1;
     }
 
-    /** By what the deviation of noise that is independent from pixel to pixel grows. */
-    double noiseGain() {
-        double line = weights[0] * weights[0];
-        for (int k = 1; k < weights.length; k++) {
-            line += 2 * weights[k] * weights[k];
-        }
-        double own = weights[0] * weights[0];
-        return Math.sqrt((1 + amount) * (1 + amount) - 2 * amount * (1 + amount) * own + amount * amount * line * line);
-    }
-
     /**
      * Sharpens.
      *
@@ -53,6 +43,22 @@ final class UnsharpMask {
      * @param out receives the result, cut off at 0 and 255 and rounded
      */
     void apply(float[] grey, int width, int height, byte[] out) {
+        float[] sharpened = new float[grey.length];
+        apply(grey, width, height, sharpened);
+        for (int i = 0; i < out.length; i++) {
+            out[i] = (byte) Math.min(255, Math.max(0, Math.round(sharpened[i])));
+        }
+    }
+
+    /**
+     * Sharpens what a picture is made of, noise alone for instance.
+     *
+     * @param grey values, row by row
+     * @param width its width
+     * @param height its height
+     * @param out receives the result, neither cut off nor rounded
+     */
+    void apply(float[] grey, int width, int height, float[] out) {
         float[] alongRows = new float[grey.length];
         for (int row = 0; row < height; row++) {
             int start = row * width;
@@ -73,8 +79,7 @@ final class UnsharpMask {
                             + alongRows[Math.min(height - 1, row + k) * width + column]);
                 }
                 double level = grey[row * width + column];
-                level += amount * (level - sum);
-                out[row * width + column] = (byte) Math.min(255, Math.max(0, Math.round(level)));
+                out[row * width + column] = (float) (level + amount * (level - sum));
             }
         }
     }

@@ -383,7 +383,6 @@ class SceneRendererTest {
                 norm += kernel * kernel;
             }
         }
-        assertEquals(Math.sqrt(norm), UnsharpMask.of(Sensor.IDEAL.withUnsharp(amount, radius)).noiseGain(), 1e-12);
         assertNoise(norm * 4, Sensor.IDEAL.withNoiseGrey(2).withUnsharp(amount, radius), 1.5);
     }
 
@@ -498,6 +497,35 @@ class SceneRendererTest {
         // the table's 4096 draws have a deviation good to 1.1 %, that of the pixels to 0.35 %: four standard errors
         assertEquals(1, deviation(quick) / deviation(whole), 0.05);
         assertEquals(mean(whole), mean(quick), 4 * 5 / Math.sqrt(4096));
+    }
+
+    /** A mask makes neighbours of a wall differ by more, along rows and columns, near markers or not. */
+    @Test
+    void quickPictureHasTheBlueNoiseOfTheWholeOne() {
+        Scene plain = Scene.of(PinholeCamera.ideal(400, 300, 300, 300, 200, 150), FROM_ABOVE).build();
+        Sensor sensor = Sensor.IDEAL.withNoiseGrey(4).withUnsharp(0.8, 0.9);
+        GreyImage whole = SceneRenderer.render(plain, sensor, new Well19937c(2));
+        GreyImage quick = SceneRenderer.renderNearMarkers(plain, sensor, new Well19937c(3));
+        // a patch of 192 x 192 draws stands for them: four standard errors
+        double tolerance = 4 / Math.sqrt(192 * 192);
+        assertEquals(1, deviation(quick) / deviation(whole), 4 / Math.sqrt(2 * 192 * 192));
+        for (int[] lag : new int[][] {{1, 0}, {0, 1}, {1, 1}, {2, 0}}) {
+            assertEquals(correlation(whole, lag[0], lag[1]), correlation(quick, lag[0], lag[1]), tolerance);
+        }
+        assertTrue(correlation(whole, 1, 0) < -3 * tolerance, "neighbours hang together");
+    }
+
+    private static double correlation(GreyImage image, int byX, int byY) {
+        double mean = mean(image);
+        double sum = 0;
+        int count = 0;
+        for (int row = byY; row < image.heightPx(); row++) {
+            for (int column = byX; column < image.widthPx(); column++) {
+                sum += (image.get(column, row) - mean) * (image.get(column - byX, row - byY) - mean);
+                count++;
+            }
+        }
+        return sum / count / (deviation(image) * deviation(image));
     }
 
     private static double mean(GreyImage image) {

@@ -1,0 +1,240 @@
+package org.cellgauge.vision;
+
+import java.util.Arrays;
+
+/**
+ * How the noise of pixels near each other hangs together, as flat ground about markers shows it: a wall, a table, white
+ * paper. Noise of a camera is independent from pixel to pixel, or smooth where colours were interpolated and noise was
+ * filtered; an unsharp mask makes it blue, so that neighbours differ by more than they would. Not thread-safe.
+ *
+ * <p>Ground is taken in tiles. From each the plane that fits it best is taken off, and with it a little of the noise,
+ * for which correlations are corrected: by the trace of the hat
+ * matrix and how much smooth noise there is. Tiles whose variance is larger
+ * than is usual for flat ones have an edge or a pattern and are left out, as are those at the ends of the scale.
+ */
+final class FlatNoise {
+    /** Places of a neighbour, px along one axis and the other, in either direction and either way round. */
+    static final int[][] LAGS = {{1, 0}, {1, 1}, {2, 0}, {2, 1}, {3, 0}};
+    /** How far about a marker ground is looked at, px. */
+    private static final int ABOUT_PX = 48;
+    /** Kept clear between a marker and ground, px. */
+    private static final int CLEAR_PX = 3;
+    private static final int TILE = 16;
+    private static final int PIXELS = TILE * TILE;
+    private static final int PLANE = 3;
+    private static final int MOST_TILES = 192;
+    private static final int LEAST_TILES = 12;
+    /** Of tiles in order of their variance, this share is surely flat if a good part of the ground is. */
+    private static final double SURELY_FLAT = 0.25;
+    /** Variance of 253 degrees of freedom varies by a twelfth; ground of another brightness has other noise. */
+    private static final double LARGEST_VARIANCE = 1.6;
+    /** Variance of rounding to whole grey levels, independent from pixel to pixel where noise is larger. */
+    private static final double ROUNDING = 1.0 / 12;
+    private static final double LEAST_VARIANCE = 4 * ROUNDING;
+
+    /** What the plane takes of the products of white noise of variance 1, by lag; and how many pairs a tile has. */
+    private final double[] taken = new double[LAGS.length];
+    private final int[] pairsOfTile = new int[LAGS.length];
+    private final int[][][] ways = new int[LAGS.length][][];
+    private final double slopeSquares;
+    private final double[] grey = new double[PIXELS];
+    private final double[] variances = new double[MOST_TILES];
+    private final double[] products = new double[MOST_TILES * LAGS.length];
+    private int tiles;
+    private int flat;
+    private final double[] correlation = new double[LAGS.length];
+
+    FlatNoise() {
+        for (int l = 0; l < LAGS.length; l++) {
+            ways[l] = ways(LAGS[l]);
+        }
+        double squares = 0;
+        for (int k = 0; k < TILE; k++) {
+            squares += TILE * centred(k) * centred(k);
+        }
+        slopeSquares = squares;
+        for (int y = 0; y < TILE; y++) {
+            for (int x = 0; x < TILE; x++) {
+                for (int l = 0; l < LAGS.length; l++) {
+                    for (int[] way : ways[l]) {
+                        int x2 = x + way[0];
+                        int y2 = y + way[1];
+                        if (x2 >= 0 && x2 < TILE && y2 < TILE) {
+                            pairsOfTile[l]++;
+                            taken[l] += 1.0 / PIXELS
+                                    + (centred(x) * centred(x2) + centred(y) * centred(y2)) / slopeSquares;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /** Neighbours at a lag of which no two are each other's opposites; none is above. */
+    private static int[][] ways(int[] lag) {
+        if (lag[1] == 0) {
+            return new int[][] {{lag[0], 0}, {0, lag[0]}};
+        }
+        if (lag[0] == lag[1]) {
+            return new int[][] {{lag[0], lag[0]}, {-lag[0], lag[0]}};
+        }
+        return new int[][] {{lag[0], lag[1]}, {-lag[0], lag[1]}, {lag[1], lag[0]}, {-lag[1], lag[0]}};
+    }
+
+    private static double centred(int k) {
+        return k - (TILE - 1) / 2.0;
+    }
+
+    /** Forgets what was gathered. */
+    void clear() {
+        tiles = 0;
+        flat = 0;
+    }
+
+    /**
+     * Gathers the ground about a marker.
+     *
+     * @param image the photo
+     * @param cornersPx 8 values: u, v of the marker's corners, px
+     */
+    void add(GreyImage image, double[] cornersPx) {
+        double left = Double.POSITIVE_INFINITY;
+        double top = Double.POSITIVE_INFINITY;
+        double right = Double.NEGATIVE_INFINITY;
+        double bottom = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < 8; i += 2) {
+            left = Math.min(left, cornersPx[i]);
+            right = Math.max(right, cornersPx[i]);
+            top = Math.min(top, cornersPx[i + 1]);
+            bottom = Math.max(bottom, cornersPx[i + 1]);
+        }
+        int x0 = Math.max(0, (int) left - ABOUT_PX);
+        int y0 = Math.max(0, (int) top - ABOUT_PX);
+        int x1 = Math.min(image.widthPx(), (int) right + ABOUT_PX) - TILE;
+        int y1 = Math.min(image.heightPx(), (int) bottom + ABOUT_PX) - TILE;
+        for (int y = y0; y <= y1; y += TILE) {
+            for (int x = x0; x <= x1; x += TILE) {
+                boolean onMarker = x < right + CLEAR_PX && x + TILE > left - CLEAR_PX && y < bottom + CLEAR_PX
+                        && y + TILE > top - CLEAR_PX;
+                if (!onMarker && tiles < MOST_TILES) {
+                    addTile(image, x, y);
+                }
+            }
+        }
+    }
+
+    private void addTile(GreyImage image, int x0, int y0) {
+        double sum = 0;
+        double byX = 0;
+        double byY = 0;
+        int least = 255;
+        int largest = 0;
+        for (int y = 0, i = 0; y < TILE; y++) {
+            double ofRow = 0;
+            for (int x = 0; x < TILE; x++) {
+                int value = image.get(x0 + x, y0 + y);
+                least = Math.min(least, value);
+                largest = Math.max(largest, value);
+                grey[i++] = value;
+                ofRow += value;
+                byX += centred(x) * value;
+            }
+            sum += ofRow;
+            byY += centred(y) * ofRow;
+        }
+        if (least == 0 || largest == 255) {
+            return;
+        }
+        double mean = sum / PIXELS;
+        byX /= slopeSquares;
+        byY /= slopeSquares;
+        double squares = 0;
+        for (int y = 0, i = 0; y < TILE; y++) {
+            double ofRow = mean + byY * centred(y);
+            for (int x = 0; x < TILE; x++, i++) {
+                grey[i] -= ofRow + byX * centred(x);
+                squares += grey[i] * grey[i];
+            }
+        }
+        double variance = squares / (PIXELS - PLANE);
+        if (variance < LEAST_VARIANCE) {
+            return;
+        }
+        variances[tiles] = variance;
+        for (int l = 0; l < LAGS.length; l++) {
+            double ofLag = 0;
+            for (int[] way : ways[l]) {
+                ofLag += products(way[0], way[1]);
+            }
+            products[tiles * LAGS.length + l] = ofLag;
+        }
+        tiles++;
+    }
+
+    private double products(int byX, int byY) {
+        double sum = 0;
+        int from = Math.max(0, -byX);
+        int to = TILE - Math.max(0, byX);
+        int step = byY * TILE + byX;
+        for (int y = 0; y < TILE - byY; y++) {
+            for (int i = y * TILE + from; i < y * TILE + to; i++) {
+                sum += grey[i] * grey[i + step];
+            }
+        }
+        return sum;
+    }
+
+    /**
+     * Works out the correlations of what was gathered.
+     *
+     * @return whether there is flat ground enough, with noise enough, to tell them
+     */
+    boolean conclude() {
+        Arrays.fill(correlation, 0);
+        flat = 0;
+        if (tiles < LEAST_TILES) {
+            return false;
+        }
+        double[] sorted = Arrays.copyOf(variances, tiles);
+        Arrays.sort(sorted);
+        double most = LARGEST_VARIANCE * sorted[(int) (SURELY_FLAT * tiles)];
+        for (int t = 0; t < tiles; t++) {
+            if (variances[t] > most) {
+                continue;
+            }
+            flat++;
+            for (int l = 0; l < LAGS.length; l++) {
+                correlation[l] += products[t * LAGS.length + l] / pairsOfTile[l] / (variances[t] - ROUNDING);
+            }
+        }
+        double smooth = 1;
+        for (int l = 0; l < LAGS.length; l++) {
+            correlation[l] /= flat;
+            smooth += 2 * ways[l].length * correlation[l];
+        }
+        for (int l = 0; l < LAGS.length; l++) {
+            correlation[l] += Math.max(0, smooth) * taken[l] / pairsOfTile[l];
+        }
+        return flat >= LEAST_TILES;
+    }
+
+    /**
+     * Correlation of the noise.
+     *
+     * @param lag index in {@link #LAGS}
+     * @return -1 to 1, rounding to whole grey levels left out
+     */
+    double correlation(int lag) {
+        return correlation[lag];
+    }
+
+    /**
+     * Variance of a correlation where noise is white.
+     *
+     * @param lag as for {@link #correlation}
+     * @return positive
+     */
+    double variance(int lag) {
+        return 1.0 / (flat * (double) pairsOfTile[lag]);
+    }
+}
