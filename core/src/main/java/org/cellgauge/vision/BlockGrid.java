@@ -72,31 +72,63 @@ final class BlockGrid {
         return stands(0) && stands(1);
     }
 
+    /**
+     * How much larger differences across borders are than others.
+     *
+     * @return as a share of these, mean of rows and columns; 0 where nothing was gathered
+     */
+    double excess() {
+        return (excess(0) + excess(1)) / 2;
+    }
+
+    private double excess(int axis) {
+        int border = border(axis);
+        double usual = usual(axis, border);
+        return usual > 0 ? mean(axis, border) / usual - 1 : 0;
+    }
+
     private boolean stands(int axis) {
+        int border = border(axis);
+        double usual = usual(axis, border);
+        if (!(usual > 0) || count[axis][border] == 0) {
+            return false;
+        }
+        long n = 0;
+        double q = 0;
+        for (int k = 0; k < BLOCK; k++) {
+            if (k != border) {
+                n += count[axis][k];
+                q += squares[axis][k];
+            }
+        }
+        double variance = q / n - usual * usual;
+        double excess = mean(axis, border) - usual;
+        return excess > (LEAST_RATIO - 1) * usual
+                && excess > LEAST_DEVIATIONS * Math.sqrt(variance / count[axis][border]);
+    }
+
+    /** Where in a block differences are largest. */
+    private int border(int axis) {
         int border = 0;
         for (int k = 1; k < BLOCK; k++) {
             if (mean(axis, k) > mean(axis, border)) {
                 border = k;
             }
         }
+        return border;
+    }
+
+    /** Mean of the differences elsewhere; 0 where there are none. */
+    private double usual(int axis, int border) {
         long n = 0;
         double s = 0;
-        double q = 0;
         for (int k = 0; k < BLOCK; k++) {
             if (k != border) {
                 n += count[axis][k];
                 s += sum[axis][k];
-                q += squares[axis][k];
             }
         }
-        if (n == 0 || count[axis][border] == 0) {
-            return false;
-        }
-        double usual = s / n;
-        double variance = q / n - usual * usual;
-        double excess = mean(axis, border) - usual;
-        return excess > (LEAST_RATIO - 1) * usual
-                && excess > LEAST_DEVIATIONS * Math.sqrt(variance / count[axis][border]);
+        return n == 0 ? 0 : s / n;
     }
 
     private double mean(int axis, int place) {

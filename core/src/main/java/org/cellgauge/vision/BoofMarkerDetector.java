@@ -701,7 +701,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         for (int i = 0; i < noise.length; i++) {
             noise[i] *= lessKnown;
         }
-        MarkerObservation observation = marker.observation(id, noise, light.shiftStdPx());
+        MarkerObservation observation = marker.observation(id, noise, light.shiftStdPx(), light.inDarkPx());
         if (thinMargin) {
             observation = withSidesInDoubt(observation,
                     Math.min(MOST_DOUBT_PX, DOUBT_BY_MARGIN_PX * (whiteOverMargin - 1)));

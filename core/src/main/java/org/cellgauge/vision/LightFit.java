@@ -66,10 +66,13 @@ final class LightFit {
     /** How far about a marker blocks of a JPEG file are looked for, px. */
     private static final int ABOUT_PX = 16;
     /**
-     * How far blocks of a JPEG file move outlines against inner edges, alike on all markers: 0.005 px at quality 85 and
-     * 0.009 px at 70 in rendered photos.
+     * How far blocks of a JPEG file move outlines into the dark against inner edges, px: for each that the power of the curve is above 1, and for each that
+     * differences across borders are larger by. Rendered photos have 0.003, 0.006 and 0.010 px at quality 90, 85 and 70
+     * with sRGB's curve and a blur of 0.7 px, a third to all of it at 0.4 and 1.2 px, and a fifth with a linear one.
      */
-    private static final double OUTLINE_STD_IN_BLOCKS_PX = 0.012;
+    private static final double IN_DARK_BY_BLOCKS_PX = 0.009;
+    /** How far outlines may lie beside that, alike on all markers: rendered photos leave up to 0.005 px. */
+    private static final double OUTLINE_STD_IN_BLOCKS_PX = 0.008;
     /** What is rounded off is not independent from pixel to pixel: lines are so many times less well known. */
     private static final double NOISE_IN_BLOCKS = 1.11;
     /** What they move the inner edges of one marker by, px. */
@@ -190,6 +193,7 @@ final class LightFit {
     private final double[] moreAmount = new double[FlatNoise.LAGS.length];
     private final double[] moreRadius = new double[FlatNoise.LAGS.length];
     private boolean inBlocks;
+    private double blocksExcess;
     private final BlockGrid blocks = new BlockGrid();
 
     /** Of a photo: its curve, its mask, what edges are off by for not knowing both, and whether it has blocks. */
@@ -200,6 +204,7 @@ final class LightFit {
         final double maskOvershoot;
         final double ofPowerPx;
         final boolean inBlocks;
+        final double blocksExcess;
         final double untouchedOvershoot;
 
         Found(LightFit of, double ofPowerPx) {
@@ -209,6 +214,7 @@ final class LightFit {
             this.maskOvershoot = of.maskOvershoot;
             this.ofPowerPx = ofPowerPx;
             this.inBlocks = of.inBlocks;
+            this.blocksExcess = of.blocksExcess;
             this.untouchedOvershoot = of.untouchedOvershoot;
         }
     }
@@ -290,6 +296,7 @@ final class LightFit {
                 ofPower = inBlocks || isFarTooBright(some) ? ofPower : findMask(image, some, patterns, ofPower);
             } else {
                 inBlocks = kept.inBlocks;
+                blocksExcess = kept.blocksExcess;
             }
             loop.each(markers.size(), m -> refit(image, markers.get(m), patterns.get(m)));
         }
@@ -335,6 +342,7 @@ final class LightFit {
         if (covariance != null && Math.abs(step(covariance, 0, score) * offsetBy[0]) < SURPRISE_PX
                 && Math.abs(step(covariance, 1, score)) < SURPRISE_AMOUNT) {
             inBlocks = found.inBlocks;
+            blocksExcess = found.blocksExcess;
             maskOvershoot = found.maskOvershoot;
             return true;
         }
@@ -467,6 +475,7 @@ final class LightFit {
                     (int) bottom + ABOUT_PX, noiseGrey);
         }
         inBlocks = blocks.shows();
+        blocksExcess = blocks.excess();
     }
 
     /**
@@ -995,6 +1004,11 @@ final class LightFit {
     /** What the measured shift of a marker may be off by beside noise, px. */
     double shiftStdPx() {
         return inBlocks ? SHIFT_STD_IN_BLOCKS_PX : 0;
+    }
+
+    /** How far outlines are known to lie in the dark beside what inner edges show, px, at least 0. */
+    double inDarkPx() {
+        return inBlocks ? IN_DARK_BY_BLOCKS_PX * Math.max(0, scale.curve().power() - 1) * blocksExcess : 0;
     }
 
     /** What was found. */

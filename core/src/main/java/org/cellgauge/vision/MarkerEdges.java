@@ -1208,9 +1208,10 @@ final class MarkerEdges {
      * @param id its id
      * @param noiseGrey standard deviation of each side's noise, 4 values, grey levels
      * @param shiftStdPx what the measured shift may be off by beside noise, px
+     * @param inDarkPx how far outlines are known to lie in the dark beside what inner edges show, px
      * @return corners with their covariance and the measured shift
      */
-    MarkerObservation observation(int id, double[] noiseGrey, double shiftStdPx) {
+    MarkerObservation observation(int id, double[] noiseGrey, double shiftStdPx, double inDarkPx) {
         for (int j = 0; j < CORNERS; j++) {
             int i = (j + CORNERS - 1) % CORNERS;
             // a corner's other places are zero from the start and stay so
@@ -1232,6 +1233,10 @@ final class MarkerEdges {
             }
         }
         corners(corners);
+        double[] inward = EdgeShift.ofCorners(corners);
+        for (int r = 0; r < 8; r++) {
+            corners[r] -= inDarkPx * inward[r];
+        }
         @Nullable EdgeShift shift = null;
         if (shiftMeasured) {
             Arrays.fill(withCorners, 0);
