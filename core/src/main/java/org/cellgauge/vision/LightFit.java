@@ -66,13 +66,14 @@ final class LightFit {
     /** How far about a marker blocks of a JPEG file are looked for, px. */
     private static final int ABOUT_PX = 16;
     /**
-     * How far blocks of a JPEG file move outlines into the dark against inner edges, px: for each that the power of the curve is above 1, and for each that
-     * differences across borders are larger by. Rendered photos have 0.003, 0.006 and 0.010 px at quality 90, 85 and 70
-     * with sRGB's curve and a blur of 0.7 px, a third to all of it at 0.4 and 1.2 px, and a fifth with a linear one.
+     * How far blocks of a JPEG file move outlines into the dark against inner edges, px: for each that the power of the
+     * curve is above 1, and for each that differences across borders are larger by. Rendered photos have 0.003, 0.006
+     * and 0.010 px at quality 90, 85 and 70 with sRGB's curve and a blur of 0.7 px, a third to a half of it at 0.4 and
+     * 1.2 px, and a fifth with a linear one.
      */
-    private static final double IN_DARK_BY_BLOCKS_PX = 0.009;
+    private static final double IN_DARK_BY_BLOCKS_PX = 0.0095;
     /** How far outlines may lie beside that, alike on all markers: rendered photos leave up to 0.005 px. */
-    private static final double OUTLINE_STD_IN_BLOCKS_PX = 0.008;
+    private static final double OUTLINE_STD_IN_BLOCKS_PX = 0.009;
     /** What is rounded off is not independent from pixel to pixel: lines are so many times less well known. */
     private static final double NOISE_IN_BLOCKS = 1.11;
     /** What they move the inner edges of one marker by, px. */
