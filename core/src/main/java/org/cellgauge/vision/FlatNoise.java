@@ -8,9 +8,9 @@ import java.util.Arrays;
  * filtered; an unsharp mask makes it blue, so that neighbours differ by more than they would. Not thread-safe.
  *
  * <p>Ground is taken in tiles. From each the plane that fits it best is taken off, and with it a little of the noise,
- * for which correlations are corrected: by the trace of the hat
- * matrix and how much smooth noise there is. Tiles whose variance is larger
- * than is usual for flat ones have an edge or a pattern and are left out, as are those at the ends of the scale.
+ * for which correlations are corrected: by the trace of the hat matrix and how much smooth noise there is. Tiles whose
+ * variance is larger than is usual for flat ones have an edge or a pattern and are left out, as are those at the ends of
+ * the scale. Most photos' noise is not blue, which a few tiles tell.
  */
 final class FlatNoise {
     /** Places of a neighbour, px along one axis and the other, in either direction and either way round. */
@@ -24,6 +24,9 @@ final class FlatNoise {
     private static final int PLANE = 3;
     private static final int MOST_TILES = 192;
     private static final int LEAST_TILES = 12;
+    /** Tiles by which noise that is not blue at all is told at once, and by how many deviations. */
+    private static final int FIRST_TILES = 48;
+    private static final double SURELY_NOT = 2;
     /** Of tiles in order of their variance, this share is surely flat if a good part of the ground is. */
     private static final double SURELY_FLAT = 0.25;
     /** Variance of 253 degrees of freedom varies by a twelfth; ground of another brightness has other noise. */
@@ -32,38 +35,40 @@ final class FlatNoise {
     private static final double ROUNDING = 1.0 / 12;
     private static final double LEAST_VARIANCE = 4 * ROUNDING;
 
+    private final int[][][] ways = new int[LAGS.length][][];
     /** What the plane takes of the products of white noise of variance 1, by lag; and how many pairs a tile has. */
     private final double[] taken = new double[LAGS.length];
     private final int[] pairsOfTile = new int[LAGS.length];
-    private final int[][][] ways = new int[LAGS.length][][];
     private final double slopeSquares;
+    private final int[] tileX = new int[MOST_TILES];
+    private final int[] tileY = new int[MOST_TILES];
+    private int places;
     private final double[] grey = new double[PIXELS];
     private final double[] variances = new double[MOST_TILES];
+    private final double[] sorted = new double[MOST_TILES];
     private final double[] products = new double[MOST_TILES * LAGS.length];
     private int tiles;
     private int flat;
     private final double[] correlation = new double[LAGS.length];
 
     FlatNoise() {
-        for (int l = 0; l < LAGS.length; l++) {
-            ways[l] = ways(LAGS[l]);
-        }
         double squares = 0;
         for (int k = 0; k < TILE; k++) {
             squares += TILE * centred(k) * centred(k);
         }
         slopeSquares = squares;
-        for (int y = 0; y < TILE; y++) {
-            for (int x = 0; x < TILE; x++) {
-                for (int l = 0; l < LAGS.length; l++) {
-                    for (int[] way : ways[l]) {
-                        int x2 = x + way[0];
-                        int y2 = y + way[1];
-                        if (x2 >= 0 && x2 < TILE && y2 < TILE) {
-                            pairsOfTile[l]++;
-                            taken[l] += 1.0 / PIXELS
-                                    + (centred(x) * centred(x2) + centred(y) * centred(y2)) / slopeSquares;
-                        }
+        for (int l = 0; l < LAGS.length; l++) {
+            ways[l] = ways(LAGS[l]);
+            for (int[] way : ways[l]) {
+                for (int i = 0; i < PIXELS; i++) {
+                    int x = i % TILE;
+                    int y = i / TILE;
+                    int x2 = x + way[0];
+                    int y2 = y + way[1];
+                    if (x2 >= 0 && x2 < TILE && y2 < TILE) {
+                        pairsOfTile[l]++;
+                        taken[l] += 1.0 / PIXELS
+                                + (centred(x) * centred(x2) + centred(y) * centred(y2)) / slopeSquares;
                     }
                 }
             }
@@ -85,14 +90,14 @@ final class FlatNoise {
         return k - (TILE - 1) / 2.0;
     }
 
-    /** Forgets what was gathered. */
+    /** Forgets what ground there was. */
     void clear() {
-        tiles = 0;
+        places = 0;
         flat = 0;
     }
 
     /**
-     * Gathers the ground about a marker.
+     * Takes note of the ground about a marker.
      *
      * @param image the photo
      * @param cornersPx 8 values: u, v of the marker's corners, px
@@ -116,21 +121,46 @@ final class FlatNoise {
             for (int x = x0; x <= x1; x += TILE) {
                 boolean onMarker = x < right + CLEAR_PX && x + TILE > left - CLEAR_PX && y < bottom + CLEAR_PX
                         && y + TILE > top - CLEAR_PX;
-                if (!onMarker && tiles < MOST_TILES) {
-                    addTile(image, x, y);
+                if (!onMarker && places < MOST_TILES) {
+                    tileX[places] = x;
+                    tileY[places++] = y;
                 }
             }
         }
     }
 
-    private void addTile(GreyImage image, int x0, int y0) {
+    /**
+     * Works out how the noise of the ground hangs together.
+     *
+     * @param image the photo
+     * @param most correlation of pixels beside each other that is of interest: where it surely is larger, the others
+     *     are not worked out
+     * @return whether there is flat ground enough, with noise enough, and neighbours may hang together by no more
+     */
+    boolean measure(GreyImage image, double most) {
+        int step = Math.max(1, places / FIRST_TILES);
+        if (!gather(image, step, 1) || correlation[0] > most + SURELY_NOT * Math.sqrt(variance(0))) {
+            return false;
+        }
+        return gather(image, 1, LAGS.length) && correlation[0] < most;
+    }
+
+    private boolean gather(GreyImage image, int step, int lags) {
+        tiles = 0;
+        for (int t = 0; t < places; t += step) {
+            addTile(image, tileX[t], tileY[t], lags);
+        }
+        return conclude(lags);
+    }
+
+    private void addTile(GreyImage image, int x0, int y0, int lags) {
         double sum = 0;
         double byX = 0;
         double byY = 0;
         int least = 255;
         int largest = 0;
         for (int y = 0, i = 0; y < TILE; y++) {
-            double ofRow = 0;
+            int ofRow = 0;
             for (int x = 0; x < TILE; x++) {
                 int value = image.get(x0 + x, y0 + y);
                 least = Math.min(least, value);
@@ -161,7 +191,7 @@ final class FlatNoise {
             return;
         }
         variances[tiles] = variance;
-        for (int l = 0; l < LAGS.length; l++) {
+        for (int l = 0; l < lags; l++) {
             double ofLag = 0;
             for (int[] way : ways[l]) {
                 ofLag += products(way[0], way[1]);
@@ -184,42 +214,37 @@ final class FlatNoise {
         return sum;
     }
 
-    /**
-     * Works out the correlations of what was gathered.
-     *
-     * @return whether there is flat ground enough, with noise enough, to tell them
-     */
-    boolean conclude() {
+    private boolean conclude(int lags) {
         Arrays.fill(correlation, 0);
         flat = 0;
         if (tiles < LEAST_TILES) {
             return false;
         }
-        double[] sorted = Arrays.copyOf(variances, tiles);
-        Arrays.sort(sorted);
+        System.arraycopy(variances, 0, sorted, 0, tiles);
+        Arrays.sort(sorted, 0, tiles);
         double most = LARGEST_VARIANCE * sorted[(int) (SURELY_FLAT * tiles)];
         for (int t = 0; t < tiles; t++) {
             if (variances[t] > most) {
                 continue;
             }
             flat++;
-            for (int l = 0; l < LAGS.length; l++) {
+            for (int l = 0; l < lags; l++) {
                 correlation[l] += products[t * LAGS.length + l] / pairsOfTile[l] / (variances[t] - ROUNDING);
             }
         }
         double smooth = 1;
-        for (int l = 0; l < LAGS.length; l++) {
+        for (int l = 0; l < lags; l++) {
             correlation[l] /= flat;
             smooth += 2 * ways[l].length * correlation[l];
         }
-        for (int l = 0; l < LAGS.length; l++) {
+        for (int l = 0; l < lags; l++) {
             correlation[l] += Math.max(0, smooth) * taken[l] / pairsOfTile[l];
         }
         return flat >= LEAST_TILES;
     }
 
     /**
-     * Correlation of the noise.
+     * Correlation of the noise, after {@link #measure} has found it of interest.
      *
      * @param lag index in {@link #LAGS}
      * @return -1 to 1, rounding to whole grey levels left out
@@ -231,7 +256,7 @@ final class FlatNoise {
     /**
      * Variance of a correlation where noise is white.
      *
-     * @param lag as for {@link #correlation}
+     * @param lag index in {@link #LAGS}
      * @return positive
      */
     double variance(int lag) {

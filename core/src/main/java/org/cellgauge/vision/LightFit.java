@@ -702,8 +702,8 @@ final class LightFit {
             marker.corners(corners);
             flatNoise.add(image, corners);
         }
-        noiseTells = flatNoise.conclude() && flatNoise.correlation(0)
-                < -Math.max(BLUE_CORRELATION, BLUE_DEVIATIONS * Math.sqrt(flatNoise.variance(0)));
+        noiseTells = flatNoise.measure(image, -BLUE_CORRELATION)
+                && flatNoise.correlation(0) < -BLUE_DEVIATIONS * Math.sqrt(flatNoise.variance(0));
     }
 
     /** Adds what the noise of flat ground says of amount and radius of the mask. */

@@ -70,15 +70,18 @@ class FlatNoiseTest {
     void tellsNothingWithoutGroundOrNoise() {
         FlatNoise none = new FlatNoise();
         none.clear();
-        assertFalse(none.conclude());
-        none.add(image(i -> 120, new double[SIDE * SIDE]), CORNERS);
-        assertFalse(none.conclude(), "no noise");
+        GreyImage still = image(i -> 120, new double[SIDE * SIDE]);
+        GreyImage noisy = image(i -> 120, white(5, 2));
+        assertFalse(none.measure(noisy, 1));
+        none.add(still, CORNERS);
+        assertFalse(none.measure(still, 1), "no noise");
         none.clear();
-        none.add(image(i -> 120, white(5, 2)), CORNERS);
-        assertTrue(none.conclude());
+        none.add(noisy, CORNERS);
+        assertTrue(none.measure(noisy, 1));
+        assertFalse(none.measure(noisy, -0.02), "of no interest: white");
         none.clear();
-        none.add(image(i -> 120, white(5, 2)), new double[] {10, 10, 190, 10, 190, 190, 10, 190});
-        assertFalse(none.conclude(), "the marker fills the picture");
+        none.add(noisy, new double[] {10, 10, 190, 10, 190, 190, 10, 190});
+        assertFalse(none.measure(noisy, 1), "the marker fills the picture");
     }
 
     private static FlatNoise measured(IntToDoubleFunction ground, double[] noise, double times) {
@@ -93,8 +96,9 @@ class FlatNoiseTest {
         }
         FlatNoise measured = new FlatNoise();
         measured.clear();
-        measured.add(image(ground, scaled), CORNERS);
-        assertTrue(measured.conclude());
+        GreyImage image = image(ground, scaled);
+        measured.add(image, CORNERS);
+        assertTrue(measured.measure(image, 1));
         return measured;
     }
 
