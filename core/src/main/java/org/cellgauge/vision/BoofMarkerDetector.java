@@ -679,7 +679,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         // of a sharpened photo the code's white is brighter whatever the margin
         double whiteOverMargin = square.whiteOverMargin;
-        boolean thinMargin = whiteOverMargin > WHITEST_OVER_MARGIN && !light.isSharpened();
+        boolean thinMargin = whiteOverMargin > WHITEST_OVER_MARGIN && !light.undoesMask();
         if (thinMargin) {
             warnings.add(Warning.of(DetectionWarning.MARGIN_TOO_THIN, id,
                     (int) Math.round(100 * (whiteOverMargin - 1))));

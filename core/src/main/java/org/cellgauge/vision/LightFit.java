@@ -919,6 +919,11 @@ final class LightFit {
         return out;
     }
 
+    /** Whether a mask is undone: whites between edges are then brighter than others, be it by little. */
+    boolean undoesMask() {
+        return maskAmount > 0;
+    }
+
     /** Whether a mask is undone that lifts white beside edges: small whites are then brighter than large ones. */
     boolean isSharpened() {
         return maskOvershoot > OVERSHOOT;
