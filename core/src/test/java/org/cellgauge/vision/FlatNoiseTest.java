@@ -90,6 +90,10 @@ class FlatNoiseTest {
         none.add(noisy, CORNERS);
         assertTrue(none.measure(noisy, 1));
         assertFalse(none.measure(noisy, -0.02), "of no interest: white");
+        GreyImage cutOff = image(i -> 252, white(5, 2));
+        none.clear();
+        none.add(cutOff, CORNERS);
+        assertFalse(none.measure(cutOff, 1), "cut off at white");
         none.clear();
         none.add(noisy, new double[] {10, 10, 190, 10, 190, 190, 10, 190});
         assertFalse(none.measure(noisy, 1), "the marker fills the picture");
