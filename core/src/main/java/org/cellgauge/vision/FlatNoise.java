@@ -35,6 +35,20 @@ final class FlatNoise {
     private static final double ROUNDING = 1.0 / 12;
     private static final double LEAST_VARIANCE = 4 * ROUNDING;
 
+    /**
+     * Squares of what is left of the correlations by the mask that explains them best, in the variance of white noise's
+     * and {@link #MODEL_STD}: more is no mask's doing.
+     */
+    private static final double MOST_MISFIT = 30;
+    /** How much like white noise that of a camera is before a mask, as a correlation. */
+    static final double MODEL_STD = 0.007;
+    private static final double LEAST_AMOUNT = 0.1;
+    private static final double LARGEST_AMOUNT = 4;
+    private static final double AMOUNT_STEP = 1.3;
+    private static final double LEAST_RADIUS_PX = 0.4;
+    private static final double LARGEST_RADIUS_PX = 4;
+    private static final double RADIUS_STEP = 1.2;
+
     private final int[][][] ways = new int[LAGS.length][][];
     /** What the plane takes of the products of white noise of variance 1, by lag; and how many pairs a tile has. */
     private final double[] taken = new double[LAGS.length];
@@ -241,6 +255,29 @@ final class FlatNoise {
             correlation[l] += Math.max(0, smooth) * taken[l] / pairsOfTile[l];
         }
         return flat >= LEAST_TILES;
+    }
+
+    /**
+     * Whether an unsharp mask may have made of white noise what was measured. A pattern of a few pixels' period, as a
+     * screen or a cloth has, makes neighbours differ too.
+     *
+     * @return whether a mask explains the correlations
+     */
+    boolean isOfAMask() {
+        double[] ofMask = new double[LAGS.length];
+        double least = Double.POSITIVE_INFINITY;
+        for (double amount = LEAST_AMOUNT; amount <= LARGEST_AMOUNT; amount *= AMOUNT_STEP) {
+            for (double radius = LEAST_RADIUS_PX; radius <= LARGEST_RADIUS_PX; radius *= RADIUS_STEP) {
+                Unsharpened.noiseCorrelation(amount, radius, ofMask);
+                double misfit = 0;
+                for (int l = 0; l < LAGS.length; l++) {
+                    double off = correlation[l] - ofMask[l];
+                    misfit += off * off / (MODEL_STD * MODEL_STD + variance(l));
+                }
+                least = Math.min(least, misfit);
+            }
+        }
+        return least < MOST_MISFIT;
     }
 
     /**

@@ -125,11 +125,10 @@ final class LightFit {
     private static final double LEAST_DEVIATIONS = 1;
     /**
      * Noise that is correlated between pixels beside each other by less than minus this, and so many deviations, is
-     * blue: then it tells the mask too, though no better than cameras' noise is white before.
+     * blue: then it tells the mask too.
      */
     private static final double BLUE_CORRELATION = 0.03;
     private static final double BLUE_DEVIATIONS = 2;
-    private static final double NOISE_CORRELATION_STD = 0.007;
     /** Markers that a mask is undone about first, and how much their noise must speak against it to end the search. */
     private static final int MOST_TRIED = 2;
     private static final double RULED_OUT = -3;
@@ -703,7 +702,8 @@ final class LightFit {
             flatNoise.add(image, corners);
         }
         noiseTells = flatNoise.measure(image, -BLUE_CORRELATION)
-                && flatNoise.correlation(0) < -BLUE_DEVIATIONS * Math.sqrt(flatNoise.variance(0));
+                && flatNoise.correlation(0) < -BLUE_DEVIATIONS * Math.sqrt(flatNoise.variance(0))
+                && flatNoise.isOfAMask();
     }
 
     /** Adds what the noise of flat ground says of amount and radius of the mask. */
@@ -729,7 +729,7 @@ final class LightFit {
     }
 
     private double flatWeight(int lag) {
-        return 1 / (NOISE_CORRELATION_STD * NOISE_CORRELATION_STD + flatNoise.variance(lag));
+        return 1 / (FlatNoise.MODEL_STD * FlatNoise.MODEL_STD + flatNoise.variance(lag));
     }
 
     /** Logarithm of the ratio of the likelihoods of the noise of flat ground with the mask and without one. */

@@ -40,6 +40,7 @@ class FlatNoiseTest {
         double[] stds = new double[expected.length];
         for (int k = 0; k < PICTURES; k++) {
             FlatNoise noise = measured(i -> 120, masked(white(k, 1), amount, radius), 3);
+            assertTrue(amount == 0 || noise.isOfAMask());
             for (int lag = 0; lag < expected.length; lag++) {
                 means[lag] += noise.correlation(lag) / PICTURES;
                 stds[lag] = Math.sqrt(noise.variance(lag) / PICTURES);
@@ -75,6 +76,18 @@ class FlatNoiseTest {
         }
         // half along rows, nothing across
         assertEquals(0.25, measured(i -> 120, smooth, 1).correlation(0), 0.02);
+    }
+
+    /** Cloth: knots at every third pixel, fainter than the noise. */
+    @Test
+    void aPatternIsNoMask() {
+        double[] noise = white(6, 2);
+        for (int i = 0; i < noise.length; i++) {
+            noise[i] += 2 * Math.cos(2 * Math.PI * (i % SIDE) / 3) * Math.cos(2 * Math.PI * (i / SIDE) / 3.0);
+        }
+        FlatNoise cloth = measured(i -> 120, noise, 1);
+        assertTrue(cloth.correlation(0) < -0.05, "neighbours differ");
+        assertFalse(cloth.isOfAMask());
     }
 
     @Test
