@@ -9,8 +9,8 @@ import java.util.Arrays;
  *
  * <p>Ground is taken in tiles. From each the plane that fits it best is taken off, and with it a little of the noise,
  * for which correlations are corrected: by the trace of the hat matrix and how much smooth noise there is. Tiles whose
- * variance is larger than is usual for flat ones have an edge or a pattern and are left out, as are those at the ends of
- * the scale. Most photos' noise is not blue, which a few tiles tell.
+ * variance is larger than is usual for flat ones have an edge or a pattern and are left out, as are those at the ends
+ * of the scale. Most photos' noise is not blue, which a few tiles tell.
  */
 final class FlatNoise {
     /** Places of a neighbour, px along one axis and the other, in either direction and either way round. */
