@@ -149,10 +149,14 @@ final class FlatNoise {
      * @param image the photo
      * @param most correlation of pixels beside each other that is of interest: where it surely is larger, the others
      *     are not worked out
+     * @param few whether a few tiles are enough, and the correlations need not be well known
      * @return whether there is flat ground enough, with noise enough, and neighbours may hang together by no more
      */
-    boolean measure(GreyImage image, double most) {
+    boolean measure(GreyImage image, double most, boolean few) {
         int step = Math.max(1, places / FIRST_TILES);
+        if (few) {
+            return gather(image, step, LAGS.length) && correlation[0] < most;
+        }
         if (!gather(image, step, 1) || correlation[0] > most + SURELY_NOT * Math.sqrt(variance(0))) {
             return false;
         }

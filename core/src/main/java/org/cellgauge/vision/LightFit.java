@@ -335,7 +335,7 @@ final class LightFit {
         loop.each(markers.size(), m -> refit(image, markers.get(m), patterns.get(m)));
         loop.each(some.size(), m -> some.get(m).sharpness(maskAmount, maskRadiusPx));
         setNoise(some);
-        measureFlatNoise(image, some);
+        measureFlatNoise(image, some, true);
         double[] score = new double[SHAPES];
         double[] offsetBy = new double[SHAPES];
         double[] covariance = shapeCovariance(some, true, scale.curve().power(), score, offsetBy);
@@ -512,7 +512,7 @@ final class LightFit {
             setNoise(some);
             scale.setNoise(noiseGrey);
             if (round == 0) {
-                measureFlatNoise(image, some);
+                measureFlatNoise(image, some, false);
             }
             covariance = shapeCovariance(some, estimated || round > 0, power, score, offsetBy);
             if (covariance == null) {
@@ -693,15 +693,19 @@ final class LightFit {
         return Cholesky.inverse(posterior, SHAPES);
     }
 
-    /** Measures the noise of the ground about markers. */
-    private void measureFlatNoise(GreyImage image, List<MarkerEdges> some) {
+    /**
+     * Measures the noise of the ground about markers.
+     *
+     * @param again whether it was blue in the frame before: then a part of the ground will do
+     */
+    private void measureFlatNoise(GreyImage image, List<MarkerEdges> some, boolean again) {
         double[] corners = new double[8];
         flatNoise.clear();
         for (MarkerEdges marker : some) {
             marker.corners(corners);
             flatNoise.add(image, corners);
         }
-        noiseTells = flatNoise.measure(image, -BLUE_CORRELATION)
+        noiseTells = flatNoise.measure(image, -BLUE_CORRELATION, again)
                 && flatNoise.correlation(0) < -BLUE_DEVIATIONS * Math.sqrt(flatNoise.variance(0))
                 && flatNoise.isOfAMask();
     }

@@ -21,17 +21,6 @@ final class Unsharpened {
     /** A round that changes no grey value by more than this is the last. */
     private static final double SETTLED_GREY = 0.01;
     private static final int FREQUENCIES = 24;
-    /** Cosines of the frequencies, by the multiple of a pixel. */
-    private static final double[][] COSINES = new double[4][FREQUENCIES];
-
-    static {
-        for (int k = 0; k < COSINES.length; k++) {
-            for (int f = 0; f < FREQUENCIES; f++) {
-                COSINES[k][f] = Math.cos(Math.PI * (f + 0.5) / FREQUENCIES * k);
-            }
-        }
-    }
-
     private static final int LIKELY = 64;
     private static final int LARGEST_Z = 8;
     private static final int Z_STEPS = 32;
@@ -185,29 +174,33 @@ final class Unsharpened {
     }
 
     /**
-     * How white noise hangs together after a mask.
+     * How white noise hangs together after a mask: its kernel, of which a Gaussian of two axes is part, times itself.
      *
      * @param amount of the mask, at least 0
      * @param radiusPx deviation of its Gaussian, positive, px
      * @param correlation receives the correlation of pixels that are {@link FlatNoise#LAGS} from each other
      */
     static void noiseCorrelation(double amount, double radiusPx, double[] correlation) {
-        double[] ofGaussian = gain(radiusPx);
-        double total = 0;
-        Arrays.fill(correlation, 0);
-        for (int f = 0; f < FREQUENCIES; f++) {
-            for (int g = 0; g < FREQUENCIES; g++) {
-                double gain = 1 + amount * (1 - ofGaussian[f] * ofGaussian[g]);
-                double power = gain * gain;
-                total += power;
-                for (int l = 0; l < correlation.length; l++) {
-                    correlation[l] += power * COSINES[FlatNoise.LAGS[l][0]][f] * COSINES[FlatNoise.LAGS[l][1]][g];
-                }
-            }
-        }
+        double[] weights = weights(radiusPx);
+        double own = weights[0] * weights[0];
+        double ofBlurred = shared(weights, 0) * shared(weights, 0);
+        double between = 2 * amount * (1 + amount);
+        double total = (1 + amount) * (1 + amount) - between * own + amount * amount * ofBlurred;
         for (int l = 0; l < correlation.length; l++) {
-            correlation[l] /= total;
+            int x = FlatNoise.LAGS[l][0];
+            int y = FlatNoise.LAGS[l][1];
+            double direct = x < weights.length ? weights[x] * weights[y] : 0;
+            correlation[l] = (amount * amount * shared(weights, x) * shared(weights, y) - between * direct) / total;
         }
+    }
+
+    /** What two blurred samples that far apart share of those that they were made of: weights times weights. */
+    private static double shared(double[] weights, int apart) {
+        double sum = 0;
+        for (int k = 1 - weights.length; k + apart < weights.length; k++) {
+            sum += weights[Math.abs(k)] * weights[Math.abs(k + apart)];
+        }
+        return sum;
     }
 
     /** What a sampled Gaussian leaves of frequencies from 0 to the half of one per pixel. */

@@ -27,11 +27,11 @@ class FlatNoiseTest {
 
     @ParameterizedTest
     @CsvSource({"0.3, 1", "0.6, 1", "0.6, 0.7", "0.6, 1.5", "1, 1", "2.5, 2"})
-    void aMaskMakesItBlueByItsSpectrum(double amount, double radius) {
+    void aMaskMakesItBlueByItsKernel(double amount, double radius) {
         double[] direct = byKernel(amount, radius);
-        double[] bySpectrum = new double[FlatNoise.LAGS.length];
-        Unsharpened.noiseCorrelation(amount, radius, bySpectrum);
-        assertArrayEquals(direct, bySpectrum, 1e-3);
+        double[] formula = new double[FlatNoise.LAGS.length];
+        Unsharpened.noiseCorrelation(amount, radius, formula);
+        assertArrayEquals(direct, formula, 1e-9);
         assertMeans(direct, amount, radius);
     }
 
@@ -96,20 +96,22 @@ class FlatNoiseTest {
         none.clear();
         GreyImage still = image(i -> 120, new double[SIDE * SIDE]);
         GreyImage noisy = image(i -> 120, white(5, 2));
-        assertFalse(none.measure(noisy, 1));
+        assertFalse(none.measure(noisy, 1, false));
         none.add(still, CORNERS);
-        assertFalse(none.measure(still, 1), "no noise");
+        assertFalse(none.measure(still, 1, false), "no noise");
         none.clear();
         none.add(noisy, CORNERS);
-        assertTrue(none.measure(noisy, 1));
-        assertFalse(none.measure(noisy, -0.02), "of no interest: white");
+        assertTrue(none.measure(noisy, 1, false));
+        assertTrue(none.measure(noisy, 1, true), "a few tiles");
+        assertFalse(none.measure(noisy, -0.02, true), "of no interest: white");
+        assertFalse(none.measure(noisy, -0.02, false), "of no interest: white");
         GreyImage cutOff = image(i -> 252, white(5, 2));
         none.clear();
         none.add(cutOff, CORNERS);
-        assertFalse(none.measure(cutOff, 1), "cut off at white");
+        assertFalse(none.measure(cutOff, 1, false), "cut off at white");
         none.clear();
         none.add(noisy, new double[] {10, 10, 190, 10, 190, 190, 10, 190});
-        assertFalse(none.measure(noisy, 1), "the marker fills the picture");
+        assertFalse(none.measure(noisy, 1, false), "the marker fills the picture");
     }
 
     private static FlatNoise measured(IntToDoubleFunction ground, double[] noise, double times) {
@@ -126,7 +128,7 @@ class FlatNoiseTest {
         measured.clear();
         GreyImage image = image(ground, scaled);
         measured.add(image, CORNERS);
-        assertTrue(measured.measure(image, 1));
+        assertTrue(measured.measure(image, 1, false));
         return measured;
     }
 
