@@ -79,8 +79,8 @@ final class LightFit {
     /** What they move the inner edges of one marker by, px. */
     private static final double SHIFT_STD_IN_BLOCKS_PX = 0.01;
     /**
-     * And sharpening that is not quite undone, px for a blur of one cell: 0.008 px at a blur of 1.2 px and cells of 3
-     * px, 0.003 px at cells of 6 px.
+     * And sharpening that is not quite undone where the noise of flat ground does not tell it, px for a blur of one
+     * cell: 0.008 px at a blur of 1.2 px and cells of 3 px, 0.003 px at cells of 6 px.
      */
     private static final double OUTLINE_STD_OF_SHARPENED_PX = 0.022;
     /** Pixels of a side that is so much sharper than the others, as a share of their blur, did not tell its blur. */
@@ -1027,8 +1027,9 @@ final class LightFit {
                 edgeShiftStdPx);
         light = light.withOutlineStdPx(PhotoLight.usualOutlineStdPx(blurPx, whiteGrey,
                 blurInCells > 0 ? blurPx / blurInCells : Double.POSITIVE_INFINITY));
+        boolean surelyUndone = noiseTells && maskAmount > 0;
         double more = Math.hypot(inBlocks ? OUTLINE_STD_IN_BLOCKS_PX : 0,
-                overshoot > OVERSHOOT && !(noiseTells && maskAmount > 0) ? OUTLINE_STD_OF_SHARPENED_PX * blurInCells : 0);
+                overshoot > OVERSHOOT && !surelyUndone ? OUTLINE_STD_OF_SHARPENED_PX * blurInCells : 0);
         if (more > 0) {
             light = light.withOutlineStdPx(Math.hypot(light.outlineStdPx(), more));
         }

@@ -77,7 +77,8 @@ public final class SceneRenderer {
      * Takes a picture on the calling thread in a fraction of the time. Around the paper of every marker, as far as blur
      * and unsharp mask reach and {@value #SURROUNDINGS_PX} px more, it has the light of {@link #render}; beyond, the
      * wall's light is that of every eighth pixel, and its noise is taken from a table of {@value #NOISE_TABLE} draws,
-     * or, where a mask makes it blue, from a square of {@value #NOISE_PATCH} px. Noise differs from that of {@link #render}. A scene whose wall has a texture is rendered as a whole.
+     * or, where a mask makes it blue, from a square of {@value #NOISE_PATCH} px. Noise differs from that of
+     * {@link #render}. A scene whose wall has a texture is rendered as a whole.
      *
      * @param scene what stands where
      * @param sensor how it is taken
