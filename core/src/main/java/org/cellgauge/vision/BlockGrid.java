@@ -83,25 +83,17 @@ final class BlockGrid {
 
     private double excess(int axis) {
         int border = border(axis);
-        double usual = usual(axis, border);
+        double usual = meanElsewhere(sum, axis, border);
         return usual > 0 ? mean(axis, border) / usual - 1 : 0;
     }
 
     private boolean stands(int axis) {
         int border = border(axis);
-        double usual = usual(axis, border);
+        double usual = meanElsewhere(sum, axis, border);
         if (!(usual > 0) || count[axis][border] == 0) {
             return false;
         }
-        long n = 0;
-        double q = 0;
-        for (int k = 0; k < BLOCK; k++) {
-            if (k != border) {
-                n += count[axis][k];
-                q += squares[axis][k];
-            }
-        }
-        double variance = q / n - usual * usual;
+        double variance = meanElsewhere(squares, axis, border) - usual * usual;
         double excess = mean(axis, border) - usual;
         return excess > (LEAST_RATIO - 1) * usual
                 && excess > LEAST_DEVIATIONS * Math.sqrt(variance / count[axis][border]);
@@ -118,17 +110,17 @@ final class BlockGrid {
         return border;
     }
 
-    /** Mean of the differences elsewhere; 0 where there are none. */
-    private double usual(int axis, int border) {
+    /** Mean of differences, or of their squares, but for those across the border; 0 where there are none. */
+    private double meanElsewhere(double[][] of, int axis, int border) {
         long n = 0;
-        double s = 0;
+        double total = 0;
         for (int k = 0; k < BLOCK; k++) {
             if (k != border) {
                 n += count[axis][k];
-                s += sum[axis][k];
+                total += of[axis][k];
             }
         }
-        return n == 0 ? 0 : s / n;
+        return n == 0 ? 0 : total / n;
     }
 
     private double mean(int axis, int place) {

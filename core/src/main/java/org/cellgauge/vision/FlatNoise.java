@@ -41,7 +41,7 @@ final class FlatNoise {
      */
     private static final double MOST_MISFIT = 30;
     /** How much like white noise that of a camera is before a mask, as a correlation. */
-    static final double MODEL_STD = 0.007;
+    private static final double MODEL_STD = 0.007;
     private static final double LEAST_AMOUNT = 0.1;
     private static final double LARGEST_AMOUNT = 4;
     private static final double AMOUNT_STEP = 1.3;
@@ -273,15 +273,35 @@ final class FlatNoise {
         for (double amount = LEAST_AMOUNT; amount <= LARGEST_AMOUNT; amount *= AMOUNT_STEP) {
             for (double radius = LEAST_RADIUS_PX; radius <= LARGEST_RADIUS_PX; radius *= RADIUS_STEP) {
                 Unsharpened.noiseCorrelation(amount, radius, ofMask);
-                double misfit = 0;
-                for (int l = 0; l < LAGS.length; l++) {
-                    double off = correlation[l] - ofMask[l];
-                    misfit += off * off / (MODEL_STD * MODEL_STD + variance(l));
-                }
-                least = Math.min(least, misfit);
+                least = Math.min(least, misfit(ofMask));
             }
         }
         return least < MOST_MISFIT;
+    }
+
+    /**
+     * How far the correlations are from others.
+     *
+     * @param expected correlation at each of {@link #LAGS}
+     * @return sum of the squared differences, each in its variance
+     */
+    double misfit(double[] expected) {
+        double misfit = 0;
+        for (int l = 0; l < LAGS.length; l++) {
+            double off = correlation[l] - expected[l];
+            misfit += weight(l) * off * off;
+        }
+        return misfit;
+    }
+
+    /**
+     * How much a correlation counts: inverse of its variance, with what cameras' noise before a mask is not white.
+     *
+     * @param lag index in {@link #LAGS}
+     * @return positive
+     */
+    double weight(int lag) {
+        return 1 / (MODEL_STD * MODEL_STD + variance(lag));
     }
 
     /**

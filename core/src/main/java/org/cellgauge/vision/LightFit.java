@@ -190,8 +190,8 @@ final class LightFit {
     /** Whether the noise of flat ground is blue, as a mask alone makes it. */
     private boolean noiseTells;
     private final double[] ofMask = new double[FlatNoise.LAGS.length];
-    private final double[] moreAmount = new double[FlatNoise.LAGS.length];
-    private final double[] moreRadius = new double[FlatNoise.LAGS.length];
+    private final double[] otherAmount = new double[FlatNoise.LAGS.length];
+    private final double[] otherRadius = new double[FlatNoise.LAGS.length];
     private boolean inBlocks;
     private double blocksExcess;
     private final BlockGrid blocks = new BlockGrid();
@@ -696,7 +696,7 @@ final class LightFit {
     /**
      * Measures the noise of the ground about markers.
      *
-     * @param again whether it was blue in the frame before: then a part of the ground will do
+     * @param again whether it was that of a mask in the frame before: then a part of the ground will do
      */
     private void measureFlatNoise(GreyImage image, List<MarkerEdges> some, boolean again) {
         double[] corners = new double[8];
@@ -707,7 +707,7 @@ final class LightFit {
         }
         noiseTells = flatNoise.measure(image, -BLUE_CORRELATION, again)
                 && flatNoise.correlation(0) < -BLUE_DEVIATIONS * Math.sqrt(flatNoise.variance(0))
-                && flatNoise.isOfAMask();
+                && (again || flatNoise.isOfAMask());
     }
 
     /** Adds what the noise of flat ground says of amount and radius of the mask. */
@@ -716,12 +716,12 @@ final class LightFit {
             return;
         }
         Unsharpened.noiseCorrelation(maskAmount, maskRadiusPx, ofMask);
-        Unsharpened.noiseCorrelation(maskAmount + DIFFERENCE, maskRadiusPx, moreAmount);
-        Unsharpened.noiseCorrelation(maskAmount, maskRadiusPx * Math.exp(DIFFERENCE), moreRadius);
+        Unsharpened.noiseCorrelation(maskAmount + DIFFERENCE, maskRadiusPx, otherAmount);
+        Unsharpened.noiseCorrelation(maskAmount, maskRadiusPx * Math.exp(DIFFERENCE), otherRadius);
         for (int l = 0; l < FlatNoise.LAGS.length; l++) {
-            double weight = flatWeight(l);
-            double byAmount = (moreAmount[l] - ofMask[l]) / DIFFERENCE;
-            double byRadius = (moreRadius[l] - ofMask[l]) / DIFFERENCE;
+            double weight = flatNoise.weight(l);
+            double byAmount = (otherAmount[l] - ofMask[l]) / DIFFERENCE;
+            double byRadius = (otherRadius[l] - ofMask[l]) / DIFFERENCE;
             double off = flatNoise.correlation(l) - ofMask[l];
             score[1] += weight * byAmount * off;
             score[2] += weight * byRadius * off;
@@ -732,20 +732,11 @@ final class LightFit {
         }
     }
 
-    private double flatWeight(int lag) {
-        return 1 / (FlatNoise.MODEL_STD * FlatNoise.MODEL_STD + flatNoise.variance(lag));
-    }
-
     /** Logarithm of the ratio of the likelihoods of the noise of flat ground with the mask and without one. */
     private double byFlatNoise() {
-        double sum = 0;
+        Unsharpened.noiseCorrelation(0, maskRadiusPx, otherAmount);
         Unsharpened.noiseCorrelation(maskAmount, maskRadiusPx, ofMask);
-        for (int l = 0; l < FlatNoise.LAGS.length; l++) {
-            double seen = flatNoise.correlation(l);
-            double off = seen - ofMask[l];
-            sum += 0.5 * flatWeight(l) * (seen * seen - off * off);
-        }
-        return sum;
+        return (flatNoise.misfit(otherAmount) - flatNoise.misfit(ofMask)) / 2;
     }
 
     /**

@@ -1233,9 +1233,11 @@ final class MarkerEdges {
             }
         }
         corners(corners);
-        double[] inward = EdgeShift.ofCorners(corners);
-        for (int r = 0; r < 8; r++) {
-            corners[r] -= inDarkPx * inward[r];
+        if (inDarkPx != 0) {
+            double[] inward = EdgeShift.ofCorners(corners);
+            for (int r = 0; r < 8; r++) {
+                corners[r] -= inDarkPx * inward[r];
+            }
         }
         @Nullable EdgeShift shift = null;
         if (shiftMeasured) {

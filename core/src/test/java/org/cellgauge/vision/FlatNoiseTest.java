@@ -55,12 +55,12 @@ class FlatNoiseTest {
     @Test
     void slopesEdgesAndWhitesAreLeftOut() {
         double[] noise = masked(white(3, 2), 0.6, 1);
-        FlatNoise plain = measured(i -> 120, noise, 1);
+        FlatNoise plain = measured(i -> 120, noise, 2);
         FlatNoise other = measured(i -> {
             int x = i % SIDE;
             int y = i / SIDE;
             return y > 150 ? 255 : x < 60 ? 40 + 0.2 * y : 120 + 0.3 * (x + y);
-        }, noise, 1);
+        }, noise, 2);
         for (int lag = 0; lag < FlatNoise.LAGS.length; lag++) {
             assertEquals(plain.correlation(lag), other.correlation(lag), FIVE * Math.sqrt(other.variance(lag)));
         }
@@ -75,7 +75,7 @@ class FlatNoiseTest {
             smooth[i] = (noise[i] + noise[Math.max(0, i - 1)]) / 2;
         }
         // half along rows, nothing across
-        assertEquals(0.25, measured(i -> 120, smooth, 1).correlation(0), 0.02);
+        assertEquals(0.25, measured(i -> 120, smooth, 2).correlation(0), 0.02);
     }
 
     /** Cloth: knots at every third pixel, fainter than the noise. */
@@ -85,7 +85,7 @@ class FlatNoiseTest {
         for (int i = 0; i < noise.length; i++) {
             noise[i] += 2 * Math.cos(2 * Math.PI * (i % SIDE) / 3) * Math.cos(2 * Math.PI * (i / SIDE) / 3.0);
         }
-        FlatNoise cloth = measured(i -> 120, noise, 1);
+        FlatNoise cloth = measured(i -> 120, noise, 2);
         assertTrue(cloth.correlation(0) < -0.05, "neighbours differ");
         assertFalse(cloth.isOfAMask());
     }
@@ -114,15 +114,15 @@ class FlatNoiseTest {
         assertFalse(none.measure(noisy, 1, false), "the marker fills the picture");
     }
 
-    private static FlatNoise measured(IntToDoubleFunction ground, double[] noise, double times) {
+    /** Of noise scaled to a deviation, grey levels, which does not matter but for rounding. */
+    private static FlatNoise measured(IntToDoubleFunction ground, double[] noise, double std) {
         double[] scaled = noise.clone();
         double squares = 0;
         for (double v : noise) {
             squares += v * v / noise.length;
         }
         for (int i = 0; i < scaled.length; i++) {
-            // of which deviation it is does not matter but for rounding
-            scaled[i] *= (1.5 + 0.5 * times) / Math.sqrt(squares);
+            scaled[i] *= std / Math.sqrt(squares);
         }
         FlatNoise measured = new FlatNoise();
         measured.clear();
