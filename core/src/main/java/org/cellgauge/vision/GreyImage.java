@@ -163,4 +163,23 @@ public final class GreyImage {
         double bottom = get(x0, y1) + (x - x0) * (get(x1, y1) - get(x0, y1));
         return top + (y - y0) * (bottom - top);
     }
+
+    /** Whether a place has pixel centres on all sides. */
+    boolean hasNeighbours(double u, double v) {
+        return u >= 0.5 && v >= 0.5 && u < widthPx - 0.5 && v < heightPx - 0.5;
+    }
+
+    /** As {@link #interpolate} where {@link #hasNeighbours} holds, without asking where the image ends. */
+    double interpolateInside(double u, double v) {
+        double x = u - 0.5;
+        double y = v - 0.5;
+        int x0 = (int) x;
+        int y0 = (int) y;
+        int at = offset + y0 * rowStride + x0;
+        int first = luminance[at] & 0xFF;
+        int third = luminance[at + rowStride] & 0xFF;
+        double top = first + (x - x0) * ((luminance[at + 1] & 0xFF) - first);
+        double bottom = third + (x - x0) * ((luminance[at + rowStride + 1] & 0xFF) - third);
+        return top + (y - y0) * (bottom - top);
+    }
 }

@@ -35,11 +35,9 @@ final class MarkerEdges {
     /** A step of the shift by more than this has left the place where it is linear to a thousandth of a pixel. */
     private static final double LINEAR_SHIFT_PX = 0.02;
     private static final int MAX_SHIFT_STEPS = 4;
-    /** Rows of the pattern, from its border inwards, whose light reaches a side. */
-    private static final int ROWS = 3;
+    /** How far from an edge its blur is seen, deviations; and from the ends of a side, to the last bit. */
     private static final double REACH = 4;
-    /** Deviations of the blur beyond which nothing at all is seen of an edge, however it lies to the pixels. */
-    private static final double DEEPEST = 6;
+    private static final double ENDS_REACH = 8.01;
     /** White from which on it may be clipped, grey levels. */
     private static final double BRIGHTEST_FOR_LAMP = 248;
     /** Change of the light from one end of a marker to the other, as a share of it, that is no lamp's. */
@@ -48,38 +46,19 @@ final class MarkerEdges {
     private static final double LEAST_SEEN = 1e-5;
     /** Variance that a pixel's own square adds to the blur. */
     static final double PIXEL_VARIANCE = SideBand.PIXEL_VARIANCE;
-    /** How far outwards the edge of the paper is looked for. */
-    private static final int PAPER_STEPS = 24;
-    private static final int PAPER_LINES = 3;
-    private static final int PAPER_ROUNDS = 4;
-    /** Beyond so many deviations of the blur from the band the edge of the paper need not be known well. */
-    private static final double FAR_BLURS = 4;
-    /** Variance that interpolating between pixels adds to the blur. */
-    private static final double INTERPOLATION_VARIANCE = 1.0 / 6;
-    private static final double PAPER_STEP_PX = 0.5;
-    /** A drop of the light by less than this share of the difference of white and black is no edge of the paper. */
-    private static final double PAPER_CONTRAST = 0.06;
     /** What lines and shift hang on, of every side. */
     private static final int[] SIDE_UNKNOWNS = {SideFit.OFFSET, SideFit.SLOPE, SideFit.BLUR, SideFit.BRIGHT};
     private static final int BY_BLUR = 2;
     private static final int BY_BRIGHT = 3;
 
-    private static final double WHITE = 255;
-    /** About a marker, what its sides' bands reach; and the most pixels whose places are kept, of 16 bytes each. */
-    private static final int CACHE_MARGIN_PX = 8;
-    private static final int MOST_CACHED = 1 << 16;
     /** About a marker, where the edge of the paper is looked for, and what a sharpened pixel sees beyond. */
     private static final int SURROUNDINGS_PX = 15;
     private static final int SURROUNDINGS_RADII = 5;
 
-    private final Lens lens;
-    private final double[] intrinsics;
-    /** Where the marker is looked at under a wide lens; null for others. */
-    private final @Nullable TangentPlane plane;
+    private final StraightPlane plane;
     private final boolean distorted;
     private final MarkerGrid grid;
     private final GreyScale scale;
-    private final int bands;
     private final EdgeProfile profile = new EdgeProfile();
     private final SideFit[] sides = {new SideFit(), new SideFit(), new SideFit(), new SideFit()};
 
@@ -90,14 +69,12 @@ final class MarkerEdges {
     private final double[] homography = new double[8];
     private final double[] normal = new double[9];
     private final double[] gradient = new double[3];
-    private final double[] shiftRow = new double[3];
     private final double[][] byOwn = new double[CORNERS][3];
     private final double[][] byOwnAlong = new double[CORNERS][3];
     private final double[][] byOwnBlur = new double[CORNERS][3];
     private final double[] factorInverse = new double[9];
     private final double[] inverse = new double[9];
     private final double[] point = new double[2];
-    private final double[] ray = new double[3];
     private boolean[] white = new boolean[0];
     /** Grey values with an unsharp mask undone, in force where {@link #unsharpened}. */
     private final Unsharpened levels = new Unsharpened();
@@ -105,23 +82,22 @@ final class MarkerEdges {
     private boolean unsharpened;
     private final SharpenedStep step = new SharpenedStep();
 
-    // the pattern as seen from one side: depth of the lines between rows at the middle of the side and its change
-    // along it, and for each row the ends of its white stretches along the side, their change with depth (a marker seen
-    // aslant is sheared: taken as upright, the ends would feign a shift of 0.01 px) and the cosine of that slant
-    private final double[] depth = new double[ROWS + 1];
-    private final double[] depthSlope = new double[ROWS + 1];
-    private final double[][] ends = new double[ROWS][];
-    private final double[][] endSlope = new double[ROWS][];
-    private final double[][] endCosine = new double[ROWS][];
-    private final int[] endCount = new int[ROWS];
-    private int rows;
-    /** How many of them the last pixel saw. */
-    private int rowsSeen;
-    private final double[] rowWhite = new double[ROWS];
-    private final double[] rowByBlur = new double[ROWS];
-    private double innerByBlur;
-    private final double[] rowGrowth = new double[ROWS];
-    private final double[] rowStretch = new double[ROWS];
+    private final BandPixels band = new BandPixels();
+    private final PatternLight pattern;
+    private final PaperEdge paper = new PaperEdge();
+    // of the pixels of a band, work space
+    private double[] depths = new double[0];
+    private double[] shares = new double[0];
+    private double[] ofBlur = new double[0];
+    private double[] lights = new double[0];
+    private double[] greys = new double[0];
+    private double[] byLights = new double[0];
+    private double[] insides = new double[0];
+    private double[] asked = new double[0];
+    private double[] outlineShares = new double[0];
+    private double[] outlineByDistance = new double[0];
+    private double[] outlineByBlur = new double[0];
+    private int[] places = new int[0];
 
     // the sides before and after the one at hand: where they meet it, their change along it with depth, and its cosine
     private final double[] cornerAt = new double[2];
@@ -133,23 +109,6 @@ final class MarkerEdges {
     private double lampY;
     private final double[] lampXByBright = new double[CORNERS];
     private final double[] lampYByBright = new double[CORNERS];
-
-    private final double[] paperLight = new double[PAPER_STEPS];
-    private double paperPx;
-    private double paperShare;
-
-    private int firstX;
-    private int lastX;
-    private int firstY;
-    private int lastY;
-
-    // undistorted places of the pixels about the marker, NaN where nobody has asked yet: bending them back takes as
-    // long as all that is then done with them
-    private int cachedX;
-    private int cachedY;
-    private int cachedWidth;
-    private int cachedHeight;
-    private double[] cached = new double[0];
 
     private double shiftPx;
     private double shiftInformation;
@@ -175,17 +134,10 @@ final class MarkerEdges {
      */
     MarkerEdges(PinholeCamera camera, MarkerGrid grid, GreyScale scale) {
         this.scale = scale.another();
-        this.lens = camera.lens();
-        this.intrinsics = camera.intrinsics();
-        this.plane = lens.isWide() ? new TangentPlane(camera) : null;
+        this.plane = new StraightPlane(camera);
         this.distorted = camera.isDistorting();
         this.grid = grid;
-        this.bands = grid.bands();
-        for (int r = 0; r < ROWS; r++) {
-            ends[r] = new double[bands + 1];
-            endSlope[r] = new double[bands + 1];
-            endCosine[r] = new double[bands + 1];
-        }
+        this.pattern = new PatternLight(grid);
     }
 
     /**
@@ -194,27 +146,24 @@ final class MarkerEdges {
      * @param image the image
      * @param cornersPx 8 values, distorted px, within about a pixel of the corners, in the order of the pattern's
      *     top-left, top-right, bottom-right, bottom-left
-     * @param pattern white cells, row by row; kept, not copied
+     * @param cells white cells, row by row; kept, not copied
      * @return whether all sides were found near where they were looked for
      */
-    boolean fit(GreyImage image, double[] cornersPx, boolean[] pattern) {
-        if (plane != null && !plane.aim(cornersPx)) {
+    boolean fit(GreyImage image, double[] cornersPx, boolean[] cells) {
+        if (!plane.aim(cornersPx)) {
             return false;
         }
         for (int i = 0; i < CORNERS; i++) {
-            if (!toIdeal(cornersPx[2 * i], cornersPx[2 * i + 1], ideal, 2 * i)) {
+            if (!plane.toPlane(cornersPx[2 * i], cornersPx[2 * i + 1], ideal, 2 * i)) {
                 return false;
             }
             sides[i].restart();
         }
         System.arraycopy(ideal, 0, before, 0, 2 * CORNERS);
-        white = pattern;
+        white = cells;
         shiftPx = 0;
         unsharpened = false;
         clearLamp();
-        if (distorted) {
-            clearCache(cornersPx);
-        }
         settledPx = SideFit.SETTLED_PX;
         return passes(image, MAX_PASSES, FIRST_BAND_STILL_GOOD_PX);
     }
@@ -223,11 +172,11 @@ final class MarkerEdges {
      * Fits again from where the last fit ended, with another tone curve or another reading.
      *
      * @param image the same image
-     * @param pattern white cells; kept, not copied
+     * @param cells white cells; kept, not copied
      * @return whether all sides were found
      */
-    boolean refit(GreyImage image, boolean[] pattern) {
-        white = pattern;
+    boolean refit(GreyImage image, boolean[] cells) {
+        white = cells;
         settledPx = SideFit.SETTLED_PX;
         return passes(image, MAX_PASSES, BAND_STILL_GOOD_PX);
     }
@@ -236,11 +185,11 @@ final class MarkerEdges {
      * The same on the way to a tone curve, where hundredths of a pixel do not matter.
      *
      * @param image the same image
-     * @param pattern white cells; kept, not copied
+     * @param cells white cells; kept, not copied
      * @return whether all sides were found
      */
-    boolean refitNearly(GreyImage image, boolean[] pattern) {
-        white = pattern;
+    boolean refitNearly(GreyImage image, boolean[] cells) {
+        white = cells;
         settledPx = SideFit.NEARLY_SETTLED_PX;
         return passes(image, MAX_PASSES, BAND_STILL_GOOD_PX);
     }
@@ -304,7 +253,7 @@ final class MarkerEdges {
             int i = k / 4;
             int j = (i + 1) % CORNERS;
             double f = 0.25 * (k % 4);
-            toImage(ideal[2 * i] + f * (ideal[2 * j] - ideal[2 * i]),
+            plane.toImage(ideal[2 * i] + f * (ideal[2 * j] - ideal[2 * i]),
                     ideal[2 * i + 1] + f * (ideal[2 * j + 1] - ideal[2 * i + 1]), point, 0);
             lowU = Math.min(lowU, point[0]);
             highU = Math.max(highU, point[0]);
@@ -456,7 +405,7 @@ final class MarkerEdges {
      */
     void corners(double[] out) {
         for (int i = 0; i < CORNERS; i++) {
-            toImage(ideal[2 * i], ideal[2 * i + 1], out, 2 * i);
+            plane.toImage(ideal[2 * i], ideal[2 * i + 1], out, 2 * i);
         }
     }
 
@@ -499,87 +448,6 @@ final class MarkerEdges {
 
     // ---- geometry
 
-    private boolean toIdeal(double u, double v, double[] out, int at) {
-        if (!distorted) {
-            out[at] = u;
-            out[at + 1] = v;
-            return true;
-        }
-        if (plane != null) {
-            return plane.toPlane(u, v, out, at);
-        }
-        if (!lens.toRay(intrinsics, u, v, ray)) {
-            return false;
-        }
-        out[at] = intrinsics[PinholeCamera.FX] * ray[0] + intrinsics[PinholeCamera.SKEW] * ray[1]
-                + intrinsics[PinholeCamera.CX];
-        out[at + 1] = intrinsics[PinholeCamera.FY] * ray[1] + intrinsics[PinholeCamera.CY];
-        return true;
-    }
-
-    /** Forgets undistorted places; those of pixels about the corners will be kept. */
-    private void clearCache(double[] cornersPx) {
-        double lowU = Double.POSITIVE_INFINITY;
-        double highU = Double.NEGATIVE_INFINITY;
-        double lowV = Double.POSITIVE_INFINITY;
-        double highV = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < CORNERS; i++) {
-            lowU = Math.min(lowU, cornersPx[2 * i]);
-            highU = Math.max(highU, cornersPx[2 * i]);
-            lowV = Math.min(lowV, cornersPx[2 * i + 1]);
-            highV = Math.max(highV, cornersPx[2 * i + 1]);
-        }
-        cachedX = (int) lowU - CACHE_MARGIN_PX;
-        cachedY = (int) lowV - CACHE_MARGIN_PX;
-        cachedWidth = (int) highU + CACHE_MARGIN_PX - cachedX;
-        cachedHeight = (int) highV + CACHE_MARGIN_PX - cachedY;
-        if ((long) cachedWidth * cachedHeight > MOST_CACHED) {
-            cachedWidth = 0;
-            cachedHeight = 0;
-        }
-        int size = 2 * cachedWidth * cachedHeight;
-        if (cached.length < size) {
-            cached = new double[size];
-        }
-        Arrays.fill(cached, 0, size, Double.NaN);
-    }
-
-    /** The undistorted place of a pixel's centre, into {@link #point}. */
-    private boolean toIdealCached(int x, int y) {
-        int column = x - cachedX;
-        int row = y - cachedY;
-        if (column < 0 || row < 0 || column >= cachedWidth || row >= cachedHeight) {
-            return toIdeal(x + 0.5, y + 0.5, point, 0);
-        }
-        int at = 2 * (row * cachedWidth + column);
-        if (Double.isNaN(cached[at])) {
-            if (!toIdeal(x + 0.5, y + 0.5, point, 0)) {
-                return false;
-            }
-            cached[at] = point[0];
-            cached[at + 1] = point[1];
-        }
-        point[0] = cached[at];
-        point[1] = cached[at + 1];
-        return true;
-    }
-
-    private void toImage(double x, double y, double[] out, int at) {
-        if (!distorted) {
-            out[at] = x;
-            out[at + 1] = y;
-            return;
-        }
-        if (plane != null) {
-            plane.toImage(x, y, out, at);
-            return;
-        }
-        double yn = (y - intrinsics[PinholeCamera.CY]) / intrinsics[PinholeCamera.FY];
-        double xn = (x - intrinsics[PinholeCamera.CX] - intrinsics[PinholeCamera.SKEW] * yn)
-                / intrinsics[PinholeCamera.FX];
-        lens.project(intrinsics, xn, yn, 1, out, at);
-    }
-
     private boolean setHomography() {
         return Homography.ofUnitSquare(ideal, homography);
     }
@@ -609,147 +477,6 @@ final class MarkerEdges {
         return true;
     }
 
-    /** The cell at a place along a side and a depth of rows from it. */
-    private boolean whiteCell(int i, int row, int along) {
-        switch (i) {
-            case 0:
-                return white[row * bands + along];
-            case 1:
-                return white[along * bands + bands - 1 - row];
-            case 2:
-                return white[(bands - 1 - row) * bands + bands - 1 - along];
-            default:
-                return white[(bands - 1 - along) * bands + row];
-        }
-    }
-
-    /** A point of the marker, a along side i (0 to 1) and z deep, in the side's coordinates: along it and inwards. */
-    private void fromSide(int i, double a, double z, SideFit side) {
-        double x;
-        double y;
-        switch (i) {
-            case 0:
-                x = a;
-                y = z;
-                break;
-            case 1:
-                x = 1 - z;
-                y = a;
-                break;
-            case 2:
-                x = 1 - a;
-                y = 1 - z;
-                break;
-            default:
-                x = z;
-                y = 1 - a;
-                break;
-        }
-        double w = homography[6] * x + homography[7] * y + 1;
-        double px = (homography[0] * x + homography[1] * y + homography[2]) / w - side.middleX;
-        double py = (homography[3] * x + homography[4] * y + homography[5]) / w - side.middleY;
-        point[0] = px * side.tangentX + py * side.tangentY;
-        point[1] = -(px * side.normalX + py * side.normalY);
-    }
-
-    /** How far the line before a row moves outwards with the outline, per px of each of the four sides. */
-    private double frame(int row) {
-        return 1 - 2 * grid.line(grid.borderBands() + row) / grid.cells();
-    }
-
-    private void setPattern(int i) {
-        SideFit side = sides[i];
-        rows = Math.min(ROWS, grid.codeCells());
-        double stretch = 1 + 2 * shiftPx / side.lengthPx;
-        for (int r = 0; r <= rows; r++) {
-            double z = grid.line(grid.borderBands() + r) / grid.cells();
-            fromSide(i, 0.2, z, side);
-            double t0 = point[0];
-            double d0 = point[1];
-            fromSide(i, 0.8, z, side);
-            depthSlope[r] = (point[1] - d0) / (point[0] - t0);
-            // the true outline lies outside the one that is seen, and what hangs on it likewise
-            depth[r] = d0 - depthSlope[r] * t0 - frame(r) * shiftPx;
-        }
-        for (int r = 0; r < rows; r++) {
-            int count = 0;
-            boolean inWhite = false;
-            for (int k = 0; k <= bands; k++) {
-                boolean here = k < bands && whiteCell(i, grid.borderBands() + r, k);
-                if (here != inWhite) {
-                    fromSide(i, grid.line(k) / grid.cells(), grid.line(grid.borderBands() + r) / grid.cells(), side);
-                    double t0 = point[0];
-                    double z0 = point[1];
-                    fromSide(i, grid.line(k) / grid.cells(), grid.line(grid.borderBands() + r + 1) / grid.cells(),
-                            side);
-                    double slope = (point[0] - t0) / (point[1] - z0);
-                    double cosine = 1 / Math.sqrt(1 + slope * slope);
-                    // white that has spread begins earlier and ends later
-                    ends[r][count] = (t0 - slope * z0) * stretch + (here ? -shiftPx : shiftPx) / cosine;
-                    endSlope[r][count] = slope;
-                    endCosine[r][count++] = cosine;
-                    inWhite = here;
-                }
-            }
-            endCount[r] = count;
-        }
-    }
-
-    /**
-     * How white each row is at a place along the side, and how that changes where white spreads or all is stretched.
-     * Only the rows that are seen there: of all deeper ones {@link EdgeProfile} would find none.
-     */
-    private void setRowWhites(double t, double depthPx, double blur, double reach, double perLength) {
-        double deepest = depthPx + DEEPEST / REACH * reach + Math.abs(shiftPx);
-        rowsSeen = 0;
-        while (rowsSeen < rows && depth[rowsSeen] + depthSlope[rowsSeen] * t < deepest) {
-            rowsSeen++;
-        }
-        for (int r = 0; r < rowsSeen; r++) {
-            double sum = 0;
-            double growth = 0;
-            double stretch = 0;
-            double byBlur = 0;
-            double[] at = ends[r];
-            double seenAt = endCount[r] == 0 ? depthPx : depthSeen(r, t, depthPx, reach / REACH);
-            for (int k = 0; k < endCount[r]; k++) {
-                double end = at[k] + endSlope[r][k] * seenAt;
-                double z = (t - end) * endCosine[r][k];
-                double sign = (k & 1) == 0 ? 1 : -1;
-                if (z >= reach) {
-                    sum += sign;
-                } else if (z > -reach) {
-                    // a pixel is as wide along a side as across it
-                    profile.at(z, blur);
-                    sum += sign * profile.share;
-                    byBlur += sign * profile.byBlur;
-                    growth += profile.byDistance;
-                    stretch -= sign * profile.byDistance * end * perLength;
-                }
-            }
-            rowWhite[r] = sum;
-            rowByBlur[r] = byBlur;
-            rowGrowth[r] = growth;
-            rowStretch[r] = stretch;
-        }
-    }
-
-    /**
-     * Mean depth of what a pixel sees of a row: that of a normal distribution about the pixel's own depth between the
-     * lines before and behind the row (Johnson, Kotz, Balakrishnan, "Continuous Univariate Distributions", volume 1,
-     * 1994, section 13.10.1). A pixel that looks across the edge of a slanted cell sees its ends where the cell is, not
-     * where the pixel is: taken there, markers tilted by 30 degrees feigned a shift of 0.01 px.
-     */
-    private double depthSeen(int row, double t, double depthPx, double std) {
-        double from = (depth[row] + depthSlope[row] * t - depthPx) / std;
-        double to = row == rows - 1 ? REACH : (depth[row + 1] + depthSlope[row + 1] * t - depthPx) / std;
-        double seen = EdgeProfile.tabulated(to) - EdgeProfile.tabulated(from);
-        if (!(seen > LEAST_SEEN)) {
-            return depthPx + std * (from > 0 ? from : Math.min(0, to));
-        }
-        return depthPx + std * (EdgeProfile.density(from) - EdgeProfile.density(to)) / seen;
-    }
-
     private void setLampOf(SideFit side) {
         side.lampAlong = lampX * side.tangentX + lampY * side.tangentY;
         side.lampAcross = lampX * side.normalX + lampY * side.normalY;
@@ -762,174 +489,100 @@ final class MarkerEdges {
         double blur = !side.started() ? FIRST_BLUR_PX : side.unknowns[SideFit.BLUR];
         double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
         profile.turn(side.normalX, side.normalY);
-        setPattern(i);
-        findPaper(image, side, std);
-        double band = SideBand.halfWidthPx(blur);
-        double inner = Math.min(band, depth[0] - 0.5);
-        double outer = Math.min(band, Math.max(1, paperPx - 0.3));
+        pattern.turnTo(i, side, homography, white, shiftPx);
+        paper.find(image, levels(), plane, scale, side, std, pattern.borderPx());
+        double halfWidth = SideBand.halfWidthPx(blur);
+        double inner = Math.min(halfWidth, pattern.borderPx() - 0.5);
+        double outer = Math.min(halfWidth, Math.max(1, paper.px - 0.3));
         side.clear(blur);
         setLampOf(side);
-        collect(image, i, inner, outer, blur, std);
+        band.gather(image, levels(), plane, side, side.halfLengthPx, inner, outer);
+        setLightFromElsewhere(blur, std);
+        addPixels(side, inner, std);
         return side.fit(scale, profile, FIRST_BLUR_PX, settledPx);
     }
 
-    /**
-     * Looks for the edge of the paper: a dark step beside the marker's own, blurred alike. The light's profile
-     * outwards, a mean over seven places along the side, is fitted by white, ground and the place of the edge
-     * (Gauss-Newton).
-     */
-    private void findPaper(GreyImage image, SideFit side, double std) {
-        double most = Double.NEGATIVE_INFINITY;
-        int mostAt = 0;
-        paperPx = Double.POSITIVE_INFINITY;
-        paperShare = 0;
-        double[] light = paperLight;
-        for (int k = 0; k < PAPER_STEPS; k++) {
-            double d = paperDistance(k);
-            double sum = 0;
-            for (int n = -PAPER_LINES; n <= PAPER_LINES; n++) {
-                double t = 0.35 * n * side.lengthPx / PAPER_LINES;
-                toImage(side.middleX + side.tangentX * t + side.normalX * d,
-                        side.middleY + side.tangentY * t + side.normalY * d, point, 0);
-                sum += scale.tabulatedLight(interpolate(image, point[0], point[1]));
-            }
-            light[k] = sum / (2 * PAPER_LINES + 1);
-            if (light[k] > most && d < 2 + 2.5 * std) {
-                most = light[k];
-                mostAt = k;
-            }
-        }
-        double least = Double.POSITIVE_INFINITY;
-        int leastAt = mostAt;
-        for (int k = mostAt; k < PAPER_STEPS; k++) {
-            if (light[k] < least) {
-                least = light[k];
-                leastAt = k;
-            } else if (light[k] > least + 0.3 * (most - least)) {
-                break;
-            }
-        }
-        double dark = side.started() ? scale.light(side.unknowns[SideFit.DARK]) : darkestInside(image, side);
-        if (!(most > dark) || most - least < PAPER_CONTRAST * (most - dark)) {
-            return;
-        }
-        double half = (most + least) / 2;
-        double edge = Double.NaN;
-        for (int k = mostAt + 1; k <= leastAt; k++) {
-            if (light[k] < half) {
-                edge = paperDistance(k - 1) + PAPER_STEP_PX * (light[k - 1] - half) / (light[k - 1] - light[k]);
-                break;
-            }
-        }
-        if (Double.isNaN(edge)) {
-            return;
-        }
-        paperPx = edge;
-        paperShare = Math.min(1.2, (most - least) / (most - dark));
-        if (edge < FAR_BLURS * std + SideBand.HALF_WIDTH_PX) {
-            fitPaper(dark, most, least, edge, leastAt, Math.sqrt(std * std + INTERPOLATION_VARIANCE));
-        }
+    /** Grey values that fits go by where they are not the image's. */
+    private @Nullable Unsharpened levels() {
+        return unsharpened ? levels : null;
     }
 
-    private static double paperDistance(int step) {
-        return 0.5 + PAPER_STEP_PX * step;
-    }
-
-    /**
-     * White, ground and place of the edge, by least squares over the profile as far as the ground is plain. So many
-     * rounds and no trials of steps: two of the three unknowns are linear, and a fit that strays is dropped.
-     */
-    private void fitPaper(double dark, double firstWhite, double firstGround, double firstEdge, int last, double std) {
-        double bright = firstWhite;
-        double ground = firstGround;
-        double edge = firstEdge;
-        double[] n = normal;
-        double[] g = gradient;
-        for (int round = 0; round < PAPER_ROUNDS; round++) {
-            Arrays.fill(n, 0);
-            Arrays.fill(g, 0);
-            for (int k = 0; k <= last; k++) {
-                double d = paperDistance(k);
-                double marker = EdgeProfile.tabulated(d / std);
-                double z = (d - edge) / std;
-                double beyond = EdgeProfile.tabulated(z);
-                double residual = dark + (bright - dark) * marker - (bright - ground) * beyond - paperLight[k];
-                double byBright = marker - beyond;
-                double byEdge = (bright - ground) * EdgeProfile.density(z) / std;
-                g[0] += byBright * residual;
-                g[1] += beyond * residual;
-                g[2] += byEdge * residual;
-                n[0] += byBright * byBright;
-                n[3] += beyond * byBright;
-                n[4] += beyond * beyond;
-                n[6] += byEdge * byBright;
-                n[7] += byEdge * beyond;
-                n[8] += byEdge * byEdge;
+    /** Light that the pixels of the band see of the pattern inside and of the ground beyond the paper. */
+    private void setLightFromElsewhere(double blur, double std) {
+        int count = band.count;
+        reserve(count);
+        double[] along = band.along;
+        double[] across = band.across;
+        double[] more = shares;
+        double[] moreByBlur = ofBlur;
+        Arrays.fill(more, 0, count, 0);
+        Arrays.fill(moreByBlur, 0, count, 0);
+        double from = pattern.borderPx() - REACH * std;
+        double slope = pattern.borderSlope();
+        int inside = 0;
+        for (int k = 0; k < count; k++) {
+            if (-across[k] > from + slope * along[k]) {
+                places[inside] = k;
+                asked[inside] = along[k];
+                depths[inside++] = -across[k];
             }
-            for (int a = 0; a < 3; a++) {
-                n[4 * a] *= 1.001;
-            }
-            if (!Cholesky.factor(n, 3)) {
-                return;
-            }
-            Cholesky.solveLower(n, 3, g);
-            Cholesky.solveUpper(n, 3, g);
-            bright -= g[0];
-            ground -= g[1];
-            edge -= g[2];
         }
-        if (bright > dark && ground < bright && Math.abs(edge - firstEdge) < 1.5) {
-            paperPx = edge;
-            paperShare = (bright - ground) / (bright - dark);
+        if (inside > 0) {
+            pattern.see(asked, depths, inside, profile, blur, std, 0);
+            for (int j = 0; j < inside; j++) {
+                more[places[j]] = pattern.share[j];
+                moreByBlur[places[j]] = pattern.byBlur[j];
+            }
         }
-    }
-
-    private double darkestInside(GreyImage image, SideFit side) {
-        toImage(side.middleX - side.normalX * depth[0] / 2, side.middleY - side.normalY * depth[0] / 2, point, 0);
-        return scale.tabulatedLight(interpolate(image, point[0], point[1]));
-    }
-
-    private double interpolate(GreyImage image, double u, double v) {
-        return unsharpened ? levels.interpolate(u, v) : image.interpolate(u, v);
-    }
-
-    /** Gathers the pixels whose centres lie in the band about a side, in its coordinates. */
-    private void collect(GreyImage image, int i, double inner, double outer, double blur, double std) {
-        SideFit side = sides[i];
-        setBounds(image, side, side.halfLengthPx, inner, outer);
+        double nearPaper = paper.px - REACH * std;
         double inverseStd = 1 / std;
+        for (int k = 0; k < count; k++) {
+            if (across[k] > nearPaper) {
+                more[k] -= paper.share * EdgeProfile.tabulated((across[k] - paper.px) * inverseStd);
+            }
+        }
+    }
+
+    /** Hands the pixels of the band to the fit. */
+    private void addPixels(SideFit side, double inner, double std) {
         for (int k = 0; k < 2; k++) {
             cornerAt[k] = (k - 0.5) * side.lengthPx;
-            fromSide(i, k, 0.5, side);
+            pattern.place(k, 0.5, point);
             cornerSlope[k] = (point[0] - cornerAt[k]) / point[1];
             cornerCosine[k] = 1 / Math.sqrt(1 + cornerSlope[k] * cornerSlope[k]);
         }
-        for (int y = firstY; y <= lastY; y++) {
-            for (int x = firstX; x <= lastX; x++) {
-                if (!toSide(x, y, side)) {
-                    continue;
-                }
-                double t = point[0];
-                double d = point[1];
-                if (d < -inner || d > outer || t < -side.halfLengthPx || t > side.halfLengthPx) {
-                    continue;
-                }
-                double window = window(t, -d, std, inverseStd);
-                double more = 0;
-                innerByBlur = 0;
-                if (-d > depth[0] + depthSlope[0] * t - REACH * std) {
-                    more += innerShare(t, -d, blur, REACH * std);
-                }
-                if (d > paperPx - REACH * std) {
-                    more -= paperShare * EdgeProfile.tabulated((d - paperPx) * inverseStd);
-                }
-                if (unsharpened) {
-                    side.add(t, d, levels.get(x, y), levels.floor(x, y), levels.cap(x, y), window, more, innerByBlur);
-                } else {
-                    side.add(t, d, image.get(x, y), 0, WHITE, window, more, innerByBlur);
-                }
-            }
+        // so far from both ends nothing is seen of them, at whatever depth the dark lies that a pixel sees
+        double deepest = inner + 2 * std;
+        double first = cornerAt[0] + Math.max(-cornerSlope[0] * std, cornerSlope[0] * deepest)
+                + ENDS_REACH * std / cornerCosine[0];
+        double last = cornerAt[1] + Math.min(-cornerSlope[1] * std, cornerSlope[1] * deepest)
+                - ENDS_REACH * std / cornerCosine[1];
+        double inverseStd = 1 / std;
+        for (int k = 0; k < band.count; k++) {
+            double t = band.along[k];
+            double d = band.across[k];
+            double window = t > first && t < last ? 1 : window(t, -d, std, inverseStd);
+            side.add(t, d, band.grey[k], band.floor[k], band.cap[k], window, shares[k], ofBlur[k]);
         }
+    }
+
+    private void reserve(int count) {
+        if (shares.length >= count) {
+            return;
+        }
+        int length = Math.max(256, 2 * count);
+        depths = new double[length];
+        shares = new double[length];
+        ofBlur = new double[length];
+        lights = new double[length];
+        greys = new double[length];
+        byLights = new double[length];
+        insides = new double[length];
+        asked = new double[length];
+        outlineShares = new double[length];
+        outlineByDistance = new double[length];
+        outlineByBlur = new double[length];
+        places = new int[length];
     }
 
     /**
@@ -947,67 +600,6 @@ final class MarkerEdges {
         double second = cornerAt[1] + cornerSlope[1] * depthOfDark - t;
         return EdgeProfile.tabulated(first * cornerCosine[0] * inverseStd)
                 + EdgeProfile.tabulated(second * cornerCosine[1] * inverseStd) - 1;
-    }
-
-    /** Light from the white cells of the pattern at a place along a side and a depth. */
-    private double innerShare(double t, double z, double blur, double reach) {
-        setRowWhites(t, z, blur, reach, 0);
-        double share = 0;
-        double beforeRow = 0;
-        double beforeByBlur = 0;
-        for (int r = 0; r < rowsSeen; r++) {
-            double change = rowWhite[r] - beforeRow;
-            if (change > 1e-4 || change < -1e-4) {
-                profile.at(z - depth[r] - depthSlope[r] * t + (change > 0 ? shiftPx : -shiftPx), blur);
-                share += change * profile.share;
-                innerByBlur += change * profile.byBlur + (rowByBlur[r] - beforeByBlur) * profile.share;
-            }
-            beforeRow = rowWhite[r];
-            beforeByBlur = rowByBlur[r];
-        }
-        return share;
-    }
-
-    /** The pixels that a band may touch: bent by the lens, so points between its ends count too. */
-    private void setBounds(GreyImage image, SideFit side, double halfLength, double inner, double outer) {
-        double lowU = Double.POSITIVE_INFINITY;
-        double highU = Double.NEGATIVE_INFINITY;
-        double lowV = Double.POSITIVE_INFINITY;
-        double highV = Double.NEGATIVE_INFINITY;
-        for (int k = 0; k <= 8; k++) {
-            double t = halfLength * (k - 4) / 4;
-            for (int n = 0; n < 2; n++) {
-                double d = n == 0 ? -inner : outer;
-                toImage(side.middleX + side.tangentX * t + side.normalX * d,
-                        side.middleY + side.tangentY * t + side.normalY * d, point, 0);
-                lowU = Math.min(lowU, point[0]);
-                highU = Math.max(highU, point[0]);
-                lowV = Math.min(lowV, point[1]);
-                highV = Math.max(highV, point[1]);
-            }
-        }
-        firstX = Math.max(0, (int) Math.floor(lowU) - 1);
-        lastX = Math.min(image.widthPx() - 1, (int) Math.ceil(highU) + 1);
-        firstY = Math.max(0, (int) Math.floor(lowV) - 1);
-        lastY = Math.min(image.heightPx() - 1, (int) Math.ceil(highV) + 1);
-    }
-
-    /** A pixel's centre in coordinates of a side: along it and outwards. */
-    private boolean toSide(int x, int y, SideFit side) {
-        double px = x + 0.5;
-        double py = y + 0.5;
-        if (distorted) {
-            if (!toIdealCached(x, y)) {
-                return false;
-            }
-            px = point[0];
-            py = point[1];
-        }
-        px -= side.middleX;
-        py -= side.middleY;
-        point[0] = px * side.tangentX + py * side.tangentY;
-        point[1] = px * side.normalX + py * side.normalY;
-        return true;
     }
 
     /** Puts the meeting point of sides i and j at corner j of {@link #refined}. */
@@ -1071,91 +663,17 @@ final class MarkerEdges {
     }
 
     private void stepShift(GreyImage image) {
-        double[] n = normal;
-        double[] g = gradient;
-        Arrays.fill(n, 0);
-        Arrays.fill(g, 0);
+        Arrays.fill(normal, 0);
+        Arrays.fill(gradient, 0);
         for (int i = 0; i < CORNERS; i++) {
             Arrays.fill(byOwn[i], 0);
             Arrays.fill(byOwnAlong[i], 0);
             Arrays.fill(byOwnBlur[i], 0);
-            SideFit side = sides[i];
-            double blur = side.unknowns[SideFit.BLUR];
-            double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
-            profile.turn(side.normalX, side.normalY);
-            setPattern(i);
-            double cell = side.lengthPx / grid.cells();
-            double band = Math.max(1.5, 2 * std);
-            double shallow = Math.max(depth[0] - band, depth[0] / 2);
-            double deep = Math.min(depth[0] + band, depth[0] + 0.7 * cell);
-            double halfLength = side.lengthPx / 2 - grid.borderCells() * cell;
-            double lightDark = scale.light(side.unknowns[SideFit.DARK]);
-            double contrast = scale.light(side.unknowns[SideFit.BRIGHT]) - lightDark;
-            double darkSlope = scale.lightByGrey(side.unknowns[SideFit.DARK]);
-            double brightSlope = scale.lightByGrey(side.unknowns[SideFit.BRIGHT]);
-            setBounds(image, side, halfLength, deep, -shallow);
-            for (int y = firstY; y <= lastY; y++) {
-                for (int x = firstX; x <= lastX; x++) {
-                    if (!toSide(x, y, side)) {
-                        continue;
-                    }
-                    double t = point[0];
-                    double z = -point[1];
-                    if (z < shallow || z > deep || t < -halfLength || t > halfLength) {
-                        continue;
-                    }
-                    setRowWhites(t, z, blur, REACH * std, 2 / side.lengthPx);
-                    double share = 0;
-                    double bySlide = 0;
-                    double byShift = 0;
-                    double ofBlur = 0;
-                    double beforeRow = 0;
-                    double beforeGrowth = 0;
-                    double beforeByBlur = 0;
-                    for (int r = 0; r < rowsSeen; r++) {
-                        double change = rowWhite[r] - beforeRow;
-                        profile.at(z - depth[r] - depthSlope[r] * t + (change > 0 ? shiftPx : -shiftPx), blur);
-                        double lateral = rowGrowth[r] + rowStretch[r];
-                        share += change * profile.share;
-                        bySlide += change * profile.byDistance;
-                        byShift += (Math.abs(change) + change * frame(r)) * profile.byDistance
-                                + (lateral - beforeGrowth) * profile.share;
-                        ofBlur += change * profile.byBlur + (rowByBlur[r] - beforeByBlur) * profile.share;
-                        beforeRow = rowWhite[r];
-                        beforeGrowth = lateral;
-                        beforeByBlur = rowByBlur[r];
-                    }
-                    if (z < REACH * std) {
-                        profile.at(-z - side.unknowns[SideFit.OFFSET] - side.unknowns[SideFit.SLOPE] * t, blur);
-                        share += profile.share;
-                        ofBlur += profile.byBlur;
-                    }
-                    double lamp = 1 + side.lampAlong * t - side.lampAcross * z;
-                    double residual;
-                    if (unsharpened) {
-                        scale.at(lamp * (lightDark + contrast * share), levels.floor(x, y), levels.cap(x, y));
-                        residual = scale.grey - levels.get(x, y);
-                    } else {
-                        scale.at(lamp * (lightDark + contrast * share));
-                        residual = scale.grey - image.get(x, y);
-                    }
-                    double byLight = scale.byLight * lamp;
-                    double byShare = byLight * contrast;
-                    shiftRow[0] = byShare * byShift;
-                    shiftRow[1] = byLight * darkSlope * (1 - share);
-                    shiftRow[2] = byLight * brightSlope * share;
-                    for (int a = 0; a < 3; a++) {
-                        g[a] -= shiftRow[a] * residual;
-                        byOwn[i][a] += shiftRow[a] * byShare * bySlide;
-                        byOwnAlong[i][a] += shiftRow[a] * byShare * bySlide * t;
-                        byOwnBlur[i][a] += shiftRow[a] * byShare * ofBlur;
-                        for (int b = 0; b < 3; b++) {
-                            n[3 * a + b] += shiftRow[a] * shiftRow[b];
-                        }
-                    }
-                }
-            }
+            seeInnerEdge(image, i);
+            addInnerEdge(sides[i], byOwn[i], byOwnAlong[i], byOwnBlur[i]);
         }
+        double[] n = normal;
+        double[] g = gradient;
         shiftMeasured = false;
         for (int a = 0; a < 3; a++) {
             n[4 * a] += 1e-9;
@@ -1188,6 +706,114 @@ final class MarkerEdges {
             shiftByLine[2 * i + 1] = -((1 - b) * ownAlong + b * otherAlong);
         }
         shiftMeasured = shiftInformation > 0;
+    }
+
+    /** Gathers the pixels about the inner edge of the border beside a side, and what light they are expected to have. */
+    private void seeInnerEdge(GreyImage image, int i) {
+        SideFit side = sides[i];
+        double blur = side.unknowns[SideFit.BLUR];
+        double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
+        profile.turn(side.normalX, side.normalY);
+        pattern.turnTo(i, side, homography, white, shiftPx);
+        double cell = side.lengthPx / grid.cells();
+        double halfWidth = Math.max(1.5, 2 * std);
+        double border = pattern.borderPx();
+        double shallow = Math.max(border - halfWidth, border / 2);
+        double deep = Math.min(border + halfWidth, border + 0.7 * cell);
+        double halfLength = side.lengthPx / 2 - grid.borderCells() * cell;
+        band.gather(image, levels(), plane, side, halfLength, deep, -shallow);
+        int count = band.count;
+        reserve(count);
+        double[] along = band.along;
+        double[] depth = depths;
+        for (int k = 0; k < count; k++) {
+            depth[k] = -band.across[k];
+        }
+        pattern.see(along, depth, count, profile, blur, std, 2 / side.lengthPx);
+        System.arraycopy(pattern.share, 0, shares, 0, count);
+        System.arraycopy(pattern.byBlur, 0, ofBlur, 0, count);
+        double reach = REACH * std;
+        if (shallow < reach) {
+            double offset = side.unknowns[SideFit.OFFSET];
+            double slope = side.unknowns[SideFit.SLOPE];
+            for (int k = 0; k < count; k++) {
+                asked[k] = -depth[k] - offset - slope * along[k];
+            }
+            profile.at(asked, count, blur, outlineShares, outlineByDistance, outlineByBlur);
+            for (int k = 0; k < count; k++) {
+                boolean seen = depth[k] < reach;
+                shares[k] += seen ? outlineShares[k] : 0;
+                ofBlur[k] += seen ? outlineByBlur[k] : 0;
+            }
+        }
+    }
+
+    /** Adds these pixels to the normal equations of the shift, and to how it hangs on the side's own line and blur. */
+    private void addInnerEdge(SideFit side, double[] bySlide, double[] bySlideAlong, double[] byBlur) {
+        int count = band.count;
+        double lightDark = scale.light(side.unknowns[SideFit.DARK]);
+        double contrast = scale.light(side.unknowns[SideFit.BRIGHT]) - lightDark;
+        double darkSlope = scale.lightByGrey(side.unknowns[SideFit.DARK]);
+        double brightSlope = scale.lightByGrey(side.unknowns[SideFit.BRIGHT]);
+        double lampAlong = side.lampAlong;
+        double lampAcross = side.lampAcross;
+        double[] along = band.along;
+        double[] across = band.across;
+        double[] share = shares;
+        for (int k = 0; k < count; k++) {
+            double lamp = 1 + lampAlong * along[k] + lampAcross * across[k];
+            lights[k] = lamp * (lightDark + contrast * share[k]);
+        }
+        scale.at(lights, band.floor, band.cap, count, greys, byLights, insides);
+        double n00 = normal[0];
+        double n10 = normal[3];
+        double n11 = normal[4];
+        double n20 = normal[6];
+        double n21 = normal[7];
+        double n22 = normal[8];
+        double g0 = gradient[0];
+        double g1 = gradient[1];
+        double g2 = gradient[2];
+        for (int k = 0; k < count; k++) {
+            double byLight = byLights[k] * (1 + lampAlong * along[k] + lampAcross * across[k]);
+            double r0 = byLight * contrast * pattern.byShift[k];
+            double r1 = byLight * darkSlope * (1 - share[k]);
+            double r2 = byLight * brightSlope * share[k];
+            double residual = greys[k] - band.grey[k];
+            n00 += r0 * r0;
+            n10 += r1 * r0;
+            n11 += r1 * r1;
+            n20 += r2 * r0;
+            n21 += r2 * r1;
+            n22 += r2 * r2;
+            g0 -= r0 * residual;
+            g1 -= r1 * residual;
+            g2 -= r2 * residual;
+            double slide = byLight * contrast * pattern.bySlide[k];
+            double blurred = byLight * contrast * ofBlur[k];
+            double t = along[k];
+            bySlide[0] += r0 * slide;
+            bySlide[1] += r1 * slide;
+            bySlide[2] += r2 * slide;
+            bySlideAlong[0] += r0 * slide * t;
+            bySlideAlong[1] += r1 * slide * t;
+            bySlideAlong[2] += r2 * slide * t;
+            byBlur[0] += r0 * blurred;
+            byBlur[1] += r1 * blurred;
+            byBlur[2] += r2 * blurred;
+        }
+        normal[0] = n00;
+        normal[1] = n10;
+        normal[2] = n20;
+        normal[3] = n10;
+        normal[4] = n11;
+        normal[5] = n21;
+        normal[6] = n20;
+        normal[7] = n21;
+        normal[8] = n22;
+        gradient[0] = g0;
+        gradient[1] = g1;
+        gradient[2] = g2;
     }
 
     /** The shift common to all edges, px, positive into the dark; 0 where it could not be measured. */
@@ -1329,12 +955,12 @@ final class MarkerEdges {
         if (distorted) {
             double h = 0.25;
             double[] there = new double[4];
-            toImage(x + h, y, there, 0);
-            toImage(x - h, y, there, 2);
+            plane.toImage(x + h, y, there, 0);
+            plane.toImage(x - h, y, there, 2);
             lens[0] = (there[0] - there[2]) / (2 * h);
             lens[2] = (there[1] - there[3]) / (2 * h);
-            toImage(x, y + h, there, 0);
-            toImage(x, y - h, there, 2);
+            plane.toImage(x, y + h, there, 0);
+            plane.toImage(x, y - h, there, 2);
             lens[1] = (there[0] - there[2]) / (2 * h);
             lens[3] = (there[1] - there[3]) / (2 * h);
         }
