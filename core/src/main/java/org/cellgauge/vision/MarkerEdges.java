@@ -119,6 +119,8 @@ final class MarkerEdges {
     private final double[] byLines = new double[64];
     private final double[] joint = new double[81];
     private final double[] bySide = new double[9 * SIDE_UNKNOWNS.length];
+    private final double[] bySideTimes = new double[SIDE_UNKNOWNS.length];
+    private final double[] ofSide = new double[SIDE_UNKNOWNS.length * SIDE_UNKNOWNS.length];
     private final double[] lines = new double[64];
     private final double[] half = new double[64];
     private final double[] covariance = new double[64];
@@ -909,18 +911,12 @@ final class MarkerEdges {
                     }
                 }
             }
-            for (int r = 0; r < 9; r++) {
-                for (int c = 0; c <= r; c++) {
-                    double sum = 0;
-                    for (int a = 0; a < n; a++) {
-                        for (int b = 0; b < n; b++) {
-                            sum += by[n * r + a] * sides[i].covariance(SIDE_UNKNOWNS[a], SIDE_UNKNOWNS[b])
-                                    * by[n * c + b];
-                        }
-                    }
-                    joint[9 * r + c] += variance * sum;
+            for (int a = 0; a < n; a++) {
+                for (int b = 0; b < n; b++) {
+                    ofSide[n * a + b] = variance * sides[i].covariance(SIDE_UNKNOWNS[a], SIDE_UNKNOWNS[b]);
                 }
             }
+            addSandwiched(by, ofSide, n);
             if (shiftMeasured) {
                 joint[80] += variance / CORNERS / shiftInformation;
             }
@@ -928,6 +924,27 @@ final class MarkerEdges {
         for (int r = 0; r < 9; r++) {
             for (int c = 0; c < r; c++) {
                 joint[9 * c + r] = joint[9 * r + c];
+            }
+        }
+    }
+
+    /** Adds B C B' to the lower half of {@link #joint}, C being n x n. */
+    private void addSandwiched(double[] b, double[] c, int n) {
+        double[] bc = bySideTimes;
+        for (int r = 0; r < 9; r++) {
+            for (int k = 0; k < n; k++) {
+                double sum = 0;
+                for (int a = 0; a < n; a++) {
+                    sum += b[n * r + a] * c[n * a + k];
+                }
+                bc[k] = sum;
+            }
+            for (int q = 0; q <= r; q++) {
+                double sum = 0;
+                for (int k = 0; k < n; k++) {
+                    sum += bc[k] * b[n * q + k];
+                }
+                joint[9 * r + q] += sum;
             }
         }
     }

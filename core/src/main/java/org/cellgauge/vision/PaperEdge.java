@@ -31,6 +31,8 @@ final class PaperEdge {
     double share;
 
     private final double[] light = new double[STEPS];
+    /** What is seen of the side itself at the places of the profile. */
+    private final double[] ofMarker = new double[STEPS];
     private final double[] normal = new double[9];
     private final double[] gradient = new double[3];
     private final double[] point = new double[2];
@@ -151,6 +153,9 @@ final class PaperEdge {
         double edge = firstEdge;
         double[] n = normal;
         double[] g = gradient;
+        for (int k = 0; k <= last; k++) {
+            ofMarker[k] = EdgeProfile.tabulated(distance(k) / std);
+        }
         for (int round = 0; round < ROUNDS; round++) {
             double g0 = 0;
             double g1 = 0;
@@ -162,9 +167,8 @@ final class PaperEdge {
             double n21 = 0;
             double n22 = 0;
             for (int k = 0; k <= last; k++) {
-                double d = distance(k);
-                double marker = EdgeProfile.tabulated(d / std);
-                double z = (d - edge) / std;
+                double marker = ofMarker[k];
+                double z = (distance(k) - edge) / std;
                 double beyond = EdgeProfile.tabulated(z);
                 double residual = dark + (bright - dark) * marker - (bright - ground) * beyond - light[k];
                 double byBright = marker - beyond;

@@ -23,8 +23,11 @@ import org.jspecify.annotations.Nullable;
  * <p>Any four points in general position are the image of a square under some homography, so a quadrilateral alone
  * refutes nothing. Under a known camera only a pose is free: 8 coordinates less 6 degrees of freedom leave 2 residuals,
  * and those tell a marker from a quadrilateral that merely carries its pattern. The size of the square does not enter:
- * it scales the distance alone. The pose starts at IPPE (Collins and Bartoli, "Infinitesimal plane-based pose
- * estimation", IJCV 2014) and is then refined by damped Gauss-Newton on the distorted pixels. Not thread-safe.
+ * it scales the distance alone. The pose starts at the homography of the four corners, taken apart (Zhang, "A flexible
+ * new technique for camera calibration", PAMI 2000, section 3.1), and is then refined by damped Gauss-Newton on the
+ * distorted pixels. Where that leaves more than an ordinary marker does, it may have ended at the second pose of a
+ * square seen from afar: then it starts again at IPPE (Collins and Bartoli, "Infinitesimal plane-based pose estimation",
+ * IJCV 2014), which takes ten times as long and knows both. Not thread-safe.
  */
 final class SquareResidual {
     private static final int POSE = 6;
@@ -34,6 +37,9 @@ final class SquareResidual {
     /** Relative decrease of the sum of squares below which a step no longer matters to a gate. */
     private static final double ENOUGH = 1e-6;
     private static final double SIDE = 2;
+    /** What a marker that was found and fitted leaves at most where nothing is wrong with it, px. */
+    private static final double ORDINARY_STD_PX = 0.25;
+    private static final double ROOT_HALF = Math.sqrt(0.5);
 
     private final PinholeCamera camera;
     private final Lens lens;
@@ -47,6 +53,8 @@ final class SquareResidual {
     private final DampedGaussNewton solver =
             new DampedGaussNewton(POSE, DampedGaussNewton.Damping.TENFOLD, MAX_STEPS);
     private final double[] normalised = new double[2];
+    private final double[] inPlane = new double[2 * MarkerGeometry.CORNERS];
+    private final double[] homography = new double[8];
     private final double[] uv = new double[2];
     private final double[] byPoint = new double[6];
     private final double[] row = new double[POSE];
@@ -79,15 +87,78 @@ final class SquareResidual {
             if (plane != null ? !plane.toNormalised(u, v, normalised) : !camera.toNormalised(u, v, normalised)) {
                 return Double.POSITIVE_INFINITY;
             }
-            correspondences.get(i).setTo(normalised[0], normalised[1], square[3 * i], square[3 * i + 1],
+            inPlane[2 * i] = normalised[0];
+            inPlane[2 * i + 1] = normalised[1];
+        }
+        double fast = startAtHomography() ? refined(cornersPx) : Double.POSITIVE_INFINITY;
+        if (fast < ORDINARY_STD_PX) {
+            return fast;
+        }
+        return startAtIppe() ? Math.min(fast, refined(cornersPx)) : fast;
+    }
+
+    private double refined(double[] cornersPx) {
+        pose.start(cornersPx);
+        return Math.sqrt(solver.minimise(pose) / DEGREES_OF_FREEDOM);
+    }
+
+    private boolean startAtIppe() {
+        for (int i = 0; i < MarkerGeometry.CORNERS; i++) {
+            correspondences.get(i).setTo(inPlane[2 * i], inPlane[2 * i + 1], square[3 * i], square[3 * i + 1],
                     square[3 * i + 2]);
         }
-        if (!ippe.process(correspondences, cameraFromSquare)) {
-            return Double.POSITIVE_INFINITY;
+        return ippe.process(correspondences, cameraFromSquare);
+    }
+
+    /** False where corners have no homography, or one that puts the square behind the camera. */
+    private boolean startAtHomography() {
+        double[] h = homography;
+        if (!Homography.ofUnitSquare(inPlane, h)) {
+            return false;
         }
-        pose.start(cornersPx);
-        double sum = solver.minimise(pose);
-        return Math.sqrt(sum / DEGREES_OF_FREEDOM);
+        // from the unit square, whose axes are the sides from the first corner on, to the square about its middle
+        double byX = 1 / (square[3] - square[0]);
+        double byY = 1 / (square[10] - square[1]);
+        double x0 = h[0] * byX;
+        double x1 = h[3] * byX;
+        double x2 = h[6] * byX;
+        double y0 = h[1] * byY;
+        double y1 = h[4] * byY;
+        double y2 = h[7] * byY;
+        double perLength = 2 / (Math.sqrt(x0 * x0 + x1 * x1 + x2 * x2) + Math.sqrt(y0 * y0 + y1 * y1 + y2 * y2));
+        double depth = (1 - square[0] * x2 - square[1] * y2) * perLength;
+        if (!(depth > 0) || depth == Double.POSITIVE_INFINITY) {
+            return false;
+        }
+        cameraFromSquare.T.setTo((h[2] - square[0] * x0 - square[1] * y0) * perLength,
+                (h[5] - square[0] * x1 - square[1] * y1) * perLength, depth);
+        return setNearestRotation(x0, x1, x2, y0, y1, y2);
+    }
+
+    /** The rotation whose first two columns lie about two vectors alike. */
+    private boolean setNearestRotation(double x0, double x1, double x2, double y0, double y1, double y2) {
+        double ofX = 1 / Math.sqrt(x0 * x0 + x1 * x1 + x2 * x2);
+        double ofY = 1 / Math.sqrt(y0 * y0 + y1 * y1 + y2 * y2);
+        double c0 = x0 * ofX + y0 * ofY;
+        double c1 = x1 * ofX + y1 * ofY;
+        double c2 = x2 * ofX + y2 * ofY;
+        double d0 = x0 * ofX - y0 * ofY;
+        double d1 = x1 * ofX - y1 * ofY;
+        double d2 = x2 * ofX - y2 * ofY;
+        // sum and difference of two unit vectors stand at right angles
+        double c = ROOT_HALF / Math.sqrt(c0 * c0 + c1 * c1 + c2 * c2);
+        double d = ROOT_HALF / Math.sqrt(d0 * d0 + d1 * d1 + d2 * d2);
+        double[] r = cameraFromSquare.R.data;
+        r[0] = c0 * c + d0 * d;
+        r[3] = c1 * c + d1 * d;
+        r[6] = c2 * c + d2 * d;
+        r[1] = c0 * c - d0 * d;
+        r[4] = c1 * c - d1 * d;
+        r[7] = c2 * c - d2 * d;
+        r[2] = r[3] * r[7] - r[6] * r[4];
+        r[5] = r[6] * r[1] - r[0] * r[7];
+        r[8] = r[0] * r[4] - r[3] * r[1];
+        return c < Double.POSITIVE_INFINITY && d < Double.POSITIVE_INFINITY && c + d > 0;
     }
 
     /** The pose as the solver sees it: steps turn it by a rotation vector in the camera frame, and shift it. */
