@@ -152,11 +152,21 @@ final class GreyScale {
      * @return light per grey level
      */
     double lightByGrey(double level) {
+        return lightByGrey(level, light(level));
+    }
+
+    /**
+     * The same where the light is known, which saves a power.
+     *
+     * @param level grey level
+     * @param light its light
+     * @return light per grey level
+     */
+    double lightByGrey(double level, double light) {
         if (tables.linear) {
             return 1 / WHITE;
         }
-        double h = Math.max(1e-3, 1e-3 * level);
-        return (light(level + h) - light(level - h)) / (2 * h);
+        return level < CUT_LEVEL ? 0 : tables.curve.lightByGrey(level / WHITE, light) / WHITE;
     }
 
     /**
@@ -192,6 +202,19 @@ final class GreyScale {
     }
 
     /**
+     * The same for many shares.
+     *
+     * @param shares of the light that come from the bright side
+     * @param count how many
+     * @param out receives grey levels per unit of the power
+     */
+    void byPower(double[] shares, int count, double[] out) {
+        for (int i = 0; i < count; i++) {
+            out[i] = byPower(shares[i]);
+        }
+    }
+
+    /**
      * Evaluates {@link #grey} and {@link #byLight}.
      *
      * @param light light, 1 at white
@@ -210,9 +233,37 @@ final class GreyScale {
      * @param greys receives expected grey levels
      * @param byLights receives their derivatives by the light
      * @param insides receives shares of the noise that leave the grey level within the scale
+     * @return whether noise reaches the ends of no pixel's scale
      */
-    void at(double[] lights, double[] floors, double[] caps, int count, double[] greys, double[] byLights,
+    boolean at(double[] lights, double[] floors, double[] caps, int count, double[] greys, double[] byLights,
             double[] insides) {
+        endless(lights, count, greys, byLights);
+        Arrays.fill(insides, 0, count, 1);
+        double reach = REACH * tables.noise;
+        boolean within = true;
+        for (int i = 0; i < count; i++) {
+            if (greys[i] < floors[i] + reach || greys[i] > caps[i] - reach) {
+                grey = greys[i];
+                byLight = byLights[i];
+                censor(floors[i], caps[i]);
+                greys[i] = grey;
+                byLights[i] = byLight;
+                insides[i] = inside;
+                within = false;
+            }
+        }
+        return within;
+    }
+
+    /**
+     * Grey levels of a scale without ends: the curve itself.
+     *
+     * @param lights light, 1 at white
+     * @param count how many
+     * @param greys receives grey levels
+     * @param byLights receives their derivatives by the light
+     */
+    void endless(double[] lights, int count, double[] greys, double[] byLights) {
         if (tables.linear) {
             for (int i = 0; i < count; i++) {
                 greys[i] = WHITE * lights[i];
@@ -225,24 +276,12 @@ final class GreyScale {
             }
             lookUp(lights, count, greys, byLights);
         }
-        Arrays.fill(insides, 0, count, 1);
-        double reach = REACH * tables.noise;
-        for (int i = 0; i < count; i++) {
-            if (greys[i] < floors[i] + reach || greys[i] > caps[i] - reach) {
-                grey = greys[i];
-                byLight = byLights[i];
-                censor(floors[i], caps[i]);
-                greys[i] = grey;
-                byLights[i] = byLight;
-                insides[i] = inside;
-            }
-        }
     }
 
     /** In place of roots of light, grey levels. */
     private void lookUp(double[] lights, int count, double[] greys, double[] byLights) {
         double[] t = tables.grey;
-                for (int i = 0; i < count; i++) {
+        for (int i = 0; i < count; i++) {
             double at = (lights[i] > LEAST_LIGHT ? greys[i] : LEAST_ROOT) * PER_ROOT;
             int k = Math.min((int) at, NODES - 1);
             double f = at - k;
