@@ -144,6 +144,16 @@ public final class ToneCurve {
     }
 
     /**
+     * Whether a grey lies on a straight toe, where the curve is no power.
+     *
+     * @param grey any value
+     * @return true for dark greys of sRGB and its kind
+     */
+    public boolean isToe(double grey) {
+        return kind == Kind.SRGB && grey <= SRGB_TOE_GREY;
+    }
+
+    /**
      * How fast grey changes with the power of the curve while the grey of black and white stays: what an estimate of
      * the power goes by.
      *
