@@ -222,8 +222,8 @@ final class GreyScale {
     }
 
     /**
-     * The same for many shares, to a millionth: by cubics through the nodes of the table, an exponential and a logarithm
-     * of every pixel would take longer than its fit.
+     * The same for many shares, to a millionth: by cubics through the nodes of the table. An exponential and a
+     * logarithm of every pixel would take longer than all else of it.
      *
      * @param shares of the light that come from the bright side
      * @param count how many

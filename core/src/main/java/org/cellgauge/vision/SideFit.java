@@ -361,7 +361,7 @@ final class SideFit {
         return dot(residuals, residuals, samples) + blurWeight * beside * beside;
     }
 
-    /** Residuals of all pixels, and their derivatives by the unknowns; nothing where they are known from the last time. */
+    /** Residuals of all pixels, and their derivatives by the unknowns, unless known from the last time. */
     private void evaluate(GreyScale scale, EdgeProfile profile, double[] p) {
         if (isEvaluated(scale, p)) {
             return;
