@@ -25,10 +25,13 @@ public final class ToneCurve {
 
     private final Kind kind;
     private final double gamma;
+    /** Light at which the straight toe ends. */
+    private final double toeLight;
 
     private ToneCurve(Kind kind, double gamma) {
         this.kind = kind;
         this.gamma = gamma;
+        toeLight = Math.pow((SRGB_TOE_GREY + SRGB_OFFSET) / (1 + SRGB_OFFSET), gamma);
     }
 
     /**
@@ -100,8 +103,7 @@ public final class ToneCurve {
             return 0;
         }
         if (kind == Kind.SRGB) {
-            double toe = toeLight();
-            return light <= toe ? SRGB_TOE_GREY * light / toe
+            return light <= toeLight ? SRGB_TOE_GREY * light / toeLight
                     : (1 + SRGB_OFFSET) * Math.pow(light, 1 / gamma) - SRGB_OFFSET;
         }
         return gamma == 1 ? light : Math.pow(light, 1 / gamma);
@@ -118,14 +120,37 @@ public final class ToneCurve {
             return 0;
         }
         if (kind == Kind.SRGB) {
-            return grey <= SRGB_TOE_GREY ? toeLight() * grey / SRGB_TOE_GREY
+            return grey <= SRGB_TOE_GREY ? toeLight * grey / SRGB_TOE_GREY
                     : Math.pow((grey + SRGB_OFFSET) / (1 + SRGB_OFFSET), gamma);
         }
         return gamma == 1 ? grey : Math.pow(grey, gamma);
     }
 
-    private double toeLight() {
-        return Math.pow((SRGB_TOE_GREY + SRGB_OFFSET) / (1 + SRGB_OFFSET), gamma);
+    /**
+     * How fast light changes with grey.
+     *
+     * @param grey any value; below 0 light does not change
+     * @param light the light of it, as {@link #light} has it
+     * @return derivative of the light by the grey; that of the toe where the toe ends
+     */
+    public double lightByGrey(double grey, double light) {
+        if (!(grey > 0)) {
+            return 0;
+        }
+        if (kind == Kind.SRGB) {
+            return grey <= SRGB_TOE_GREY ? toeLight / SRGB_TOE_GREY : gamma * light / (grey + SRGB_OFFSET);
+        }
+        return gamma * light / grey;
+    }
+
+    /**
+     * Whether a grey lies on a straight toe, where the curve is no power.
+     *
+     * @param grey any value
+     * @return true for dark greys of sRGB and its kind
+     */
+    public boolean isToe(double grey) {
+        return kind == Kind.SRGB && grey <= SRGB_TOE_GREY;
     }
 
     /**

@@ -139,6 +139,27 @@ final class EdgeProfile {
             }
             return;
         }
+        shares(distances, count, blur, shares);
+        expandByDistance(count, byDistances);
+        expandByBlur(count, blur, byBlurs);
+    }
+
+    /**
+     * Evaluates shares alone.
+     *
+     * @param distances of pixels' centres from the edge, positive on the bright side, px
+     * @param count how many of them
+     * @param blur standard deviation of the optical blur, positive, px
+     * @param shares receives shares of light from the bright side, 0 to 1
+     */
+    void shares(double[] distances, int count, double blur, double[] shares) {
+        if (blur < SMOOTH) {
+            for (int i = 0; i < count; i++) {
+                at(distances[i], blur);
+                shares[i] = share;
+            }
+            return;
+        }
         if (blur != seriesBlur) {
             prepareSeries(blur);
         }
@@ -148,8 +169,6 @@ final class EdgeProfile {
         }
         lookUp(distances, count, shares);
         expandShares(count, shares);
-        expandByDistance(count, byDistances);
-        expandByBlur(count, blur, byBlurs);
     }
 
     /** Distances in deviations, and the normal distribution and its density there. */

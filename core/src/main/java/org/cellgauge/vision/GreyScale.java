@@ -17,12 +17,22 @@ final class GreyScale {
     private static final double PER_ROOT = NODES / Math.sqrt(MOST_LIGHT);
     private static final double LEAST_LIGHT = 1e-7;
     private static final double LEAST_ROOT = Math.sqrt(LEAST_LIGHT);
+    /** Node of the table from which on four neighbours tell a logarithm to a millionth. */
+    private static final int FIRST_CUBIC = 20;
+    /** Logarithms of the light at the nodes of the table. */
+    private static final double[] LOGARITHM = new double[NODES + 1];
     /** Level below which powers are cut off: there light would no longer change with the level. */
     private static final double CUT_LEVEL = 0.25;
     private static final double LEAST_LEVEL = 0.3;
     private static final double LEAST_LEVEL_LINEAR = -20;
     /** Noise reaches the ends of the scale within so many deviations. */
     private static final double REACH = 3;
+
+    static {
+        for (int i = 1; i <= NODES; i++) {
+            LOGARITHM[i] = 2 * Math.log(i / PER_ROOT);
+        }
+    }
 
     /** Expected grey level. */
     double grey;
@@ -36,11 +46,17 @@ final class GreyScale {
     private double brightLight;
     private double darkByPower;
     private double brightByPower;
+    /** Work space: light, its root, and its logarithm. */
+    private double[] lights = new double[0];
+    private double[] roots = new double[0];
+    private double[] logarithms = new double[0];
 
     /** What every one of {@link #another} sees: a curve by its tables, and the noise. */
     private static final class Tables {
         private ToneCurve curve = ToneCurve.LINEAR;
         private boolean linear;
+        /** Node from which on the table is a power, and even enough for a cubic through four nodes. */
+        private int firstCubic;
         private double noise = 1.5;
         /** Grey and its derivative by the light by turns, at equal steps of the light's root. */
         private final double[] grey = new double[2 * NODES + 2];
@@ -94,6 +110,10 @@ final class GreyScale {
         for (int i = 1; i < NODES && !linear; i++) {
             // by the root from both neighbours, by the light by the chain rule
             table[2 * i + 1] = (table[2 * i + 2] - table[2 * i - 2]) * PER_ROOT / 2 * PER_ROOT / (2 * i);
+        }
+        tables.firstCubic = FIRST_CUBIC;
+        while (tables.firstCubic < NODES && curve.isToe(table[2 * tables.firstCubic - 2] / WHITE)) {
+            tables.firstCubic++;
         }
         table[1] = table[3];
         table[2 * NODES + 1] = table[2 * NODES - 1];
@@ -152,11 +172,21 @@ final class GreyScale {
      * @return light per grey level
      */
     double lightByGrey(double level) {
+        return lightByGrey(level, light(level));
+    }
+
+    /**
+     * The same where the light is known, which saves a power.
+     *
+     * @param level grey level
+     * @param light its light
+     * @return light per grey level
+     */
+    double lightByGrey(double level, double light) {
         if (tables.linear) {
             return 1 / WHITE;
         }
-        double h = Math.max(1e-3, 1e-3 * level);
-        return (light(level + h) - light(level - h)) / (2 * h);
+        return level < CUT_LEVEL ? 0 : tables.curve.lightByGrey(level / WHITE, light) / WHITE;
     }
 
     /**
@@ -192,6 +222,80 @@ final class GreyScale {
     }
 
     /**
+     * The same for many shares, to a millionth: by cubics through the nodes of the table. An exponential and a
+     * logarithm of every pixel would take longer than all else of it.
+     *
+     * @param shares of the light that come from the bright side
+     * @param count how many
+     * @param out receives grey levels per unit of the power
+     */
+    void byPower(double[] shares, int count, double[] out) {
+        if (tables.linear) {
+            for (int i = 0; i < count; i++) {
+                out[i] = byPower(shares[i]);
+            }
+            return;
+        }
+        if (lights.length < count) {
+            lights = new double[shares.length];
+            roots = new double[shares.length];
+            logarithms = new double[shares.length];
+        }
+        double[] light = lights;
+        double[] root = roots;
+        double dark = darkLight;
+        double contrast = brightLight - darkLight;
+        for (int i = 0; i < count; i++) {
+            light[i] = dark + contrast * shares[i];
+        }
+        for (int i = 0; i < count; i++) {
+            root[i] = Math.sqrt(light[i]);
+        }
+        lookUpPowers(count, out);
+        double power = tables.curve.power();
+        double perLight = 1 / power;
+        double perLogarithm = 1 / (power * power);
+        double[] logarithm = logarithms;
+        double ofDark = darkByPower;
+        double ofContrast = brightByPower - darkByPower;
+        for (int i = 0; i < count; i++) {
+            out[i] *= (ofDark + ofContrast * shares[i]) * perLight / light[i] - perLogarithm * logarithm[i];
+        }
+    }
+
+    /** Of roots of light, powers in grey levels and logarithms. */
+    private void lookUpPowers(int count, double[] powers) {
+        double[] t = tables.grey;
+        double[] l = LOGARITHM;
+        double[] root = roots;
+        double[] logarithm = logarithms;
+        double[] light = lights;
+        double added = WHITE * tables.curve.offset();
+        int first = tables.firstCubic;
+        for (int i = 0; i < count; i++) {
+            double at = root[i] * PER_ROOT;
+            int k = (int) at;
+            if (k < first || k > NODES - 2) {
+                double inScale = Math.max(LEAST_LIGHT, light[i]);
+                light[i] = inScale;
+                logarithm[i] = Math.log(inScale);
+                powers[i] = (WHITE + added) * Math.exp(logarithm[i] / tables.curve.power());
+                continue;
+            }
+            // Lagrange's polynomial
+            double f = at - k;
+            double low = f * (f - 1) / 6;
+            double high = (f + 1) * (f - 2) / 2;
+            double before = low * (2 - f);
+            double here = high * (f - 1);
+            double next = -high * f;
+            double after = low * (f + 1);
+            powers[i] = added + before * t[2 * k - 2] + here * t[2 * k] + next * t[2 * k + 2] + after * t[2 * k + 4];
+            logarithm[i] = before * l[k - 1] + here * l[k] + next * l[k + 1] + after * l[k + 2];
+        }
+    }
+
+    /**
      * Evaluates {@link #grey} and {@link #byLight}.
      *
      * @param light light, 1 at white
@@ -210,9 +314,37 @@ final class GreyScale {
      * @param greys receives expected grey levels
      * @param byLights receives their derivatives by the light
      * @param insides receives shares of the noise that leave the grey level within the scale
+     * @return whether noise reaches the ends of no pixel's scale
      */
-    void at(double[] lights, double[] floors, double[] caps, int count, double[] greys, double[] byLights,
+    boolean at(double[] lights, double[] floors, double[] caps, int count, double[] greys, double[] byLights,
             double[] insides) {
+        endless(lights, count, greys, byLights);
+        Arrays.fill(insides, 0, count, 1);
+        double reach = REACH * tables.noise;
+        boolean within = true;
+        for (int i = 0; i < count; i++) {
+            if (greys[i] < floors[i] + reach || greys[i] > caps[i] - reach) {
+                grey = greys[i];
+                byLight = byLights[i];
+                censor(floors[i], caps[i]);
+                greys[i] = grey;
+                byLights[i] = byLight;
+                insides[i] = inside;
+                within = false;
+            }
+        }
+        return within;
+    }
+
+    /**
+     * Grey levels of a scale without ends: the curve itself.
+     *
+     * @param lights light, 1 at white
+     * @param count how many
+     * @param greys receives grey levels
+     * @param byLights receives their derivatives by the light
+     */
+    void endless(double[] lights, int count, double[] greys, double[] byLights) {
         if (tables.linear) {
             for (int i = 0; i < count; i++) {
                 greys[i] = WHITE * lights[i];
@@ -225,24 +357,12 @@ final class GreyScale {
             }
             lookUp(lights, count, greys, byLights);
         }
-        Arrays.fill(insides, 0, count, 1);
-        double reach = REACH * tables.noise;
-        for (int i = 0; i < count; i++) {
-            if (greys[i] < floors[i] + reach || greys[i] > caps[i] - reach) {
-                grey = greys[i];
-                byLight = byLights[i];
-                censor(floors[i], caps[i]);
-                greys[i] = grey;
-                byLights[i] = byLight;
-                insides[i] = inside;
-            }
-        }
     }
 
     /** In place of roots of light, grey levels. */
     private void lookUp(double[] lights, int count, double[] greys, double[] byLights) {
         double[] t = tables.grey;
-                for (int i = 0; i < count; i++) {
+        for (int i = 0; i < count; i++) {
             double at = (lights[i] > LEAST_LIGHT ? greys[i] : LEAST_ROOT) * PER_ROOT;
             int k = Math.min((int) at, NODES - 1);
             double f = at - k;

@@ -1,5 +1,7 @@
 package org.cellgauge.vision;
 
+import java.util.Arrays;
+
 /**
  * What an unsharp mask does to the grey values across a straight edge, and how what is left after it was undone changes
  * with its amount and radius, as tables over the distance from the edge.
@@ -16,8 +18,15 @@ final class SharpenedStep {
 
     private double fromPx;
     private int nodes;
+    private double[] distances = new double[0];
+    private double[] lights = new double[0];
+    private double[] byLights = new double[0];
     private double[] grey = new double[0];
     private double[] undone = new double[0];
+    /** What is blurred next, its ends continued as far as the Gaussian reaches. */
+    private double[] padded = new double[0];
+    private double weightsRadius = Double.NaN;
+    private double[] weights = new double[0];
     private double[] blurred = new double[0];
     private double[] ofAmount = new double[0];
     private double[] ofRadius = new double[0];
@@ -30,6 +39,9 @@ final class SharpenedStep {
         nodes = 2 * (int) Math.ceil(lengthPx / STEP_PX) + 1;
         fromPx = -(nodes / 2) * STEP_PX;
         if (grey.length < nodes) {
+            distances = new double[nodes];
+            lights = new double[nodes];
+            byLights = new double[nodes];
             grey = new double[nodes];
             undone = new double[nodes];
             blurred = new double[nodes];
@@ -50,14 +62,45 @@ final class SharpenedStep {
     }
 
     /**
+     * Makes the tables and takes the grey values of a fitted edge, as if nothing else were there.
+     *
+     * @param scale makes grey of light
+     * @param profile turned to the edge's normal
+     * @param blurPx optical blur, px
+     * @param lightDark light of its dark side
+     * @param lightBright light of its bright side
+     * @param lengthPx how far from the edge tables go, px
+     */
+    void setEdge(GreyScale scale, EdgeProfile profile, double blurPx, double lightDark, double lightBright,
+            double lengthPx) {
+        prepare(lengthPx);
+        double[] light = lights;
+        for (int i = 0; i < nodes; i++) {
+            distances[i] = distance(i);
+        }
+        profile.shares(distances, nodes, blurPx, light);
+        double contrast = lightBright - lightDark;
+        for (int i = 0; i < nodes; i++) {
+            light[i] = lightDark + contrast * light[i];
+        }
+        scale.endless(light, nodes, grey, byLights);
+    }
+
+    /**
      * Fills the tables.
      *
      * @param amount of the mask, at least 0
      * @param radiusPx deviation of its Gaussian, positive, px
      */
     void solve(double amount, double radiusPx) {
-        double[] weights = Unsharpened.weights(radiusPx / STEP_PX);
-        blur(grey, weights);
+        if (radiusPx != weightsRadius) {
+            weights = Unsharpened.weights(radiusPx / STEP_PX);
+            weightsRadius = radiusPx;
+        }
+        if (padded.length < nodes + 2 * weights.length) {
+            padded = new double[nodes + 2 * weights.length];
+        }
+        blur(grey);
         overshoot = 0;
         double contrast = grey[nodes - 1] - grey[0];
         for (int i = 0; i < nodes; i++) {
@@ -66,12 +109,11 @@ final class SharpenedStep {
         }
         System.arraycopy(grey, 0, undone, 0, nodes);
         for (int round = 0; amount > 0 && round < ROUNDS; round++) {
-            blur(undone, weights);
             for (int i = 0; i < nodes; i++) {
                 undone[i] = (grey[i] + amount * blurred[i]) / (1 + amount);
             }
+            blur(undone);
         }
-        blur(undone, weights);
         double perStep = amount * radiusPx * radiusPx / (STEP_PX * STEP_PX);
         for (int i = 0; i < nodes; i++) {
             ofAmount[i] = undone[i] - blurred[i];
@@ -81,29 +123,51 @@ final class SharpenedStep {
         }
     }
 
-    private void blur(double[] of, double[] weights) {
+    /** Blurs: weight by weight, so that the compiler can take several nodes at a time. */
+    private void blur(double[] of) {
+        double[] from = padded;
+        double[] to = blurred;
+        int reach = weights.length - 1;
+        Arrays.fill(from, 0, reach, of[0]);
+        System.arraycopy(of, 0, from, reach, nodes);
+        Arrays.fill(from, reach + nodes, 2 * reach + nodes, of[nodes - 1]);
+        double own = weights[0];
         for (int i = 0; i < nodes; i++) {
-            double sum = weights[0] * of[i];
-            for (int k = 1; k < weights.length; k++) {
-                sum += weights[k] * (of[Math.max(0, i - k)] + of[Math.min(nodes - 1, i + k)]);
-            }
-            blurred[i] = sum;
+            to[i] = own * of[i];
+        }
+        for (int k = 1; k <= reach; k++) {
+            add(weights[k], from, reach - k, reach + k, to);
         }
     }
 
-    /** Derivative of the residual by the amount at a distance from the edge, grey levels. */
-    double byAmount(double distancePx) {
-        return at(ofAmount, distancePx);
+    private void add(double weight, double[] from, int before, int after, double[] to) {
+        for (int i = 0; i < nodes; i++) {
+            to[i] += weight * (from[before + i] + from[after + i]);
+        }
     }
 
-    /** Derivative of the residual by the logarithm of the radius at a distance from the edge, grey levels. */
-    double byLogRadius(double distancePx) {
-        return at(ofRadius, distancePx);
-    }
-
-    private double at(double[] table, double distancePx) {
-        double at = (distancePx - fromPx) / STEP_PX;
-        int i = (int) at;
-        return !(at >= 0) || i >= nodes - 1 ? 0 : table[i] + (at - i) * (table[i + 1] - table[i]);
+    /**
+     * Looks up how the residual changes.
+     *
+     * @param distancesPx from the edge, px
+     * @param count how many
+     * @param byAmount receives derivatives by the amount, grey levels
+     * @param byLogRadius receives those by the logarithm of the radius, grey levels
+     */
+    void at(double[] distancesPx, int count, double[] byAmount, double[] byLogRadius) {
+        double[] a = ofAmount;
+        double[] r = ofRadius;
+        for (int n = 0; n < count; n++) {
+            double at = (distancesPx[n] - fromPx) / STEP_PX;
+            int i = (int) at;
+            if (!(at >= 0) || i >= nodes - 1) {
+                byAmount[n] = 0;
+                byLogRadius[n] = 0;
+            } else {
+                double f = at - i;
+                byAmount[n] = a[i] + f * (a[i + 1] - a[i]);
+                byLogRadius[n] = r[i] + f * (r[i + 1] - r[i]);
+            }
+        }
     }
 }

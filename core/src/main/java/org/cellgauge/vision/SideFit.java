@@ -3,6 +3,7 @@ package org.cellgauge.vision;
 import java.util.Arrays;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.DampedGaussNewton;
+import org.cellgauge.light.ToneCurve;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -75,6 +76,8 @@ final class SideFit {
     private double[] baseByBlur = new double[256];
     private double baseBlur;
     private int samples;
+    /** How many of them, the first ones, tell of power; see {@link #CLEAN_SHARE}. */
+    private int clean;
 
     // of each pixel, at the unknowns last evaluated
     private double[] residuals = new double[0];
@@ -88,6 +91,18 @@ final class SideFit {
     private double[] byBright = new double[0];
     private double[] distances = new double[0];
     private double[] lights = new double[0];
+    /** Work space: a value of each pixel that is summed up next. */
+    private double[] summed = new double[0];
+    private double[] byPower = new double[0];
+    private double[] byAmount = new double[0];
+    private double[] byLogRadius = new double[0];
+
+    // where they were last evaluated: mostly what is asked of a fit next is asked there
+    private boolean evaluated;
+    private final double[] evaluatedAt = new double[UNKNOWNS];
+    private @Nullable ToneCurve evaluatedCurve;
+    private double evaluatedNoise;
+    private boolean evaluatedInside;
 
     final double[] unknowns = new double[UNKNOWNS];
     private final DampedGaussNewton solver =
@@ -100,11 +115,10 @@ final class SideFit {
     private final double[] inverted = new double[UNKNOWNS * UNKNOWNS];
     /** For the scale and the profile of the fit before, which are mostly those of the next; null before the first. */
     private @Nullable Line line;
-    private final double[] row = new double[UNKNOWNS];
     private final double[] covariance = new double[UNKNOWNS * UNKNOWNS];
     private final double[] powerRow = new double[UNKNOWNS];
-    private final double[] shapeRow = new double[SHAPES];
-    private final double[] shapeRows = new double[SHAPES * UNKNOWNS];
+    private final double[][] shapeRow = new double[SHAPES][];
+    private final double[][] shapeRows = new double[SHAPES][UNKNOWNS];
     private boolean started;
 
     /** Position-weighted sum of squared residuals of the pixels and what it would be for noise of 1 grey level. */
@@ -142,6 +156,8 @@ final class SideFit {
      */
     void clear(double blurPx) {
         samples = 0;
+        clean = 0;
+        evaluated = false;
         baseBlur = blurPx;
         unknowns[OFFSET] = 0;
         unknowns[SLOPE] = 0;
@@ -207,14 +223,33 @@ final class SideFit {
             base = Arrays.copyOf(base, 2 * samples);
             baseByBlur = Arrays.copyOf(baseByBlur, 2 * samples);
         }
-        along[samples] = t;
-        across[samples] = d;
-        grey[samples] = level;
-        floor[samples] = least;
-        cap[samples] = most;
-        window[samples] = inside;
-        baseByBlur[samples] = moreByBlur;
-        base[samples++] = 1 - inside + more;
+        double elsewhere = 1 - inside + more;
+        int at = samples++;
+        if (Math.abs(elsewhere) < CLEAN_SHARE) {
+            // to the others of its kind, so that loops over them need not ask
+            move(clean, at);
+            at = clean++;
+        }
+        along[at] = t;
+        across[at] = d;
+        grey[at] = level;
+        floor[at] = least;
+        cap[at] = most;
+        window[at] = inside;
+        base[at] = elsewhere;
+        baseByBlur[at] = moreByBlur;
+        evaluated = false;
+    }
+
+    private void move(int from, int to) {
+        along[to] = along[from];
+        across[to] = across[from];
+        grey[to] = grey[from];
+        floor[to] = floor[from];
+        cap[to] = cap[from];
+        window[to] = window[from];
+        base[to] = base[from];
+        baseByBlur[to] = baseByBlur[from];
     }
 
     /**
@@ -318,34 +353,19 @@ final class SideFit {
 
     private double linearise(GreyScale scale, EdgeProfile profile, double[] p, double[] n, double[] g) {
         evaluate(scale, profile, p);
-        information(n);
-        double g0 = 0;
-        double g1 = 0;
-        double g2 = 0;
-        double g3 = 0;
-        double g4 = 0;
-        double sum = 0;
-        for (int i = 0; i < samples; i++) {
-            double residual = residuals[i];
-            sum += residual * residual;
-            g0 += byOffset[i] * residual;
-            g1 += bySlope[i] * residual;
-            g2 += byBlur[i] * residual;
-            g3 += byDark[i] * residual;
-            g4 += byBright[i] * residual;
-        }
+        information(0, samples, n);
+        byUnknowns(residuals, samples, g);
         double beside = p[BLUR] - expectedBlur;
-        g[0] = g0;
-        g[1] = g1;
-        g[2] = g2 + blurWeight * beside;
-        g[3] = g3;
-        g[4] = g4;
+        g[BLUR] += blurWeight * beside;
         n[BLUR * (UNKNOWNS + 1)] += blurWeight;
-        return sum + blurWeight * beside * beside;
+        return dot(residuals, residuals, samples) + blurWeight * beside * beside;
     }
 
-    /** Residuals of all pixels, and their derivatives by the unknowns. */
+    /** Residuals of all pixels, and their derivatives by the unknowns, unless known from the last time. */
     private void evaluate(GreyScale scale, EdgeProfile profile, double[] p) {
+        if (isEvaluated(scale, p)) {
+            return;
+        }
         if (residuals.length < samples) {
             int length = along.length;
             residuals = new double[length];
@@ -359,17 +379,32 @@ final class SideFit {
             byBright = new double[length];
             distances = new double[length];
             lights = new double[length];
+            summed = new double[length];
+            byPower = new double[length];
+            byAmount = new double[length];
+            byLogRadius = new double[length];
         }
         double lightDark = scale.light(p[DARK]);
-        double contrast = scale.light(p[BRIGHT]) - lightDark;
-        double darkSlope = scale.lightByGrey(p[DARK]);
-        double brightSlope = scale.lightByGrey(p[BRIGHT]);
+        double lightBright = scale.light(p[BRIGHT]);
+        double contrast = lightBright - lightDark;
+        double darkSlope = scale.lightByGrey(p[DARK], lightDark);
+        double brightSlope = scale.lightByGrey(p[BRIGHT], lightBright);
         setDistances(p[OFFSET], p[SLOPE]);
         profile.at(distances, samples, p[BLUR], shares, byOffset, byBlur);
         setShares(p[BLUR] - baseBlur);
         setLights(lightDark, contrast);
-        scale.at(lights, floor, cap, samples, residuals, byLights, insides);
+        evaluatedInside = scale.at(lights, floor, cap, samples, residuals, byLights, insides);
         differentiate(contrast, darkSlope, brightSlope);
+        System.arraycopy(p, 0, evaluatedAt, 0, UNKNOWNS);
+        evaluatedCurve = scale.curve();
+        evaluatedNoise = scale.noise();
+        evaluated = true;
+    }
+
+    /** Whether all pixels were last evaluated there; less noise matters to none that was not at an end of its scale. */
+    private boolean isEvaluated(GreyScale scale, double[] p) {
+        return evaluated && evaluatedCurve == scale.curve() && Arrays.equals(evaluatedAt, p)
+                && (evaluatedNoise == scale.noise() || evaluatedInside && scale.noise() < evaluatedNoise);
     }
 
     // each of these loops does one thing to all pixels, which the compiler can do to several at a time
@@ -452,15 +487,15 @@ final class SideFit {
         }
     }
 
-    /** Sums of products of the derivatives, in two loops, each of which has registers enough. */
-    private void information(double[] n) {
+    /** Sums of products of the derivatives of some pixels, in two loops, each of which has registers enough. */
+    private void information(int from, int to, double[] n) {
         double n00 = 0;
         double n10 = 0;
         double n11 = 0;
         double n20 = 0;
         double n21 = 0;
         double n22 = 0;
-        for (int i = 0; i < samples; i++) {
+        for (int i = from; i < to; i++) {
             double r0 = byOffset[i];
             double r1 = bySlope[i];
             double r2 = byBlur[i];
@@ -480,7 +515,7 @@ final class SideFit {
         double n42 = 0;
         double n43 = 0;
         double n44 = 0;
-        for (int i = 0; i < samples; i++) {
+        for (int i = from; i < to; i++) {
             double r0 = byOffset[i];
             double r1 = bySlope[i];
             double r2 = byBlur[i];
@@ -528,32 +563,61 @@ final class SideFit {
      * @return false where the information is singular
      */
     boolean conclude(GreyScale scale, EdgeProfile profile, boolean withPower) {
-        double[] p = unknowns;
-        evaluate(scale, profile, p);
-        information(normal);
-        double std = Math.sqrt(p[BLUR] * p[BLUR] + 1.0 / 12);
-        double nearPx = Math.max(NEAR * std, NEAR_PX);
-        double farPx = Math.max(FAR * std, FAR_PX);
-        double weighted = 0;
-        double weights = 0;
+        evaluate(scale, profile, unknowns);
+        information(0, clean, gathered);
+        information(clean, samples, normal);
+        for (int k = 0; k < normal.length; k++) {
+            normal[k] += gathered[k];
+        }
+        double weights = normal[0];
+        concludeEnds();
+        concludeOvershoot();
+        normal[BLUR * (UNKNOWNS + 1)] += blurWeight;
+        double[] inverse = inverseOfDamped(normal);
+        if (inverse == null || !(weights > 0)) {
+            return false;
+        }
+        System.arraycopy(inverse, 0, covariance, 0, inverse.length);
+        concludeLamp(scale);
+        concludeNoise(weights);
+        if (withPower) {
+            powerOfClean(scale);
+        }
+        return true;
+    }
+
+    /** How much of what is bright and of what is dark is at the end of the scale. */
+    private void concludeEnds() {
         int bright = 0;
         int dark = 0;
         int clipped = 0;
         int crushed = 0;
+        for (int i = 0; i < samples; i++) {
+            if (shares[i] > 0.9) {
+                bright++;
+                clipped += grey[i] > CLIPPED ? 1 : 0;
+            } else if (shares[i] < 0.1) {
+                dark++;
+                crushed += grey[i] < 0.5 ? 1 : 0;
+            }
+        }
+        clippedShare = bright == 0 ? 0 : (double) clipped / bright;
+        crushedShare = dark == 0 ? 0 : (double) crushed / dark;
+    }
+
+    /** Sharpening lifts the bright side beside an edge and lowers the dark one. */
+    private void concludeOvershoot() {
+        double std = Math.sqrt(unknowns[BLUR] * unknowns[BLUR] + 1.0 / 12);
+        double nearPx = Math.max(NEAR * std, NEAR_PX);
+        double farPx = Math.max(FAR * std, FAR_PX);
         double near = 0;
         double far = 0;
         int nearCount = 0;
         int farCount = 0;
         for (int i = 0; i < samples; i++) {
-            double residual = residuals[i];
-            double share = shares[i];
-            double w = byOffset[i] * byOffset[i];
-            weighted += w * residual * residual;
-            weights += w;
-            double distance = across[i] - p[OFFSET] - p[SLOPE] * along[i];
+            double distance = distances[i];
             if (Math.abs(distance) > nearPx && Math.abs(base[i]) < 0.02) {
-                // sharpening lifts the bright side beside an edge and lowers the dark one
-                double beyond = distance > 0 ? -residual : residual;
+                double beyond = distance > 0 ? -residuals[i] : residuals[i];
                 if (Math.abs(distance) < farPx) {
                     near += beyond;
                     nearCount++;
@@ -562,123 +626,109 @@ final class SideFit {
                     farCount++;
                 }
             }
-            if (share > 0.9) {
-                bright++;
-                clipped += grey[i] > CLIPPED ? 1 : 0;
-            } else if (share < 0.1) {
-                dark++;
-                crushed += grey[i] < 0.5 ? 1 : 0;
-            }
         }
         overshoot = nearCount == 0 || farCount == 0 ? 0
-                : 2 * (near / nearCount - far / farCount) / (p[BRIGHT] - p[DARK]);
-        clippedShare = bright == 0 ? 0 : (double) clipped / bright;
-        crushedShare = dark == 0 ? 0 : (double) crushed / dark;
-        normal[BLUR * (UNKNOWNS + 1)] += blurWeight;
-        for (int a = 0; a < UNKNOWNS; a++) {
-            normal[a * (UNKNOWNS + 1)] += 1e-9;
-        }
-        double[] inverse = inverse(normal);
-        if (inverse == null || !(weights > 0)) {
-            return false;
-        }
-        System.arraycopy(inverse, 0, covariance, 0, inverse.length);
-        concludeLamp(scale, inverse);
-        squares = weighted / weights;
-        expectedSquares = Math.max(0.1, 1 - taken(inverse) / weights);
-        degreesOfFreedom = samples - UNKNOWNS;
-        if (withPower) {
-            powerOfClean(scale);
-        }
-        return true;
+                : 2 * (near / nearCount - far / farCount) / (unknowns[BRIGHT] - unknowns[DARK]);
     }
 
-    private void concludeLamp(GreyScale scale, double[] inverse) {
+    private void concludeLamp(GreyScale scale) {
         double lightDark = scale.light(unknowns[DARK]);
         double contrast = scale.light(unknowns[BRIGHT]) - lightDark;
-        double l0 = 0;
-        double l1 = 0;
-        double l2 = 0;
-        double l3 = 0;
-        double l4 = 0;
+        double[] byLamp = summed;
+        double[] byLight = byLights;
+        double[] share = shares;
+        double[] t = along;
         for (int i = 0; i < samples; i++) {
-            double byLamp = byLights[i] * (lightDark + contrast * shares[i]) * along[i];
-            l0 += byOffset[i] * byLamp;
-            l1 += bySlope[i] * byLamp;
-            l2 += byBlur[i] * byLamp;
-            l3 += byDark[i] * byLamp;
-            l4 += byBright[i] * byLamp;
+            byLamp[i] = byLight[i] * (lightDark + contrast * share[i]) * t[i];
         }
-        offsetByLamp = -ofRow(inverse, OFFSET, l0, l1, l2, l3, l4);
-        slopeByLamp = -ofRow(inverse, SLOPE, l0, l1, l2, l3, l4);
+        byUnknowns(byLamp, samples, powerRow);
+        offsetByLamp = -ofRow(covariance, OFFSET, powerRow);
+        slopeByLamp = -ofRow(covariance, SLOPE, powerRow);
     }
 
-    private static double ofRow(double[] m, int row, double v0, double v1, double v2, double v3, double v4) {
-        int at = row * UNKNOWNS;
-        return m[at] * v0 + m[at + 1] * v1 + m[at + 2] * v2 + m[at + 3] * v3 + m[at + 4] * v4;
-    }
-
-    /**
-     * What the fit takes of the noise of all pixels, weighed by how they tell the place: the pixels' leverages
-     * (Hoaglin and Welsch, "The hat matrix in regression and ANOVA", The American Statistician 32, 1978).
-     */
-    private double taken(double[] inverse) {
+    private static double ofRow(double[] m, int row, double[] v) {
         double sum = 0;
-        for (int i = 0; i < samples; i++) {
-            double r0 = byOffset[i];
-            double r1 = bySlope[i];
-            double r2 = byBlur[i];
-            double r3 = byDark[i];
-            double r4 = byBright[i];
-            sum += r0 * r0 * (r0 * ofRow(inverse, OFFSET, r0, r1, r2, r3, r4)
-                    + r1 * ofRow(inverse, SLOPE, r0, r1, r2, r3, r4) + r2 * ofRow(inverse, BLUR, r0, r1, r2, r3, r4)
-                    + r3 * ofRow(inverse, DARK, r0, r1, r2, r3, r4)
-                    + r4 * ofRow(inverse, BRIGHT, r0, r1, r2, r3, r4));
+        for (int k = 0; k < UNKNOWNS; k++) {
+            sum += m[row * UNKNOWNS + k] * v[k];
         }
         return sum;
     }
 
+    /**
+     * Squared residuals of the pixels, weighed by how they tell the place, and what the fit takes of the noise of each:
+     * the pixels' leverages (Hoaglin and Welsch, "The hat matrix in regression and ANOVA", The American Statistician
+     * 32, 1978).
+     */
+    private void concludeNoise(double weights) {
+        setLeverages(summed);
+        double weighted = 0;
+        double taken = 0;
+        for (int i = 0; i < samples; i++) {
+            double w = byOffset[i] * byOffset[i];
+            weighted += w * residuals[i] * residuals[i];
+            taken += w * summed[i];
+        }
+        squares = weighted / weights;
+        expectedSquares = Math.max(0.1, 1 - taken / weights);
+        degreesOfFreedom = samples - UNKNOWNS;
+    }
+
+    private void setLeverages(double[] out) {
+        double[] c = covariance;
+        double c00 = c[0];
+        double c11 = c[6];
+        double c22 = c[12];
+        double c33 = c[18];
+        double c44 = c[24];
+        // both triangles at once
+        double c10 = 2 * c[5];
+        double c20 = 2 * c[10];
+        double c21 = 2 * c[11];
+        double c30 = 2 * c[15];
+        double c31 = 2 * c[16];
+        double c32 = 2 * c[17];
+        double c40 = 2 * c[20];
+        double c41 = 2 * c[21];
+        double c42 = 2 * c[22];
+        double c43 = 2 * c[23];
+        double[] r0 = byOffset;
+        double[] r1 = bySlope;
+        double[] r2 = byBlur;
+        double[] r3 = byDark;
+        double[] r4 = byBright;
+        for (int i = 0; i < samples; i++) {
+            out[i] = r0[i] * (c00 * r0[i] + c10 * r1[i] + c20 * r2[i] + c30 * r3[i] + c40 * r4[i])
+                    + r1[i] * (c11 * r1[i] + c21 * r2[i] + c31 * r3[i] + c41 * r4[i])
+                    + r2[i] * (c22 * r2[i] + c32 * r3[i] + c42 * r4[i])
+                    + r3[i] * (c33 * r3[i] + c43 * r4[i]) + r4[i] * c44 * r4[i];
+        }
+    }
+
     /** Projects the side's own unknowns out of the score and the information of power. */
     private void powerOfClean(GreyScale scale) {
+        scale.setEnds(unknowns[DARK], unknowns[BRIGHT]);
+        scale.byPower(shares, clean, byPower);
+        byUnknowns(byPower, clean, powerRow);
+        byUnknowns(residuals, clean, gradient);
         powerScore = 0;
         powerInformation = 0;
         offsetByPower = 0;
-        Arrays.fill(powerRow, 0);
-        Arrays.fill(gradient, 0);
-        Arrays.fill(gathered, 0);
-        scale.setEnds(unknowns[DARK], unknowns[BRIGHT]);
-        double powerSquares = 0;
-        double score = 0;
-        for (int i = 0; i < samples; i++) {
-            if (Math.abs(base[i]) < CLEAN_SHARE) {
-                double byPower = scale.byPower(shares[i]);
-                powerSquares += byPower * byPower;
-                score -= byPower * residuals[i];
-                gather(i);
-                for (int a = 0; a < UNKNOWNS; a++) {
-                    powerRow[a] += byPower * row[a];
-                }
-            }
-        }
-        double[] inverse = inverseOfDamped();
+        double[] inverse = inverseOfDamped(gathered);
         if (inverse == null) {
             return;
         }
         double taken = 0;
         double ofOthers = 0;
         for (int a = 0; a < UNKNOWNS; a++) {
-            double s = 0;
-            for (int b = 0; b < UNKNOWNS; b++) {
-                s += inverse[a * UNKNOWNS + b] * powerRow[b];
-            }
+            double moved = ofRow(inverse, a, powerRow);
             if (a == OFFSET) {
-                offsetByPower = -s;
+                offsetByPower = -moved;
             }
-            taken += s * powerRow[a];
-            ofOthers += s * gradient[a];
+            taken += moved * powerRow[a];
+            ofOthers += moved * gradient[a];
         }
-        powerInformation = Math.max(0, powerSquares - taken);
-        powerScore = score + ofOthers;
+        powerInformation = Math.max(0, dot(byPower, byPower, clean) - taken);
+        powerScore = ofOthers - dot(byPower, residuals, clean);
     }
 
     /**
@@ -694,84 +744,89 @@ final class SideFit {
      */
     void sharpness(GreyScale scale, EdgeProfile profile, SharpenedStep table, double amount, double radiusPx) {
         double[] p = unknowns;
-        double lightDark = scale.light(p[DARK]);
-        double contrast = scale.light(p[BRIGHT]) - lightDark;
-        scale.setEnds(p[DARK], p[BRIGHT]);
-        int nodes = table.prepare(STEP_REACH * (Math.sqrt(p[BLUR] * p[BLUR] + 1.0 / 12) + radiusPx));
-        for (int i = 0; i < nodes; i++) {
-            profile.at(table.distance(i), p[BLUR]);
-            scale.at(lightDark + contrast * profile.share, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
-            table.put(i, scale.grey);
-        }
+        table.setEdge(scale, profile, p[BLUR], scale.light(p[DARK]), scale.light(p[BRIGHT]),
+                STEP_REACH * (Math.sqrt(p[BLUR] * p[BLUR] + 1.0 / 12) + radiusPx));
         table.solve(amount, radiusPx);
         maskOvershoot = table.overshoot;
-        Arrays.fill(gathered, 0);
-        Arrays.fill(gradient, 0);
-        Arrays.fill(shapeRows, 0);
-        Arrays.fill(shapeInformation, 0);
-        Arrays.fill(shapeScore, 0);
-        Arrays.fill(offsetByShape, 0);
         evaluate(scale, profile, p);
-        for (int i = 0; i < samples; i++) {
-            double residual = residuals[i];
-            if (Math.abs(base[i]) >= CLEAN_SHARE) {
-                continue;
+        scale.setEnds(p[DARK], p[BRIGHT]);
+        scale.byPower(shares, clean, byPower);
+        table.at(distances, clean, byAmount, byLogRadius);
+        shapeRow[0] = byPower;
+        shapeRow[1] = byAmount;
+        shapeRow[2] = byLogRadius;
+        double[] within = insides;
+        for (int a = 0; a < SHAPES; a++) {
+            double[] by = shapeRow[a];
+            for (int i = 0; i < clean; i++) {
+                by[i] *= within[i];
             }
-            double distance = across[i] - p[OFFSET] - p[SLOPE] * along[i];
-            shapeRow[0] = insides[i] * scale.byPower(shares[i]);
-            shapeRow[1] = insides[i] * table.byAmount(distance);
-            shapeRow[2] = insides[i] * table.byLogRadius(distance);
-            gather(i);
-            for (int a = 0; a < UNKNOWNS; a++) {
-                for (int b = 0; b < SHAPES; b++) {
-                    shapeRows[b * UNKNOWNS + a] += shapeRow[b] * row[a];
-                }
-            }
-            for (int a = 0; a < SHAPES; a++) {
-                shapeScore[a] -= shapeRow[a] * residual;
-                for (int b = 0; b < SHAPES; b++) {
-                    shapeInformation[a * SHAPES + b] += shapeRow[a] * shapeRow[b];
-                }
+            byUnknowns(by, clean, shapeRows[a]);
+            shapeScore[a] = -dot(by, residuals, clean);
+            for (int b = 0; b <= a; b++) {
+                shapeInformation[a * SHAPES + b] = dot(by, shapeRow[b], clean);
+                shapeInformation[b * SHAPES + a] = shapeInformation[a * SHAPES + b];
             }
         }
-        double[] inverse = inverseOfDamped();
+        byUnknowns(residuals, clean, gradient);
+        information(0, clean, gathered);
+        double[] inverse = inverseOfDamped(gathered);
         if (inverse == null) {
             Arrays.fill(shapeInformation, 0);
             Arrays.fill(shapeScore, 0);
+            Arrays.fill(offsetByShape, 0);
             return;
         }
         projectShape(inverse);
     }
 
-    /** Adds a pixel to {@link #gathered} and {@link #gradient}. */
-    private void gather(int i) {
-        row[OFFSET] = byOffset[i];
-        row[SLOPE] = bySlope[i];
-        row[BLUR] = byBlur[i];
-        row[DARK] = byDark[i];
-        row[BRIGHT] = byBright[i];
-        for (int a = 0; a < UNKNOWNS; a++) {
-            gradient[a] += row[a] * residuals[i];
-            for (int b = 0; b <= a; b++) {
-                gathered[a * UNKNOWNS + b] += row[a] * row[b];
-            }
+    /** Sums of the derivatives by each unknown, times something else of every pixel. */
+    private void byUnknowns(double[] of, int count, double[] out) {
+        double s0 = 0;
+        double s1 = 0;
+        double s2 = 0;
+        double s3 = 0;
+        double s4 = 0;
+        for (int i = 0; i < count; i++) {
+            double v = of[i];
+            s0 += byOffset[i] * v;
+            s1 += bySlope[i] * v;
+            s2 += byBlur[i] * v;
+            s3 += byDark[i] * v;
+            s4 += byBright[i] * v;
         }
+        out[OFFSET] = s0;
+        out[SLOPE] = s1;
+        out[BLUR] = s2;
+        out[DARK] = s3;
+        out[BRIGHT] = s4;
     }
 
-    /** Inverse of the lower triangle gathered in {@link #gathered}, hardly damped; null where it has none. */
-    private double @Nullable [] inverseOfDamped() {
-        for (int a = 0; a < UNKNOWNS; a++) {
-            gathered[a * (UNKNOWNS + 1)] += 1e-9;
-            for (int b = 0; b < a; b++) {
-                gathered[b * UNKNOWNS + a] = gathered[a * UNKNOWNS + b];
-            }
+    /** Sum of products; four at a time, as no one of them has to wait for the one before. */
+    private static double dot(double[] a, double[] b, int count) {
+        double s0 = 0;
+        double s1 = 0;
+        double s2 = 0;
+        double s3 = 0;
+        int i = 0;
+        for (; i < count - 3; i += 4) {
+            s0 += a[i] * b[i];
+            s1 += a[i + 1] * b[i + 1];
+            s2 += a[i + 2] * b[i + 2];
+            s3 += a[i + 3] * b[i + 3];
         }
-        return inverse(gathered);
+        for (; i < count; i++) {
+            s0 += a[i] * b[i];
+        }
+        return s0 + s1 + (s2 + s3);
     }
 
-    /** Inverse of a matrix of the unknowns, in an array that the next call writes over; null where it has none. */
-    private double @Nullable [] inverse(double[] matrix) {
+    /** Inverse of a matrix of the unknowns, hardly damped, in an array that the next call writes over; null: none. */
+    private double @Nullable [] inverseOfDamped(double[] matrix) {
         System.arraycopy(matrix, 0, factor, 0, factor.length);
+        for (int a = 0; a < UNKNOWNS; a++) {
+            factor[a * (UNKNOWNS + 1)] += 1e-9;
+        }
         return Cholesky.inverse(factor, UNKNOWNS, factorInverse, inverted) ? inverted : null;
     }
 
@@ -779,16 +834,13 @@ final class SideFit {
     private void projectShape(double[] inverse) {
         for (int s = 0; s < SHAPES; s++) {
             for (int a = 0; a < UNKNOWNS; a++) {
-                double moved = 0;
-                for (int b = 0; b < UNKNOWNS; b++) {
-                    moved += inverse[a * UNKNOWNS + b] * shapeRows[s * UNKNOWNS + b];
-                }
+                double moved = ofRow(inverse, a, shapeRows[s]);
                 if (a == OFFSET) {
                     offsetByShape[s] = -moved;
                 }
                 shapeScore[s] += moved * gradient[a];
                 for (int other = 0; other < SHAPES; other++) {
-                    shapeInformation[other * SHAPES + s] -= shapeRows[other * UNKNOWNS + a] * moved;
+                    shapeInformation[other * SHAPES + s] -= shapeRows[other][a] * moved;
                 }
             }
         }

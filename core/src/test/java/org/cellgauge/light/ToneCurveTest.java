@@ -1,8 +1,10 @@
 package org.cellgauge.light;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -49,6 +51,25 @@ class ToneCurveTest {
             }
             assertEquals((grey[1] - grey[0]) / (2 * h), curve.greyByPower(dark, bright, share), 1e-6);
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"linear", "srgb", "gamma 2.2", "srgb 1.7"})
+    void derivativeOfTheLightIsTheDifference(String words) {
+        ToneCurve curve = ToneCurve.of(words);
+        double h = 1e-6;
+        for (double grey = 0.01; grey < 1.2; grey += 0.01) {
+            assertEquals((curve.light(grey + h) - curve.light(grey - h)) / (2 * h),
+                    curve.lightByGrey(grey, curve.light(grey)), 1e-6, words + " " + grey);
+        }
+        assertEquals(0, curve.lightByGrey(-0.1, 0));
+    }
+
+    @Test
+    void onlySrgbHasAToe() {
+        assertTrue(ToneCurve.SRGB.isToe(0.04));
+        assertFalse(ToneCurve.SRGB.isToe(0.05));
+        assertFalse(ToneCurve.gamma(2.2).isToe(0.01));
     }
 
     @Test

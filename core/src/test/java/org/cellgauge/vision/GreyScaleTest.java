@@ -114,6 +114,24 @@ class GreyScaleTest {
         }
     }
 
+    /** Also where the table is too coarse, within a toe, and beyond white. */
+    @ParameterizedTest
+    @CsvSource({"linear, 30, 220", "gamma 2.2, 30, 220", "gamma 2.2, 1, 90", "srgb, 4, 250", "srgb 1.3, 8, 300"})
+    void derivativesByThePowerAreEachAsAlone(String words, double dark, double bright) {
+        GreyScale scale = scale(words, 1);
+        scale.setEnds(dark, bright);
+        double[] shares = new double[1101];
+        for (int i = 0; i < shares.length; i++) {
+            shares[i] = i / 1000.0 - 0.05;
+        }
+        double[] byPower = new double[shares.length];
+        scale.byPower(shares, shares.length, byPower);
+        for (int i = 0; i < shares.length; i++) {
+            double expected = scale.byPower(shares[i]);
+            assertEquals(expected, byPower[i], 1e-4 + 1e-9 * Math.abs(expected), words + " " + shares[i]);
+        }
+    }
+
     private static double between(String words, double dark, double bright, double share) {
         ToneCurve curve = ToneCurve.of(words);
         double light = curve.light(dark / 255);
