@@ -248,8 +248,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
         ConfigFiducialBinary ofGrids = new ConfigFiducialBinary(1);
         ConfigFiducialHammingDetector ofCodes = new ConfigFiducialHammingDetector();
         boolean grid = patterns.dictionary() == null;
-        return new SquareSearch(new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent, windows),
-                WindowContours.polygons(grid ? ofGrids.squareDetector : ofCodes.squareDetector, windows),
+        LocalMeanThreshold threshold = new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent, windows);
+        return new SquareSearch(threshold,
+                WindowContours.polygons(grid ? ofGrids.squareDetector : ofCodes.squareDetector, threshold),
                 patterns.grid(), grid ? ofGrids.minimumBlackBorderFraction : ofCodes.minimumBlackBorderFraction,
                 new SquareCode(patterns));
     }
