@@ -92,10 +92,10 @@ class LocalMeanThresholdTest {
         for (int i = 0; i < image.data.length; i++) {
             image.data[i] = (byte) (100 + i / 640 / 100 * 20 + random.nextInt(5));
         }
-        for (int speck = 0; speck < 12; speck++) {
+        for (int speck = 0; speck < 5; speck++) {
             int left = random.nextInt(620);
             int top = random.nextInt(460);
-            int grey = 60 + 5 * speck;
+            int grey = 60 + 8 * speck;
             for (int y = top; y < top + 9; y++) {
                 Arrays.fill(image.data, 640 * y + left, 640 * y + left + 9, (byte) grey);
             }
@@ -106,7 +106,7 @@ class LocalMeanThresholdTest {
         FactoryThresholdBinary.threshold(config, GrayU8.class).process(image, boof);
         LocalMeanThreshold threshold = new LocalMeanThreshold(10, 85, new SearchWindows());
         threshold.process(image, new GrayU8(1, 1));
-        assertTrue(threshold.places().count() > 4, threshold.places().count() + " places");
+        assertTrue(threshold.places().count() > 1, threshold.places().count() + " places");
         int area = 0;
         for (int i = 0; i < threshold.places().count(); i++) {
             area += (threshold.places().right(i) - threshold.places().left(i))
