@@ -1,14 +1,10 @@
 package org.cellgauge.vision;
 
 import boofcv.alg.distort.LensDistortionNarrowFOV;
-import boofcv.alg.fiducial.square.BaseDetectFiducialSquare;
-import boofcv.alg.fiducial.square.DetectFiducialSquareBinary;
-import boofcv.alg.fiducial.square.DetectFiducialSquareHamming;
 import boofcv.alg.fiducial.square.FoundFiducial;
 import boofcv.factory.distort.LensDistortionFactory;
 import boofcv.factory.fiducial.ConfigFiducialBinary;
 import boofcv.factory.fiducial.ConfigFiducialHammingDetector;
-import boofcv.factory.fiducial.ConfigHammingMarker;
 import boofcv.struct.calib.CameraPinholeBrown;
 import boofcv.struct.image.GrayU8;
 import georegression.struct.point.Point2D_F64;
@@ -42,10 +38,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * Finds markers with BoofCV's square detectors, sharpens their corners and judges what was found.
  *
- * <p>BoofCV finds the squares and reads them. {@link MarkerEdges} then fits the sides to the light behind the grey
- * values, and {@link LightFit} the tone curve and the noise to all of them: BoofCV's own refinement leaves several
- * times the error, most of all under a lens that distorts, whose image it resamples half a pixel off.
- * {@link PatternReader} reads the cells again with the blur that the sides were found to have. Only ids of
+ * <p>BoofCV finds the squares, and {@link SquareSearch} reads them. {@link MarkerEdges} then fits the sides to the
+ * light behind the grey values, and {@link LightFit} the tone curve and the noise to all of them: BoofCV's own
+ * refinement leaves several times the error, most of all under a lens that distorts, whose image it resamples half a
+ * pixel off. {@link PatternReader} reads the cells again with the blur that the sides were found to have. Only ids of
  * the cell are reported; a quadrilateral that no pose of a square explains is left out, and so is an id seen at two
  * places, each with a warning. Where the sides cannot be fitted, the corners are BoofCV's and come with a warning, in
  * families with a checksum; a square-binary reading is then left out.
@@ -104,17 +100,17 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final FamilyPatterns familyPatterns;
     private final boolean hasChecksum;
     private final double residualLimitPerSide;
-    private final BaseDetectFiducialSquare<GrayU8> squares;
+    private final SquareSearch squares;
     /** Whether markers that are missing are looked for again, and their reasons, at several times the cost. */
     private final boolean looksTwice;
     /** Where each image is searched; all of it where it looks twice. */
     private final SearchWindows windows = new SearchWindows();
     /** Finds faint markers; null until one is missing. */
-    private @Nullable BaseDetectFiducialSquare<GrayU8> faintSquares;
+    private @Nullable SquareSearch faintSquares;
     /** Says why markers are missing; null until one is. */
     private @Nullable MarkerSurvey survey;
     /** Looks at the bent image of a wide lens as well; null for others. */
-    private final @Nullable BaseDetectFiducialSquare<GrayU8> bentSquares;
+    private final @Nullable SquareSearch bentSquares;
     private final @Nullable ToneCurve statedCurve;
     private final GreyScale scale = new GreyScale();
     private final MarkerLoop loop = new MarkerLoop();
@@ -183,9 +179,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.familyPatterns = new FamilyPatterns(family);
         this.hasChecksum = familyPatterns.correctable() > 0;
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
-        this.squares = squares(family, familyPatterns, USUAL_PERCENT, windows);
-        this.bentSquares =
-                camera.lens().isWide() ? squares(family, familyPatterns, USUAL_PERCENT, windows) : null;
+        this.squares = squares(familyPatterns, USUAL_PERCENT, windows);
+        this.bentSquares = camera.lens().isWide() ? squares(familyPatterns, USUAL_PERCENT, windows) : null;
         configure(squares, camera.isDistorting());
         if (bentSquares != null) {
             configure(bentSquares, false);
@@ -245,36 +240,19 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /** The usual search for squares, not yet prepared for a camera. */
-    static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family) {
-        return squares(family, new FamilyPatterns(family), USUAL_PERCENT, new SearchWindows());
+    static SquareSearch squares(MarkerFamily family) {
+        return squares(new FamilyPatterns(family), USUAL_PERCENT, new SearchWindows());
     }
 
-    private static BaseDetectFiducialSquare<GrayU8> squares(MarkerFamily family, FamilyPatterns patterns, int percent,
-            SearchWindows windows) {
+    private static SquareSearch squares(FamilyPatterns patterns, int percent, SearchWindows windows) {
+        ConfigFiducialBinary ofGrids = new ConfigFiducialBinary(1);
+        ConfigFiducialHammingDetector ofCodes = new ConfigFiducialHammingDetector();
+        boolean grid = patterns.dictionary() == null;
         LocalMeanThreshold threshold = new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent, windows);
-        return family.isSquareBinary() ? squareBinary(family.codeCells(), threshold, windows)
-                : squareHamming(Objects.requireNonNull(patterns.dictionary(), "no square-binary"), threshold, windows);
-    }
-
-    private static BaseDetectFiducialSquare<GrayU8> squareBinary(int codeCells, LocalMeanThreshold threshold,
-            SearchWindows windows) {
-        ConfigFiducialBinary config = new ConfigFiducialBinary(1);
-        DetectFiducialSquareBinary<GrayU8> detector = new DetectFiducialSquareBinary<>(codeCells,
-                config.borderWidthFraction, config.minimumBlackBorderFraction, threshold,
-                WindowContours.polygons(config.squareDetector, windows), GrayU8.class);
-        // whatever looks like a marker may pass here: PatternReader judges the cells with the blur in mind
-        detector.setAmbiguityThreshold(1);
-        return detector;
-    }
-
-    private static BaseDetectFiducialSquare<GrayU8> squareHamming(ConfigHammingMarker markers,
-            LocalMeanThreshold threshold, SearchWindows windows) {
-        ConfigFiducialHammingDetector config = new ConfigFiducialHammingDetector();
-        DetectFiducialSquareHamming<GrayU8> detector = new DetectFiducialSquareHamming<>(markers,
-                config.minimumBlackBorderFraction, threshold,
-                WindowContours.polygons(config.squareDetector, windows), GrayU8.class);
-        detector.setAmbiguousPenaltyFrac(config.ambiguousPenaltyFrac);
-        return detector;
+        return new SquareSearch(threshold,
+                WindowContours.polygons(grid ? ofGrids.squareDetector : ofCodes.squareDetector, threshold),
+                patterns.grid(), grid ? ofGrids.minimumBlackBorderFraction : ofCodes.minimumBlackBorderFraction,
+                new SquareCode(patterns));
     }
 
     /** Local mean with a margin: plain grounds and weak textures then give no contours to follow. */
@@ -363,10 +341,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
     /** Fills in the squares of this image. False where its windows do not show the markers they were made for. */
     private boolean look(GreyImage image, List<Seen> seen) {
         squares.process(view);
-        int count = squares.getFound().size();
+        int count = squares.found().size();
         if (bentSquares != null) {
             bentSquares.process(view);
-            count += bentSquares.getFound().size();
+            count += bentSquares.found().size();
         }
         if (!windows.areWhole() && count < windows.markers()) {
             return false;
@@ -406,9 +384,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * A search that follows weaker contours too, for markers whose black is nearly as bright as their white. On a
      * textured ground it takes many times as long as the usual one.
      */
-    private BaseDetectFiducialSquare<GrayU8> faintSquares() {
+    private SquareSearch faintSquares() {
         if (faintSquares == null) {
-            faintSquares = squares(family, familyPatterns, FAINT_PERCENT, windows);
+            faintSquares = squares(familyPatterns, FAINT_PERCENT, windows);
             configure(faintSquares, straightensOnePlane());
         }
         return faintSquares;
@@ -423,14 +401,15 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * Prepares for the camera. Without tables of the lens for every pixel: with them the corners are the same to the
      * last bit, and they would take 50 MB and 0.4 s for 1280 x 720 px, 670 MB and 15 s for 4000 x 3000 px.
      */
-    private void configure(BaseDetectFiducialSquare<GrayU8> detector, boolean straightened) {
-        detector.configure(straightened ? boofLens(camera) : null, camera.widthPx(), camera.heightPx(), false);
+    private void configure(SquareSearch search, boolean straightened) {
+        search.configure(straightened ? boofLens(camera) : null, camera.widthPx(), camera.heightPx(), false);
     }
 
     private void survey(GreyImage image, Set<Integer> found, List<Warning> warnings) {
         if (survey == null) {
             survey = new MarkerSurvey(family, patterns.keySet(), new ConfigFiducialBinary(1).squareDetector);
-            configure(survey.squares(), straightensOnePlane());
+            survey.squares().configure(straightensOnePlane() ? boofLens(camera) : null, camera.widthPx(),
+                    camera.heightPx(), false);
         }
         view.data = image.luminance();
         try {
@@ -444,10 +423,10 @@ public final class BoofMarkerDetector implements MarkerDetector {
      * Adds the squares that another search has shown as markers of the cell: in the bent image of a wide lens, far off
      * the axis, where {@link LensPlane} is not straight or stretches a marker out of shape; or with weaker contours.
      */
-    private void lookAgain(BaseDetectFiducialSquare<GrayU8> again, GreyImage image, List<Seen> seen) {
+    private void lookAgain(SquareSearch again, GreyImage image, List<Seen> seen) {
         int straight = seen.size();
-        for (int i = 0; i < again.getFound().size(); i++) {
-            FoundFiducial found = again.getFound().get(i);
+        for (int i = 0; i < again.found().size(); i++) {
+            FoundFiducial found = again.found().get(i);
             if (!isOfFamily(found)) {
                 continue;
             }
@@ -505,8 +484,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     /** Fits the sides of all squares that were found. */
     private void seeAll(GreyImage image, List<Seen> seen) {
         List<Seen> found = new ArrayList<>();
-        for (int i = 0; i < squares.getFound().size(); i++) {
-            FoundFiducial one = squares.getFound().get(i);
+        for (int i = 0; i < squares.found().size(); i++) {
+            FoundFiducial one = squares.found().get(i);
             if (isOfFamily(one)) {
                 found.add(new Seen((int) one.id, corners(one.distortedPixels), edges(found.size())));
             }

@@ -3,6 +3,8 @@ package org.cellgauge.vision;
 import boofcv.abst.filter.binary.InputToBinary;
 import boofcv.struct.image.GrayU8;
 import boofcv.struct.image.ImageType;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /**
@@ -16,18 +18,30 @@ import java.util.Arrays;
  * ground, which is nobody's marker; about anything larger all is found. Rows are unpacked once and kept while they are
  * in the window, and every loop does one thing: so nearly all of them run on several pixels at a time.
  *
- * <p>Outside of the {@link SearchWindows} of a frame nothing is looked at and nothing set; inside, all is as in the
- * whole image. Not thread-safe: sums and rows are kept.
+ * <p>Outside of the {@link SearchWindows} of a frame nothing is looked at; inside, all is as in the whole image. What
+ * is gone through lies in some {@linkplain #places() places}, and nothing is set outside of them. Not thread-safe: sums
+ * and rows are kept.
  */
 final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     /** Width and height of a tile, px; at least the radius, so that windows end in the tiles beside. */
     static final int TILE = 16;
     private static final int STEP = 2;
     private static final int NOWHERE = -2;
+    /** How far tiles of one surface may differ, grey levels: noise takes its darkest pixel now here, now there. */
+    private static final int SLACK = 2;
+    /** More places than these are gone through as their window: each keeps its contours. */
+    private static final int MOST_PLACES = 32;
+    /** Every second one of eight pixels, in a number of 16 bits each. */
+    private static final long EVERY_SECOND = 0x00FF_00FF_00FF_00FFL;
+    private static final long IN_EACH = 0x0001_0001_0001_0001L;
+    private static final long SIGN_OF_EACH = 0x8000_8000_8000_8000L;
+    private static final int LARGEST = 0x7FFF;
 
     private final int radius;
     private final int percent;
     private final SearchWindows windows;
+    private final Rectangles places = new Rectangles();
+    private final Rectangles ofWindow = new Rectangles();
     private int width;
     private int height;
     private int tilesAcross;
@@ -41,6 +55,9 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     /** Of each tile, the darkest and the brightest pixel that was looked at. */
     private int[] darkest = new int[0];
     private int[] brightest = new int[0];
+    /** Whether these are the greys themselves; else no pixel is beyond them. */
+    private boolean[] exact = new boolean[0];
+    private boolean[] contrasting = new boolean[0];
     /** The row about which each tile's columns are summed. */
     private int[] summedAbout = new int[0];
     /** Tiles from and to which columns are summed, and those of them that are gone through, of each run of a row. */
@@ -60,10 +77,21 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         this.windows = windows;
     }
 
+    /** Where pixels are asked for. */
+    SearchWindows windows() {
+        return windows;
+    }
+
+    /** Parts of the last image that have all dark pixels in them. */
+    Rectangles places() {
+        return places;
+    }
+
     @Override
     public void process(GrayU8 input, GrayU8 output) {
         reshape(input.width, input.height);
         output.reshape(width, height);
+        places.clear();
         for (int i = 0; i < windows.count(); i++) {
             process(input, output, windows.left(i) / TILE, windows.top(i) / TILE,
                     tiles(Math.min(width, windows.right(i))), tiles(Math.min(height, windows.bottom(i))));
@@ -78,14 +106,11 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private void process(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
         lookForContrast(input, Math.max(0, left - 1), Math.max(0, top - 1), Math.min(tilesAcross, right + 1),
                 Math.min(tilesDown, bottom + 1));
+        findPlaces(input, output, left, top, right, bottom);
         Arrays.fill(summedAbout, NOWHERE);
         for (int down = top; down < bottom; down++) {
             int first = down * TILE;
             int end = Math.min(height, first + TILE);
-            for (int y = first; y < end; y++) {
-                int at = output.startIndex + y * output.stride;
-                Arrays.fill(output.data, at + TILE * left, at + Math.min(width, TILE * right), (byte) 0);
-            }
             int count = findRuns(down, left, right);
             for (int r = 0; r < 4 * count; r += 4) {
                 for (int across = runs[r]; across < runs[r + 1]; across++) {
@@ -99,6 +124,35 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
                     mark(y, TILE * runs[r + 2], Math.min(width, TILE * runs[r + 3]), output);
                 }
             }
+        }
+    }
+
+    /** Finds the places of a window of tiles, and clears them in the output. */
+    private void findPlaces(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
+        ofWindow.clear();
+        for (int down = top; down < bottom; down++) {
+            int from = left;
+            for (int across = left; across <= right; across++) {
+                boolean found = across < right && hasContrast(input, across, down);
+                if (across < right) {
+                    contrasting[down * tilesAcross + across] = found;
+                }
+                if (!found) {
+                    ofWindow.add(TILE * from, TILE * down, Math.min(width, TILE * across),
+                            Math.min(height, TILE * (down + 1)));
+                    from = across + 1;
+                }
+            }
+        }
+        if (ofWindow.count() > MOST_PLACES) {
+            ofWindow.add(TILE * left, TILE * top, Math.min(width, TILE * right), Math.min(height, TILE * bottom));
+        }
+        for (int i = 0; i < ofWindow.count(); i++) {
+            for (int y = ofWindow.top(i); y < ofWindow.bottom(i); y++) {
+                int at = output.startIndex + y * output.stride;
+                Arrays.fill(output.data, at + ofWindow.left(i), at + ofWindow.right(i), (byte) 0);
+            }
+            places.add(ofWindow.left(i), ofWindow.top(i), ofWindow.right(i), ofWindow.bottom(i));
         }
     }
 
@@ -116,39 +170,80 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         unpacked = new int[2 * radius + 2][width];
         darkest = new int[tilesAcross * tilesDown];
         brightest = new int[tilesAcross * tilesDown];
+        exact = new boolean[tilesAcross * tilesDown];
+        contrasting = new boolean[tilesAcross * tilesDown];
         summedAbout = new int[tilesAcross];
         runs = new int[4 * (tilesAcross / 2 + 1)];
     }
 
+    /**
+     * Finds the darkest and the brightest pixel of tiles, or limits to them: most tiles are of the same surface as the
+     * one before, and whether all pixels are within limits is seen for four at a time.
+     */
     private void lookForContrast(GrayU8 input, int left, int top, int right, int bottom) {
-        byte[] in = input.data;
+        ByteBuffer pixels = ByteBuffer.wrap(input.data).order(ByteOrder.LITTLE_ENDIAN);
+        int low = 1;
+        int high = 0;
         for (int down = top; down < bottom; down++) {
-            int row = down * tilesAcross;
-            Arrays.fill(darkest, row + left, row + right, 255);
-            Arrays.fill(brightest, row + left, row + right, 0);
-            for (int y = TILE * down; y < Math.min(height, TILE * (down + 1)); y += STEP) {
-                int at = input.startIndex + y * input.stride;
-                for (int across = left; across < right; across++) {
-                    int low = darkest[row + across];
-                    int high = brightest[row + across];
-                    int end = at + Math.min(width, TILE * (across + 1));
-                    for (int i = at + TILE * across; i < end; i += STEP) {
-                        int grey = in[i] & 0xFF;
-                        low = Math.min(low, grey);
-                        high = Math.max(high, grey);
+            for (int across = left; across < right; across++) {
+                int tile = down * tilesAcross + across;
+                boolean whole = TILE * (across + 1) <= width && TILE * (down + 1) <= height;
+                int at = input.startIndex + TILE * down * input.stride + TILE * across;
+                exact[tile] = !whole || !areWithin(pixels, at, STEP * input.stride, low, high);
+                darkest[tile] = low;
+                brightest[tile] = high;
+                if (exact[tile]) {
+                    measure(input, across, down);
+                    // limits with a contrast of their own would say nothing of any tile
+                    if (100 * (darkest[tile] - SLACK) > percent * (brightest[tile] + SLACK)) {
+                        low = darkest[tile] - SLACK;
+                        high = Math.min(255, brightest[tile] + SLACK);
                     }
-                    darkest[row + across] = low;
-                    brightest[row + across] = high;
                 }
             }
         }
+    }
+
+    /** Whether no pixel of a tile is darker or brighter than that. */
+    private static boolean areWithin(ByteBuffer pixels, int first, int stride, int low, int high) {
+        // the sign of a sum shows a pixel beyond
+        long fromLow = IN_EACH * (LARGEST + low);
+        long toHigh = IN_EACH * (LARGEST - high);
+        long beyond = 0;
+        int at = first;
+        for (int row = 0; row < TILE; row += STEP) {
+            long left = pixels.getLong(at) & EVERY_SECOND;
+            long right = pixels.getLong(at + Long.BYTES) & EVERY_SECOND;
+            beyond |= fromLow - left | left + toHigh | fromLow - right | right + toHigh;
+            at += stride;
+        }
+        return (beyond & SIGN_OF_EACH) == 0;
+    }
+
+    private void measure(GrayU8 input, int across, int down) {
+        byte[] in = input.data;
+        int low = 255;
+        int high = 0;
+        int left = TILE * across;
+        int right = Math.min(width, left + TILE);
+        for (int y = TILE * down; y < Math.min(height, TILE * (down + 1)); y += STEP) {
+            int at = input.startIndex + y * input.stride;
+            for (int i = at + left; i < at + right; i += STEP) {
+                int grey = in[i] & 0xFF;
+                low = Math.min(low, grey);
+                high = Math.max(high, grey);
+            }
+        }
+        darkest[down * tilesAcross + across] = low;
+        brightest[down * tilesAcross + across] = high;
+        exact[down * tilesAcross + across] = true;
     }
 
     /** Fills the runs of a window's row of tiles. */
     private int findRuns(int down, int left, int right) {
         int count = 0;
         for (int across = left; across < right; across++) {
-            if (!hasContrast(across, down)) {
+            if (!contrasting[down * tilesAcross + across]) {
                 continue;
             }
             int last = 4 * count - 4;
@@ -168,7 +263,11 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     }
 
     /** Whether a pixel may be dark in a tile, as far as it and the tiles about it were looked at. */
-    private boolean hasContrast(int across, int down) {
+    private boolean hasContrast(GrayU8 input, int across, int down) {
+        return mayHaveContrast(across, down) && (!measureAbout(input, across, down) || mayHaveContrast(across, down));
+    }
+
+    private boolean mayHaveContrast(int across, int down) {
         int low = 255;
         int high = 0;
         for (int y = Math.max(0, down - 1); y <= Math.min(tilesDown - 1, down + 1); y++) {
@@ -178,6 +277,20 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
             }
         }
         return 100 * low <= percent * high;
+    }
+
+    /** Measures the tiles about one of which only limits are known; whether there are any. */
+    private boolean measureAbout(GrayU8 input, int across, int down) {
+        boolean any = false;
+        for (int y = Math.max(0, down - 1); y <= Math.min(tilesDown - 1, down + 1); y++) {
+            for (int x = Math.max(0, across - 1); x <= Math.min(tilesAcross - 1, across + 1); x++) {
+                if (!exact[y * tilesAcross + x]) {
+                    measure(input, x, y);
+                    any = true;
+                }
+            }
+        }
+        return any;
     }
 
     /** Sums the columns of a tile anew, over the rows about one, which may lie just above the image. */

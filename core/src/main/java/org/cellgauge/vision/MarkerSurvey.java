@@ -4,7 +4,6 @@ import boofcv.alg.fiducial.square.BaseDetectFiducialSquare;
 import boofcv.alg.shapes.polygon.DetectPolygonBinaryGrayRefine;
 import boofcv.factory.fiducial.ConfigHammingMarker;
 import boofcv.factory.shape.ConfigPolygonDetector;
-import boofcv.factory.shape.FactoryShapeDetector;
 import boofcv.struct.image.GrayF32;
 import boofcv.struct.image.GrayU8;
 import java.util.ArrayList;
@@ -70,7 +69,8 @@ final class MarkerSurvey {
     MarkerSurvey(MarkerFamily family, Set<Integer> ids, ConfigPolygonDetector polygons) {
         this.family = family;
         this.ids = ids;
-        this.squares = new Squares(FactoryShapeDetector.polygon(polygons, GrayU8.class));
+        LocalMeanThreshold threshold = BoofMarkerDetector.threshold();
+        this.squares = new Squares(threshold, WindowContours.polygons(polygons, threshold));
     }
 
     /** The detector underneath, to be configured for the lens. */
@@ -309,9 +309,8 @@ final class MarkerSurvey {
     private final class Squares extends BaseDetectFiducialSquare<GrayU8> {
         private boolean inverted;
 
-        Squares(DetectPolygonBinaryGrayRefine<GrayU8> polygons) {
-            super(BoofMarkerDetector.threshold(), polygons, false, BORDER_SHARE, BLACK_BORDER_SHARE, SQUARE_PX,
-                    GrayU8.class);
+        Squares(LocalMeanThreshold threshold, DetectPolygonBinaryGrayRefine<GrayU8> polygons) {
+            super(threshold, polygons, false, BORDER_SHARE, BLACK_BORDER_SHARE, SQUARE_PX, GrayU8.class);
         }
 
         @Override

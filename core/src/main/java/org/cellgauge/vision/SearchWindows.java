@@ -1,7 +1,6 @@
 package org.cellgauge.vision;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -30,12 +29,9 @@ final class SearchWindows {
     private static final double MARGIN_PER_MOTION = 1.5;
     /** What moves towards the camera grows. */
     private static final double MARGIN_PER_SIZE = 0.25;
-    private static final int SIDES = 4;
 
     private final List<Place> places = new ArrayList<>();
-    /** Left, top, right and bottom of each, px, the last two not with it. */
-    private int[] bounds = new int[8 * SIDES];
-    private int count;
+    private final Rectangles rectangles = new Rectangles();
     private boolean whole;
     private int framesSinceWhole;
 
@@ -56,17 +52,17 @@ final class SearchWindows {
             return;
         }
         whole = false;
-        count = 0;
+        rectangles.clear();
         for (Place place : places) {
             double margin = MARGIN_PER_WIDTH * widthPx
                     + MARGIN_PER_SIZE * Math.max(place.right - place.left, place.bottom - place.top);
             double across = margin + MARGIN_PER_MOTION * Math.abs(place.du);
             double down = margin + MARGIN_PER_MOTION * Math.abs(place.dv);
-            add(tiles(place.left - across, 0, widthPx), tiles(place.top - down, 0, heightPx),
+            rectangles.add(tiles(place.left - across, 0, widthPx), tiles(place.top - down, 0, heightPx),
                     tiles(place.right + across, 1, widthPx), tiles(place.bottom + down, 1, heightPx));
         }
         long area = 0;
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < count(); i++) {
             area += (long) (right(i) - left(i)) * (bottom(i) - top(i));
         }
         if (2 * area > (long) widthPx * heightPx) {
@@ -79,43 +75,12 @@ final class SearchWindows {
         return (int) Math.max(0, Math.min(end, (Math.floor(px / TILE) + after) * TILE));
     }
 
-    /** Adds a window, as one with all that it touches: what is dark in both is followed from one into the other. */
-    private void add(int left, int top, int right, int bottom) {
-        if (left >= right || top >= bottom) {
-            return;
-        }
-        for (int i = 0; i < count; i++) {
-            if (left <= right(i) && left(i) <= right && top <= bottom(i) && top(i) <= bottom) {
-                int unitedLeft = Math.min(left, left(i));
-                int unitedTop = Math.min(top, top(i));
-                int unitedRight = Math.max(right, right(i));
-                int unitedBottom = Math.max(bottom, bottom(i));
-                count--;
-                System.arraycopy(bounds, SIDES * count, bounds, SIDES * i, SIDES);
-                // the larger one may touch others
-                add(unitedLeft, unitedTop, unitedRight, unitedBottom);
-                return;
-            }
-        }
-        if (SIDES * count == bounds.length) {
-            bounds = Arrays.copyOf(bounds, 2 * bounds.length);
-        }
-        bounds[SIDES * count] = left;
-        bounds[SIDES * count + 1] = top;
-        bounds[SIDES * count + 2] = right;
-        bounds[SIDES * count + 3] = bottom;
-        count++;
-    }
-
     /** Has this frame searched as a whole. */
     void showWhole() {
         whole = true;
         framesSinceWhole = 0;
-        count = 1;
-        bounds[0] = 0;
-        bounds[1] = 0;
-        bounds[2] = Integer.MAX_VALUE;
-        bounds[3] = Integer.MAX_VALUE;
+        rectangles.clear();
+        rectangles.add(0, 0, Integer.MAX_VALUE, Integer.MAX_VALUE);
     }
 
     /** Whether a frame is searched as a whole: then it has one window, which may be larger. */
@@ -132,29 +97,34 @@ final class SearchWindows {
         return markers;
     }
 
+    /** The same windows. */
+    Rectangles rectangles() {
+        return rectangles;
+    }
+
     /** How many there are. */
     int count() {
-        return count;
+        return rectangles.count();
     }
 
     /** First column, px. */
     int left(int window) {
-        return bounds[SIDES * window];
+        return rectangles.left(window);
     }
 
     /** First row, px. */
     int top(int window) {
-        return bounds[SIDES * window + 1];
+        return rectangles.top(window);
     }
 
     /** Column after the last, px. */
     int right(int window) {
-        return bounds[SIDES * window + 2];
+        return rectangles.right(window);
     }
 
     /** Row after the last, px. */
     int bottom(int window) {
-        return bounds[SIDES * window + 3];
+        return rectangles.bottom(window);
     }
 
     /**

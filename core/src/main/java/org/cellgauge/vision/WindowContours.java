@@ -21,29 +21,38 @@ import org.ddogleg.struct.DogArray;
 /**
  * Follows contours in some windows of a binary image only, each by BoofCV's own algorithm: they are those of the whole
  * image that lie in a window, in the same order, to the last pixel. A contour at a window's border is left out, since
- * it may be that of a part: a window cuts straight sides into whatever is dark. Not thread-safe.
+ * it may be that of a part: a window cuts straight sides into whatever is dark. Of a window only those places are gone
+ * through that may have dark pixels: in a plain scene, looking at every pixel takes as long as all the rest of finding
+ * quadrilaterals. Not thread-safe.
  */
 final class WindowContours extends BinaryContourFinderLinearExternal {
     private static final Comparator<ContourPacked> BY_FIRST_PIXEL = Comparator.comparingInt(contour -> contour.id);
 
     private final SearchWindows windows;
-    /** One for each window, as each keeps the points it has found until the next image. */
-    private final List<LinearExternalContours> ofWindows = new ArrayList<>();
+    private final Rectangles places;
+    /** One for each place, as each keeps the points it has found until the next image. */
+    private final List<LinearExternalContours> ofPlaces = new ArrayList<>();
     private final DogArray<ContourPacked> contours = new DogArray<>(ContourPacked::new);
     private final List<ContourPacked> inOrder = new ArrayList<>();
     private final DogArray<Point2D_I32> points = new DogArray<>(Point2D_I32::new);
     private final GrayU8 view = new GrayU8();
 
-    /** Where they are looked for. */
-    WindowContours(SearchWindows windows) {
+    /**
+     * Contours.
+     *
+     * @param windows where they are looked for
+     * @param places parts of these windows that may have dark pixels, cut off at their borders only
+     */
+    WindowContours(SearchWindows windows, Rectangles places) {
         this.windows = windows;
+        this.places = places;
     }
 
-    /** BoofCV's detector of polygons, as its factory makes it, but for these contours. */
-    static DetectPolygonBinaryGrayRefine<GrayU8> polygons(ConfigPolygonDetector config, SearchWindows windows) {
+    /** BoofCV's detector of polygons, as its factory makes it, but for the contours of what a threshold marks. */
+    static DetectPolygonBinaryGrayRefine<GrayU8> polygons(ConfigPolygonDetector config, LocalMeanThreshold threshold) {
         config.checkValidity();
         ConfigPolygonFromContour ofContour = config.detector;
-        WindowContours contours = new WindowContours(windows);
+        WindowContours contours = new WindowContours(threshold.windows(), threshold.places());
         contours.setConnectRule(ofContour.contourRule);
         contours.setMinContour(ofContour.minimumContour);
         contours.setMaxContour(ofContour.maximumContour);
@@ -73,41 +82,50 @@ final class WindowContours extends BinaryContourFinderLinearExternal {
         ConfigLength most = ConfigLength.fixed(getMaxContour(null).computeNegMaxI(size));
         contours.reset();
         inOrder.clear();
-        for (int i = 0; i < windows.count(); i++) {
-            if (i == ofWindows.size()) {
-                ofWindows.add(new LinearExternalContours(getConnectRule()));
+        for (int i = 0; i < places.count(); i++) {
+            if (i == ofPlaces.size()) {
+                ofPlaces.add(new LinearExternalContours(getConnectRule()));
             }
-            LinearExternalContours window = ofWindows.get(i);
-            window.setMinContourLength(least);
-            window.setMaxContourLength(most);
-            int left = windows.left(i);
-            int top = windows.top(i);
-            int right = Math.min(width, windows.right(i));
-            int bottom = Math.min(height, windows.bottom(i));
+            LinearExternalContours place = ofPlaces.get(i);
+            place.setMinContourLength(least);
+            place.setMaxContourLength(most);
+            int left = places.left(i);
+            int top = places.top(i);
             // with a pixel on each side, which the algorithm sets to zero
-            binary.subimage(left, top, right + 2, bottom + 2, view);
-            window.process(view, 1 - left, 1 - top);
-            for (int k = 0; k < window.getExternalContours().size(); k++) {
+            binary.subimage(left, top, Math.min(width, places.right(i)) + 2, Math.min(height, places.bottom(i)) + 2,
+                    view);
+            place.process(view, 1 - left, 1 - top);
+            int window = windowAt(left, top);
+            for (int k = 0; k < place.getExternalContours().size(); k++) {
                 ContourPacked contour = contours.grow();
-                contour.externalIndex = k * windows.count() + i;
-                if (!windows.areWhole()) {
-                    window.getExternalContours().getSet(k, points);
-                    if (isCut(left > 0 ? left : -1, top > 0 ? top : -1, right < width ? right - 1 : width,
-                            bottom < height ? bottom - 1 : height)) {
-                        continue;
-                    }
-                    contour.id = points.get(0).y * width + points.get(0).x;
+                contour.externalIndex = k * places.count() + i;
+                place.getExternalContours().getSet(k, points);
+                contour.id = points.get(0).y * width + points.get(0).x;
+                if (windows.areWhole() || !isCut(window, width, height)) {
+                    inOrder.add(contour);
                 }
-                inOrder.add(contour);
             }
         }
-        if (windows.count() > 1) {
+        if (places.count() > 1) {
             inOrder.sort(BY_FIRST_PIXEL);
         }
     }
 
-    /** Whether a contour has a pixel in one of these columns and rows. */
-    private boolean isCut(int left, int top, int right, int bottom) {
+    private int windowAt(int left, int top) {
+        int window = 0;
+        while (windows.right(window) <= left || windows.left(window) > left || windows.bottom(window) <= top
+                || windows.top(window) > top) {
+            window++;
+        }
+        return window;
+    }
+
+    /** Whether a contour has a pixel at a border of a window where the image goes on. */
+    private boolean isCut(int window, int width, int height) {
+        int left = windows.left(window) > 0 ? windows.left(window) : -1;
+        int top = windows.top(window) > 0 ? windows.top(window) : -1;
+        int right = windows.right(window) < width ? windows.right(window) - 1 : width;
+        int bottom = windows.bottom(window) < height ? windows.bottom(window) - 1 : height;
         for (int i = 0; i < points.size; i++) {
             Point2D_I32 p = points.get(i);
             if (p.x == left || p.y == top || p.x == right || p.y == bottom) {
@@ -124,12 +142,12 @@ final class WindowContours extends BinaryContourFinderLinearExternal {
 
     @Override
     public void loadContour(int contourID, DogArray<Point2D_I32> storage) {
-        ofWindows.get(contourID % windows.count()).getExternalContours().getSet(contourID / windows.count(), storage);
+        ofPlaces.get(contourID % places.count()).getExternalContours().getSet(contourID / places.count(), storage);
     }
 
     @Override
     public void writeContour(int contourID, List<Point2D_I32> storage) {
-        ofWindows.get(contourID % windows.count()).getExternalContours()
-                .writeOverSet(contourID / windows.count(), storage);
+        ofPlaces.get(contourID % places.count()).getExternalContours()
+                .writeOverSet(contourID / places.count(), storage);
     }
 }

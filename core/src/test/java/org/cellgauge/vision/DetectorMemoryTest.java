@@ -3,7 +3,6 @@ package org.cellgauge.vision;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import boofcv.alg.fiducial.square.BaseDetectFiducialSquare;
 import boofcv.alg.fiducial.square.FoundFiducial;
 import boofcv.struct.image.GrayU8;
 import java.awt.image.BufferedImage;
@@ -66,14 +65,14 @@ class DetectorMemoryTest {
     }
 
     private static List<List<Double>> squares(GreyImage photo, Cell cell, boolean tables) {
-        BaseDetectFiducialSquare<GrayU8> squares = BoofMarkerDetector.squares(cell.family());
+        SquareSearch squares = BoofMarkerDetector.squares(cell.family());
         squares.configure(BoofMarkerDetector.boofLens(cell.camera()), photo.widthPx(), photo.heightPx(), tables);
         GrayU8 view = new GrayU8(photo.widthPx(), photo.heightPx());
         view.data = photo.luminance();
         squares.process(view);
         List<List<Double>> found = new ArrayList<>();
-        for (int i = 0; i < squares.getFound().size(); i++) {
-            FoundFiducial square = squares.getFound().get(i);
+        for (int i = 0; i < squares.found().size(); i++) {
+            FoundFiducial square = squares.found().get(i);
             List<Double> corners = new ArrayList<>(List.of((double) square.id));
             for (int k = 0; k < 4; k++) {
                 corners.add(square.distortedPixels.get(k).x);

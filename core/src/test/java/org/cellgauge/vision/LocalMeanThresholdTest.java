@@ -76,12 +76,48 @@ class LocalMeanThresholdTest {
         }
     }
 
-    private static boolean isAskedFor(SearchWindows windows, int x, int y) {
-        boolean asked = false;
-        for (int i = 0; i < windows.count(); i++) {
-            asked |= x >= windows.left(i) && x < windows.right(i) && y >= windows.top(i) && y < windows.bottom(i);
+    private static boolean isIn(Rectangles parts, int x, int y) {
+        boolean in = false;
+        for (int i = 0; i < parts.count(); i++) {
+            in |= x >= parts.left(i) && x < parts.right(i) && y >= parts.top(i) && y < parts.bottom(i);
         }
-        return asked;
+        return in;
+    }
+
+    /** On flat grounds of several greys with some specks, whose tiles are known by limits only. */
+    @Test
+    void outsideOfItsPlacesNothingIsDark() {
+        GrayU8 image = new GrayU8(640, 480);
+        Random random = new Random(4);
+        for (int i = 0; i < image.data.length; i++) {
+            image.data[i] = (byte) (100 + i / 640 / 100 * 20 + random.nextInt(5));
+        }
+        for (int speck = 0; speck < 5; speck++) {
+            int left = random.nextInt(620);
+            int top = random.nextInt(460);
+            int grey = 60 + 8 * speck;
+            for (int y = top; y < top + 9; y++) {
+                Arrays.fill(image.data, 640 * y + left, 640 * y + left + 9, (byte) grey);
+            }
+        }
+        GrayU8 boof = new GrayU8(640, 480);
+        ConfigThreshold config = ConfigThreshold.local(ThresholdType.LOCAL_MEAN, 21);
+        config.scale = 0.85;
+        FactoryThresholdBinary.threshold(config, GrayU8.class).process(image, boof);
+        LocalMeanThreshold threshold = new LocalMeanThreshold(10, 85, new SearchWindows());
+        threshold.process(image, new GrayU8(1, 1));
+        assertTrue(threshold.places().count() > 1, threshold.places().count() + " places");
+        int area = 0;
+        for (int i = 0; i < threshold.places().count(); i++) {
+            area += (threshold.places().right(i) - threshold.places().left(i))
+                    * (threshold.places().bottom(i) - threshold.places().top(i));
+        }
+        assertTrue(area < 640 * 480 / 2, area + " px");
+        for (int y = 0; y < 480; y++) {
+            for (int x = 0; x < 640; x++) {
+                assertTrue(boof.get(x, y) == 0 || isIn(threshold.places(), x, y), x + ", " + y);
+            }
+        }
     }
 
     /**
@@ -107,7 +143,7 @@ class LocalMeanThresholdTest {
         GrayU8 image = new GrayU8(640, 480);
         for (int y = 0; y < 480; y++) {
             for (int x = 0; x < 640; x++) {
-                image.set(x, y, plainInside && isAskedFor(windows, x, y) ? 90 : tiles[y / 16 * 40 + x / 16]);
+                image.set(x, y, plainInside && isIn(windows.rectangles(), x, y) ? 90 : tiles[y / 16 * 40 + x / 16]);
             }
         }
         GrayU8 found = new GrayU8(640, 480);
@@ -117,7 +153,10 @@ class LocalMeanThresholdTest {
         new LocalMeanThreshold(10, 85, new SearchWindows()).process(image, whole);
         for (int y = 0; y < 480; y++) {
             for (int x = 0; x < 640; x++) {
-                assertEquals(isAskedFor(windows, x, y) ? whole.get(x, y) : 7, found.get(x, y), x + ", " + y);
+                boolean set = isIn(threshold.places(), x, y);
+                assertTrue(!set || isIn(windows.rectangles(), x, y), x + ", " + y);
+                assertEquals(set ? whole.get(x, y) : 7, found.get(x, y), x + ", " + y);
+                assertTrue(set || !isIn(windows.rectangles(), x, y) || whole.get(x, y) == 0, x + ", " + y);
             }
         }
     }
