@@ -320,7 +320,6 @@ public final class CameraModeFinder {
             if (Double.isNaN(cost) || (i > 0 && (cost > hopeless || isKnown(state, known, SAME_BASIN_STDS)))) {
                 return null;
             }
-            fit.evaluate(state, true);
             double squared = squaredStep(before, state, fit);
             if (squared < AGREEMENT * AGREEMENT && errors.agree(fit)) {
                 break;

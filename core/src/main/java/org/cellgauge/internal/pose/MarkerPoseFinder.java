@@ -224,13 +224,13 @@ public final class MarkerPoseFinder {
         state.set(start, camera);
         // from each mode found the mirrored pose is tried; a third round comes back to the first
         for (int i = 0; i < BASINS; i++) {
-            if (!camera.lens().isWide() && !(state.offset[2] > 0) || Double.isNaN(fit.fit(state))) {
+            double cost = !camera.lens().isWide() && !(state.offset[2] > 0) ? Double.NaN : fit.fit(state);
+            if (Double.isNaN(cost)) {
                 break;
             }
             // what Laplace's method needs is not worked out for a pose that is known
             if (!isKnown()) {
-                double cost = fit.evaluate(state, true);
-                if (!(cost < Double.POSITIVE_INFINITY) || !fit.invertInformation(covariance)) {
+                if (!fit.invertInformation(covariance)) {
                     break;
                 }
                 if (wholeModes) {
