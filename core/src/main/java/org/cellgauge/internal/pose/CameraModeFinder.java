@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Predicate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.jspecify.annotations.Nullable;
@@ -310,14 +311,15 @@ public final class CameraModeFinder {
         if (before == null) {
             before = state.copy();
         }
+        Predicate<CameraState> inBasin = known.isEmpty() ? null : at -> isKnown(at, known, SAME_BASIN_STDS);
         double cost = Double.NaN;
         for (int i = 0; i < MAX_FREEZES; i++) {
             before.copyFrom(state);
             if (!errors.freeze(state) || !fit.freeze(errors.noise, state)) {
                 return null;
             }
-            cost = fit.fit(state);
-            if (Double.isNaN(cost) || (i > 0 && (cost > hopeless || isKnown(state, known, SAME_BASIN_STDS)))) {
+            cost = fit.fit(state, inBasin);
+            if (Double.isNaN(cost) || (i > 0 && cost > hopeless) || isKnown(state, known, SAME_BASIN_STDS)) {
                 return null;
             }
             double squared = squaredStep(before, state, fit);

@@ -1,6 +1,7 @@
 package org.cellgauge.internal.pose;
 
 import java.util.Arrays;
+import java.util.function.Predicate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.DampedGaussNewton;
@@ -20,6 +21,8 @@ import org.jspecify.annotations.Nullable;
 public final class ReprojectionFit {
     private static final int MAX_STEPS = 200;
     private static final double STEP_TOLERANCE = 1e-9;
+    /** Length of a step, in its own deviations, below which a fit is taken to settle. */
+    private static final double SETTLING = 0.3;
 
     private final double[] points;
     private final double[] observed;
@@ -216,10 +219,21 @@ public final class ReprojectionFit {
      * @return half the sum of squares at the result, or NaN if a corner of the start is not in front of the camera
      */
     public double fit(CameraState state) {
+        return fit(state, null);
+    }
+
+    /**
+     * The same, given up where it settles at a place that is known: one that is near, and hardly left by a step.
+     *
+     * @param state start; receives the result, or a place near the known one
+     * @param known tells such places; null to go to the end anyway
+     * @return half the sum of squares at the result, or NaN if a corner of the start is not in front of the camera
+     */
+    double fit(CameraState state, @Nullable Predicate<CameraState> known) {
         if (solver == null) {
             solver = new DampedGaussNewton(columns, DampedGaussNewton.Damping.NIELSEN, MAX_STEPS);
         }
-        double cost = solver.minimise(new Chart(state));
+        double cost = solver.minimise(new Chart(state, known));
         return cost < Double.POSITIVE_INFINITY ? cost : Double.NaN;
     }
 
@@ -234,9 +248,11 @@ public final class ReprojectionFit {
     private final class Chart implements DampedGaussNewton.Problem {
         private final CameraState state;
         private final CameraState candidate;
+        private final @Nullable Predicate<CameraState> known;
 
-        Chart(CameraState state) {
+        Chart(CameraState state, @Nullable Predicate<CameraState> known) {
             this.state = state;
+            this.known = known;
             candidate = candidate();
         }
 
@@ -269,7 +285,8 @@ public final class ReprojectionFit {
         @Override
         public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
             // the length of the step in its own standard deviations decides, so that units do not matter
-            return squaredStds < STEP_TOLERANCE * STEP_TOLERANCE;
+            return squaredStds < STEP_TOLERANCE * STEP_TOLERANCE
+                    || known != null && accepted && squaredStds < SETTLING * SETTLING && known.test(candidate);
         }
     }
 
