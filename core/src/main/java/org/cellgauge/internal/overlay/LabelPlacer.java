@@ -133,7 +133,7 @@ final class LabelPlacer {
         double gapV = gap(top, bottom, target.top(), target.bottom());
         double offU = (left + right - target.left() - target.right()) / 2;
         double offV = (top + bottom - target.top() - target.bottom()) / 2;
-        // a plain root, made a little smaller than it may be, tells most places that are too far: hypot takes far longer
+        // a plain root, a little too small, tells most places that are too far: hypot takes far longer
         double least = (Math.sqrt(gapU * gapU + gapV * gapV) + 0.03 * Math.sqrt(offU * offU + offV * offV))
                 * LESS_BY_ROUNDING / unitPx;
         if (least > limit) {

@@ -24,7 +24,7 @@ public final class ReprojectionFit {
     /** Length of a step, in its own deviations, below which a fit is taken to settle. */
     private static final double SETTLING = 0.3;
     /** The same below which what the step gains may be less than the rounding of the cost. */
-    private static final double LOST = 1e-5;
+    private static final double LOST = 1e-6;
 
     private final double[] points;
     private final double[] observed;
@@ -298,7 +298,7 @@ public final class ReprojectionFit {
         }
     }
 
-    /** Ends fits with the first step that rounding can hide: of 1e-5 deviations, after which less than 1e-6 is left. */
+    /** Ends fits with the first step that rounding can hide: of 1e-6 deviations. */
     void endInRounding() {
         endsInRounding = true;
     }
