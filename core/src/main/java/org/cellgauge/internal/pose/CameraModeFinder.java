@@ -66,7 +66,7 @@ public final class CameraModeFinder {
     }
 
     /**
-     * Leaves what is below a millionth of a deviation open, for a look that is shown and forgotten: fits end where
+     * Leaves some millionths of a deviation open, for a look that is shown and forgotten: fits end where
      * rounding decides on their steps, which takes a third of the steps.
      *
      * @return this
