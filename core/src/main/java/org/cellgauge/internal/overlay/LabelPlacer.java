@@ -13,6 +13,8 @@ final class LabelPlacer {
     private static final double MOST_LABELLED = 0.2;
     /** Steps of the fine grid in one of the coarse grid. */
     private static final int COARSE = 8;
+    /** What a root may be too large by. */
+    private static final double LESS_BY_ROUNDING = 1 - 1e-12;
     /** The two grids meet to within rounding. */
     private static final double ROUNDING = 1 + 1e-6;
 
@@ -123,15 +125,22 @@ final class LabelPlacer {
         return least;
     }
 
-    /** The price of a place within the row that was taken. */
+    /** The price of a place within the row that was taken; of one that costs the limit or more, any such number. */
     private double cost(double left, double top, double width, double height, Box target, double limit) {
         double right = left + width;
         double bottom = top + height;
-        double distance = Math.hypot(gap(left, right, target.left(), target.right()),
-                gap(top, bottom, target.top(), target.bottom()));
+        double gapU = gap(left, right, target.left(), target.right());
+        double gapV = gap(top, bottom, target.top(), target.bottom());
+        double offU = (left + right - target.left() - target.right()) / 2;
+        double offV = (top + bottom - target.top() - target.bottom()) / 2;
+        // a plain root, a little too small, tells most places that are too far: hypot takes far longer
+        double least = (Math.sqrt(gapU * gapU + gapV * gapV) + 0.03 * Math.sqrt(offU * offU + offV * offV))
+                * LESS_BY_ROUNDING / unitPx;
+        if (least > limit) {
+            return least;
+        }
         // off-centre costs a little, so that a label goes beside the middle of what it names
-        double cost = distance / unitPx + 0.03 * Math.hypot((left + right - target.left() - target.right()) / 2,
-                (top + bottom - target.top() - target.bottom()) / 2) / unitPx;
+        double cost = Math.hypot(gapU, gapV) / unitPx + 0.03 * Math.hypot(offU, offV) / unitPx;
         double size = (right - left) * (bottom - top);
         for (int i = 0; i < row.hard.size() && cost < limit; i++) {
             Box box = row.hard.get(i);

@@ -23,10 +23,15 @@ public final class AddedNoise {
 
     private final double scalePx2;
     private final double rate;
+    /** By node of the grid. */
+    private final double[] variancesPx2 = new double[NODES];
 
     private AddedNoise(double scalePx2, double rate) {
         this.scalePx2 = scalePx2;
         this.rate = rate;
+        for (int node = 0; node < NODES; node++) {
+            variancesPx2[node] = variancePx2(atNode(node));
+        }
     }
 
     /**
@@ -65,6 +70,11 @@ public final class AddedNoise {
      */
     public double variancePx2(double u) {
         return scalePx2 * Math.exp(rate * u);
+    }
+
+    /** The same at a node of the grid. */
+    double variancePx2AtNode(int node) {
+        return variancesPx2[node];
     }
 
     /**

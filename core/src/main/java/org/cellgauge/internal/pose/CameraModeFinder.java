@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Predicate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.jspecify.annotations.Nullable;
@@ -19,6 +20,7 @@ import org.jspecify.annotations.Nullable;
 public final class CameraModeFinder {
     private static final int MAX_FREEZES = 100;
     private static final double AGREEMENT = 1e-6;
+    private static final double AGREEMENT_OF_MASS = 1e-5;
     /** A mode with less than this share of the heaviest one's mass cannot change any figure shown. */
     private static final double NEGLIGIBLE_LOG_WEIGHT = -20;
     private static final double SAME_MODE_STDS = 1e-2;
@@ -42,6 +44,8 @@ public final class CameraModeFinder {
     private @Nullable Linearisation linearisation;
     private @Nullable ReprojectionFit fit;
     private @Nullable CameraState before;
+    private boolean ofLook;
+    private double agreement = AGREEMENT;
 
     /**
      * A finder.
@@ -59,6 +63,27 @@ public final class CameraModeFinder {
         this.noise = noise;
         this.intrinsicsPrior = intrinsicsPrior;
         this.posePrior = posePrior;
+    }
+
+    /**
+     * Leaves some millionths of a deviation open, for a look that is shown and forgotten: fits end where
+     * rounding decides on their steps, which takes a third of the steps.
+     *
+     * @return this
+     */
+    public CameraModeFinder forLook() {
+        ofLook = true;
+        return this;
+    }
+
+    /**
+     * The same for a look that only wants to know the mass of modes, which changes by the square of how far they move.
+     *
+     * @return this
+     */
+    public CameraModeFinder forMassOfLook() {
+        agreement = AGREEMENT_OF_MASS;
+        return forLook();
     }
 
     /**
@@ -299,6 +324,9 @@ public final class CameraModeFinder {
         if (fit == null) {
             fit = new ReprojectionFit(view.blocks(), errors.points, errors.observed, view.columns(), view.unknowns(),
                     intrinsicsPrior, posePrior);
+            if (ofLook) {
+                fit.endInRounding();
+            }
         }
         return fit;
     }
@@ -310,19 +338,19 @@ public final class CameraModeFinder {
         if (before == null) {
             before = state.copy();
         }
+        Predicate<CameraState> inBasin = known.isEmpty() ? null : at -> isKnown(at, known, SAME_BASIN_STDS);
         double cost = Double.NaN;
         for (int i = 0; i < MAX_FREEZES; i++) {
             before.copyFrom(state);
             if (!errors.freeze(state) || !fit.freeze(errors.noise, state)) {
                 return null;
             }
-            cost = fit.fit(state);
-            if (Double.isNaN(cost) || (i > 0 && (cost > hopeless || isKnown(state, known, SAME_BASIN_STDS)))) {
+            cost = fit.fit(state, inBasin);
+            if (Double.isNaN(cost) || (i > 0 && cost > hopeless) || isKnown(state, known, SAME_BASIN_STDS)) {
                 return null;
             }
-            fit.evaluate(state, true);
             double squared = squaredStep(before, state, fit);
-            if (squared < AGREEMENT * AGREEMENT && errors.agree(fit)) {
+            if (squared < agreement * agreement && errors.agree(fit)) {
                 break;
             }
             errors.move(fit);
@@ -417,7 +445,7 @@ public final class CameraModeFinder {
 
         /** Whether the residuals of a fit say that the errors are what they are taken for. */
         boolean agree(ReprojectionFit fit) {
-            return !rigid || change(fit) < AGREEMENT;
+            return !rigid || change(fit) < agreement;
         }
 
         /** Length of the change that the residuals ask for, in stated deviations. */

@@ -41,6 +41,8 @@ public final class CornerErrors {
     private static final int INFLATIONS = 15;
     /** Probability from which on a marker counts as one with an outlier. */
     private static final double SET_ASIDE = 0.8;
+    /** More than sums of probabilities lose by rounding. */
+    private static final double ROUNDING = 1e-9;
     /** Share of a variance below which more or less of it does not show. */
     private static final double NEGLIGIBLE = 1e-3;
     /**
@@ -295,7 +297,7 @@ public final class CornerErrors {
 
     private double logSquareness(MarkerErrors m, int node) {
         return m.squareness == null || m.setAside ? 0
-                : m.squareness.logLikelihood(unknownNoise().variancePx2(AddedNoise.atNode(node)), 1);
+                : m.squareness.logLikelihood(unknownNoise(), node);
     }
 
     /**
@@ -334,6 +336,9 @@ public final class CornerErrors {
     public Map<Integer, Double> noSquares(double level) {
         AddedNoise unknown = Objects.requireNonNull(added, "noise that is stated is no belief");
         double[] log = logPrior();
+        if (areSquares(unknown, level)) {
+            return new LinkedHashMap<>();
+        }
         int told = 0;
         for (MarkerErrors m : markers.values()) {
             for (int i = 0; i < log.length; i++) {
@@ -355,7 +360,7 @@ public final class CornerErrors {
             double chance = 0;
             for (int i = 0; i < log.length; i++) {
                 chance += belief.weight(i)
-                        * Math.exp(-0.5 * m.squareness.chiSquare(unknown.variancePx2(AddedNoise.atNode(i))));
+                        * Math.exp(-0.5 * m.squareness.chiSquare(unknown.variancePx2AtNode(i)));
             }
             if (chance < level / told) {
                 found.put(entry.getKey(), Math.sqrt(0.5
@@ -367,6 +372,19 @@ public final class CornerErrors {
         found.clear();
         worstFirst.forEach(e -> found.put(e.getKey(), e.getValue()));
         return found;
+    }
+
+    /** Whether even with the least noise of the grid, which makes squares the largest, no marker has too large ones. */
+    private boolean areSquares(AddedNoise unknown, double level) {
+        int told = 0;
+        double most = 0;
+        for (MarkerErrors m : markers.values()) {
+            if (m.squareness != null) {
+                told++;
+                most = Math.max(most, m.squareness.chiSquare(unknown.variancePx2AtNode(0)));
+            }
+        }
+        return told == 0 || Math.exp(-0.5 * most) * (1 - ROUNDING) > level / told;
     }
 
     /**
@@ -384,19 +402,24 @@ public final class CornerErrors {
                 squares.add(m.squareness);
             }
         });
-        if (added == null || ids.size() < LEAST_MARKERS) {
+        if (added == null || ids.size() < LEAST_MARKERS || areUsual(squares, added)) {
             return this;
         }
         int nodes = AddedNoise.NODES;
         double[][] logMixture = new double[ids.size()][nodes];
         double[][] outlier = new double[ids.size()][nodes];
+        double[] inflated = inflations();
+        double[] logInflated = new double[inflated.length];
+        for (int k = 0; k < inflated.length; k++) {
+            logInflated[k] = Math.log(inflated[k]);
+        }
         double[] log = logPrior();
         for (int m = 0; m < ids.size(); m++) {
             Squareness squareness = squares.get(m);
             for (int i = 0; i < nodes; i++) {
-                double variance = added.variancePx2(AddedNoise.atNode(i));
-                double clean = Math.log(1 - OUTLIER_MARKERS) + squareness.logLikelihood(variance, 1);
-                double off = Math.log(OUTLIER_MARKERS) + logOutlier(squareness, variance);
+                double clean = Math.log(1 - OUTLIER_MARKERS) + squareness.logLikelihood(added, i);
+                double off = Math.log(OUTLIER_MARKERS)
+                        + squareness.logMeanLikelihood(added.variancePx2AtNode(i), inflated, logInflated);
                 double most = Math.max(clean, off);
                 logMixture[m][i] = most + Math.log(Math.exp(clean - most) + Math.exp(off - most));
                 outlier[m][i] = Math.exp(off - logMixture[m][i]);
@@ -418,11 +441,11 @@ public final class CornerErrors {
                 // that twice that is what regions need
                 double chiSquare = squares.get(m).chiSquare(variance);
                 double factor = Math.max(LEAST_INFLATION, chiSquare);
-                double[] inflated = errors.withAdded(variance).covariancePx2;
+                double[] covariance = errors.withAdded(variance).covariancePx2;
                 for (int i = 0; i < 64; i++) {
-                    inflated[i] *= factor;
+                    covariance[i] *= factor;
                 }
-                others.put(ids.get(m), errors.setAside(inflated));
+                others.put(ids.get(m), errors.setAside(covariance));
                 factors.put(ids.get(m), Math.sqrt(chiSquare / 2));
             }
         }
@@ -430,20 +453,30 @@ public final class CornerErrors {
                 edges, sizesMm, sizeStdMm, unknowns, Collections.unmodifiableMap(factors));
     }
 
-    private static double logOutlier(Squareness squareness, double variance) {
+    private static double[] inflations() {
         double step = Math.log(MOST_INFLATION / LEAST_INFLATION) / (INFLATIONS - 1);
-        double most = Double.NEGATIVE_INFINITY;
-        double sum = 0;
+        double[] out = new double[INFLATIONS];
         for (int k = 0; k < INFLATIONS; k++) {
-            double log = squareness.logLikelihood(variance, LEAST_INFLATION * Math.exp(k * step));
-            if (log > most) {
-                sum = sum * Math.exp(most - log) + 1;
-                most = log;
-            } else {
-                sum += Math.exp(log - most);
+            out[k] = LEAST_INFLATION * Math.exp(k * step);
+        }
+        return out;
+    }
+
+    /**
+     * Whether no marker can be one with an outlier, whatever the noise is: with the least of the grid each is likelier
+     * to have none. Of most photos this is so, and the mixture need not be worked out.
+     */
+    private static boolean areUsual(List<Squareness> squares, AddedNoise added) {
+        double[] inflations = inflations();
+        double prior = OUTLIER_MARKERS / (1 - OUTLIER_MARKERS);
+        for (Squareness squareness : squares) {
+            double odds = prior * squareness.largestRatio(added.variancePx2AtNode(0), inflations);
+            // not so for NaN
+            if (!(odds / (1 + odds) < SET_ASIDE - ROUNDING)) {
+                return false;
             }
         }
-        return most + Math.log(sum / INFLATIONS);
+        return true;
     }
 
     /**

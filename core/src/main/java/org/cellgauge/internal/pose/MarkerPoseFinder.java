@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Predicate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.geometry.RigidTransform;
 import org.cellgauge.internal.geometry.MarkerGeometry;
@@ -39,6 +40,7 @@ public final class MarkerPoseFinder {
     private final double[] squares = new double[BASINS];
     private final int[] order = new int[BASINS];
     private int found;
+    private final Predicate<CameraState> isFound = this::isKnown;
     /** The last searches with unit weights, in turn. */
     private final @Nullable Searched[] searched = new @Nullable Searched[REMEMBERED];
     private int next;
@@ -224,13 +226,14 @@ public final class MarkerPoseFinder {
         state.set(start, camera);
         // from each mode found the mirrored pose is tried; a third round comes back to the first
         for (int i = 0; i < BASINS; i++) {
-            if (!camera.lens().isWide() && !(state.offset[2] > 0) || Double.isNaN(fit.fit(state))) {
+            double cost = !camera.lens().isWide() && !(state.offset[2] > 0) ? Double.NaN
+                    : fit.fit(state, found == 0 ? null : isFound);
+            if (Double.isNaN(cost)) {
                 break;
             }
             // what Laplace's method needs is not worked out for a pose that is known
-            if (!isKnown()) {
-                double cost = fit.evaluate(state, true);
-                if (!(cost < Double.POSITIVE_INFINITY) || !fit.invertInformation(covariance)) {
+            if (!isKnown(state)) {
+                if (!fit.invertInformation(covariance)) {
                     break;
                 }
                 if (wholeModes) {
@@ -261,9 +264,9 @@ public final class MarkerPoseFinder {
         found = Math.min(found, 2);
     }
 
-    private boolean isKnown() {
+    private boolean isKnown(CameraState pose) {
         for (int k = 0; k < found; k++) {
-            if (Rotations.angle(state.rotation, rotations[k], product, turn) < SAME_MODE_RAD) {
+            if (Rotations.angle(pose.rotation, rotations[k], product, turn) < SAME_MODE_RAD) {
                 return true;
             }
         }

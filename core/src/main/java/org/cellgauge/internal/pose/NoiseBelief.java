@@ -33,7 +33,7 @@ public final class NoiseBelief {
             sum += weights[i];
             first += weights[i] * u;
             second += weights[i] * u * u;
-            variance += weights[i] * added.variancePx2(u);
+            variance += weights[i] * added.variancePx2AtNode(i);
         }
         for (int i = 0; i < weights.length; i++) {
             weights[i] /= sum;
@@ -88,7 +88,7 @@ public final class NoiseBelief {
      * @return standard deviation, px
      */
     public double quantileStdPx(double share) {
-        return Math.sqrt(added.variancePx2(AddedNoise.atNode(quantileNode(share))));
+        return Math.sqrt(added.variancePx2AtNode(quantileNode(share)));
     }
 
     /**

@@ -1,6 +1,7 @@
 package org.cellgauge.internal.pose;
 
 import java.util.Arrays;
+import java.util.function.Predicate;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.DampedGaussNewton;
@@ -20,6 +21,10 @@ import org.jspecify.annotations.Nullable;
 public final class ReprojectionFit {
     private static final int MAX_STEPS = 200;
     private static final double STEP_TOLERANCE = 1e-9;
+    /** Length of a step, in its own deviations, below which a fit is taken to settle. */
+    private static final double SETTLING = 0.3;
+    /** The same below which what the step gains may be less than the rounding of the cost. */
+    private static final double LOST = 1e-6;
 
     private final double[] points;
     private final double[] observed;
@@ -37,6 +42,8 @@ public final class ReprojectionFit {
     /** The weights in an array that modes share; null where they have changed since. */
     private double @Nullable [] keptWhitening;
     private final double[] residuals;
+    /** Residuals a step further. */
+    private final double[] tried;
     private final double[] jacobian;
     private final double[] information;
     private final double[] gradient;
@@ -49,6 +56,7 @@ public final class ReprojectionFit {
     private final double[] factor;
     private final double[] inverseFactor;
     private double isotropicStdPx = Double.NaN;
+    private boolean endsInRounding;
     private double[][] squares = {};
     private final double[] plainResiduals;
     private final double[] plainJacobian;
@@ -110,6 +118,7 @@ public final class ReprojectionFit {
         rows = blocks.firstRow(n) + intrinsicsPrior.count() + unknowns + (posePrior == null ? 0 : layout.poses());
         whitening = new double[blocks.firstEntry(n)];
         residuals = new double[rows];
+        tried = new double[rows];
         jacobian = new double[rows * columns];
         information = new double[columns * columns];
         gradient = new double[columns];
@@ -207,16 +216,27 @@ public final class ReprojectionFit {
     }
 
     /**
-     * Fits from a start on.
+     * Fits from a start on. Residuals, derivative and information are then those at the result.
      *
      * @param state start; receives the result
      * @return half the sum of squares at the result, or NaN if a corner of the start is not in front of the camera
      */
     public double fit(CameraState state) {
+        return fit(state, null);
+    }
+
+    /**
+     * The same, given up where it settles at a place that is known: one that is near, and hardly left by a step.
+     *
+     * @param state start; receives the result, or a place near the known one
+     * @param known tells such places; null to go to the end anyway
+     * @return half the sum of squares at the result, or NaN if a corner of the start is not in front of the camera
+     */
+    double fit(CameraState state, @Nullable Predicate<CameraState> known) {
         if (solver == null) {
             solver = new DampedGaussNewton(columns, DampedGaussNewton.Damping.NIELSEN, MAX_STEPS);
         }
-        double cost = solver.minimise(new Chart(state));
+        double cost = solver.minimise(new Chart(state, known));
         return cost < Double.POSITIVE_INFINITY ? cost : Double.NaN;
     }
 
@@ -231,9 +251,11 @@ public final class ReprojectionFit {
     private final class Chart implements DampedGaussNewton.Problem {
         private final CameraState state;
         private final CameraState candidate;
+        private final @Nullable Predicate<CameraState> known;
 
-        Chart(CameraState state) {
+        Chart(CameraState state, @Nullable Predicate<CameraState> known) {
             this.state = state;
+            this.known = known;
             candidate = candidate();
         }
 
@@ -254,7 +276,8 @@ public final class ReprojectionFit {
             for (int j = 0; j < unknowns; j++) {
                 candidate.unknowns[j] += step[layout.shared() + j];
             }
-            return rows(candidate, false);
+            // what is known of the state stays as it is: the step may not be taken
+            return rows(candidate, false, tried);
         }
 
         @Override
@@ -265,8 +288,19 @@ public final class ReprojectionFit {
         @Override
         public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
             // the length of the step in its own standard deviations decides, so that units do not matter
-            return squaredStds < STEP_TOLERANCE * STEP_TOLERANCE;
+            return squaredStds < STEP_TOLERANCE * STEP_TOLERANCE || isLostInRounding(squaredStds)
+                    || known != null && accepted && squaredStds < SETTLING * SETTLING && known.test(candidate);
         }
+
+        @Override
+        public boolean isLostInRounding(double squaredStds) {
+            return endsInRounding && squaredStds < LOST * LOST;
+        }
+    }
+
+    /** Ends fits with the first step that rounding can hide: of 1e-6 deviations. */
+    void endInRounding() {
+        endsInRounding = true;
     }
 
     /**
@@ -277,28 +311,59 @@ public final class ReprojectionFit {
      * @return half the sum of squares, or +infinity if a corner is not in front of the camera
      */
     public double evaluate(CameraState state, boolean withDerivatives) {
-        double cost = rows(state, withDerivatives);
+        double cost = rows(state, withDerivatives, residuals);
         if (withDerivatives && cost < Double.POSITIVE_INFINITY) {
-            for (int i = 0; i < columns; i++) {
-                double g = 0;
-                for (int k = 0; k < rows; k++) {
-                    g += jacobian[k * columns + i] * residuals[k];
-                }
-                gradient[i] = g;
-                for (int j = 0; j <= i; j++) {
-                    double s = 0;
-                    for (int k = 0; k < rows; k++) {
-                        s += jacobian[k * columns + i] * jacobian[k * columns + j];
-                    }
-                    information[i * columns + j] = s;
-                    information[j * columns + i] = s;
+            for (int i = 0; i < columns; i += 2) {
+                gradientOf(i, Math.min(i + 1, columns - 1));
+                for (int j = 0; j <= i; j += 2) {
+                    informationOf(i, Math.min(i + 1, columns - 1), j, Math.min(j + 1, columns - 1));
                 }
             }
         }
         return cost;
     }
 
-    private double rows(CameraState state, boolean withDerivatives) {
+    /** The gradient by two unknowns. */
+    private void gradientOf(int i0, int i1) {
+        double g0 = 0;
+        double g1 = 0;
+        for (int k = 0, row = 0; k < rows; k++, row += columns) {
+            double r = residuals[k];
+            g0 += jacobian[row + i0] * r;
+            g1 += jacobian[row + i1] * r;
+        }
+        gradient[i0] = g0;
+        gradient[i1] = g1;
+    }
+
+    /** Two by two entries of the information: four sums side by side do not wait for each other. */
+    private void informationOf(int i0, int i1, int j0, int j1) {
+        double s00 = 0;
+        double s01 = 0;
+        double s10 = 0;
+        double s11 = 0;
+        for (int k = 0, row = 0; k < rows; k++, row += columns) {
+            double a0 = jacobian[row + i0];
+            double a1 = jacobian[row + i1];
+            double b0 = jacobian[row + j0];
+            double b1 = jacobian[row + j1];
+            s00 += a0 * b0;
+            s01 += a0 * b1;
+            s10 += a1 * b0;
+            s11 += a1 * b1;
+        }
+        setInformation(i0, j0, s00);
+        setInformation(i0, j1, s01);
+        setInformation(i1, j0, s10);
+        setInformation(i1, j1, s11);
+    }
+
+    private void setInformation(int i, int j, double value) {
+        information[i * columns + j] = value;
+        information[j * columns + i] = value;
+    }
+
+    private double rows(CameraState state, boolean withDerivatives, double[] residuals) {
         if (!(state.intrinsics[PinholeCamera.FX] > 0 && state.intrinsics[PinholeCamera.FY] > 0)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -310,27 +375,8 @@ public final class ReprojectionFit {
                     return Double.POSITIVE_INFINITY;
                 }
             }
-            int firstRow = blocks.firstRow(m);
-            int firstEntry = blocks.firstEntry(m);
-            for (int i = 0; i < size; i++) {
-                int row = firstRow + i;
-                int entry = firstEntry + size * i;
-                double r = 0;
-                for (int k = 0; k <= i; k++) {
-                    r += whitening[entry + k] * plainResiduals[k];
-                }
-                residuals[row] = r;
-                cost += 0.5 * r * r;
-                if (withDerivatives) {
-                    for (int c = 0; c < columns; c++) {
-                        double s = 0;
-                        for (int k = 0; k <= i; k++) {
-                            s += whitening[entry + k] * plainJacobian[k * columns + c];
-                        }
-                        jacobian[row * columns + c] = s;
-                    }
-                }
-            }
+            cost = isotropicStdPx > 0 ? scaled(m, withDerivatives, residuals, cost)
+                    : whitened(m, withDerivatives, residuals, cost);
         }
         int ofCorners = blocks.firstRow(blocks.blocks());
         for (int i = 0; i < intrinsicsPrior.count(); i++) {
@@ -363,6 +409,82 @@ public final class ReprojectionFit {
             }
         }
         return Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost;
+    }
+
+    /** Residuals and derivative of a block from those in px, all weighed alike; returns the cost with its own. */
+    private double scaled(int block, boolean withDerivatives, double[] residuals, double before) {
+        double weight = 1 / isotropicStdPx;
+        int size = blocks.rows(block);
+        int firstRow = blocks.firstRow(block);
+        double cost = before;
+        for (int i = 0; i < size; i++) {
+            // no zero is negative, as in a sum
+            double r = 0 + weight * plainResiduals[i];
+            residuals[firstRow + i] = r;
+            cost += 0.5 * r * r;
+        }
+        if (withDerivatives) {
+            int first = firstRow * columns;
+            for (int i = 0; i < size * columns; i++) {
+                jacobian[first + i] = 0 + weight * plainJacobian[i];
+            }
+        }
+        return cost;
+    }
+
+    /** The same weighed by the block's whitening matrix. */
+    private double whitened(int block, boolean withDerivatives, double[] residuals, double before) {
+        int size = blocks.rows(block);
+        int firstRow = blocks.firstRow(block);
+        int entry = blocks.firstEntry(block);
+        double cost = before;
+        for (int i = 0; i < size; i++, entry += size) {
+            double r = 0;
+            for (int k = 0; k <= i; k++) {
+                r += whitening[entry + k] * plainResiduals[k];
+            }
+            residuals[firstRow + i] = r;
+            cost += 0.5 * r * r;
+            if (withDerivatives) {
+                whitenDerivative(entry, i, (firstRow + i) * columns);
+            }
+        }
+        return cost;
+    }
+
+    /** A row of the whitened derivative; the six of a pose are summed side by side, none waiting for another. */
+    private void whitenDerivative(int entry, int i, int to) {
+        int c = 0;
+        for (; c + StateLayout.POSE <= columns; c += StateLayout.POSE) {
+            double s0 = 0;
+            double s1 = 0;
+            double s2 = 0;
+            double s3 = 0;
+            double s4 = 0;
+            double s5 = 0;
+            for (int k = 0, at = c; k <= i; k++, at += columns) {
+                double w = whitening[entry + k];
+                s0 += w * plainJacobian[at];
+                s1 += w * plainJacobian[at + 1];
+                s2 += w * plainJacobian[at + 2];
+                s3 += w * plainJacobian[at + 3];
+                s4 += w * plainJacobian[at + 4];
+                s5 += w * plainJacobian[at + 5];
+            }
+            jacobian[to + c] = s0;
+            jacobian[to + c + 1] = s1;
+            jacobian[to + c + 2] = s2;
+            jacobian[to + c + 3] = s3;
+            jacobian[to + c + 4] = s4;
+            jacobian[to + c + 5] = s5;
+        }
+        for (; c < columns; c++) {
+            double s = 0;
+            for (int k = 0; k <= i; k++) {
+                s += whitening[entry + k] * plainJacobian[k * columns + c];
+            }
+            jacobian[to + c] = s;
+        }
     }
 
     /**

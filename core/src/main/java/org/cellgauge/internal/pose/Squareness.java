@@ -1,6 +1,7 @@
 package org.cellgauge.internal.pose;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What four corners say of their own noise: 8 coordinates less the 6 of a pose leave 2 that no pose explains;
@@ -15,6 +16,21 @@ final class Squareness {
     private final double[] logVolume;
     private final double[] z;
     private final double[] left;
+    /** Asked for again and again; of the noise that was asked for last. */
+    private volatile @Nullable Table table;
+
+    /** Logarithms of the likelihood by the node of a noise. */
+    private static final class Table {
+        private final AddedNoise noise;
+        private final double[] logLikelihoods = new double[AddedNoise.NODES];
+
+        Table(AddedNoise noise, Squareness of) {
+            this.noise = noise;
+            for (int node = 0; node < logLikelihoods.length; node++) {
+                logLikelihoods[node] = of.logLikelihood(noise.variancePx2AtNode(node), 1);
+            }
+        }
+    }
 
     /**
      * Reads squareness off the modes of a marker.
@@ -122,11 +138,87 @@ final class Squareness {
      * @return finite if the covariance is positive definite
      */
     double logLikelihood(double addedPx2, double inflation) {
+        return logLikelihood(prepared(addedPx2, new double[2 * logVolume.length]), inflation, Math.log(inflation));
+    }
+
+    /**
+     * The same without inflation at a node of a noise.
+     *
+     * @param noise added to every coordinate
+     * @param node of its grid
+     * @return finite if the covariance is positive definite
+     */
+    double logLikelihood(AddedNoise noise, int node) {
+        Table known = table;
+        if (known == null || known.noise != noise) {
+            known = new Table(noise, this);
+            table = known;
+        }
+        return known.logLikelihoods[node];
+    }
+
+    /**
+     * Logarithm of the mean of the integrated likelihood over inflations that are equally likely.
+     *
+     * @param addedPx2 variance added to every coordinate, px²
+     * @param inflations factors on all of the covariance
+     * @param logInflations their logarithms
+     * @return finite if the covariance is positive definite
+     */
+    double logMeanLikelihood(double addedPx2, double[] inflations, double[] logInflations) {
+        double[] prepared = prepared(addedPx2, new double[2 * logVolume.length]);
         double most = Double.NEGATIVE_INFINITY;
         double sum = 0;
+        for (int k = 0; k < inflations.length; k++) {
+            double log = logLikelihood(prepared, inflations[k], logInflations[k]);
+            if (log > most) {
+                sum = sum * Math.exp(most - log) + 1;
+                most = log;
+            } else {
+                sum += Math.exp(log - most);
+            }
+        }
+        return most + Math.log(sum / inflations.length);
+    }
+
+    /**
+     * A bound of the ratio of that mean to the likelihood without inflation, for this added variance and all larger
+     * ones: squares shrink as variance is added, and the larger they are the more an inflation explains.
+     *
+     * @param addedPx2 variance added to every coordinate, px²
+     * @param inflations factors on all of the covariance
+     * @return NaN where the covariance is not positive definite
+     */
+    double largestRatio(double addedPx2, double[] inflations) {
+        double most = 0;
         for (int k = 0; k < logVolume.length; k++) {
-            double log = logVolume[k] - 0.5 * Math.log(determinant(k, addedPx2)) - Math.log(inflation)
-                    - 0.5 * squares(k, addedPx2) / inflation;
+            boolean definite = left[3 * k] + addedPx2 > 0 && determinant(k, addedPx2) > 0;
+            most = Math.max(most, definite ? squares(k, addedPx2) : Double.NaN);
+        }
+        double sum = 0;
+        for (double inflation : inflations) {
+            sum += Math.exp(0.5 * most * (1 - 1 / inflation)) / inflation;
+        }
+        return sum / inflations.length;
+    }
+
+    /** What of each mode's likelihood does not depend on the inflation, and half of its squares. */
+    private double[] prepared(double addedPx2, double[] out) {
+        for (int k = 0; k < logVolume.length; k++) {
+            out[2 * k] = logVolume[k] - 0.5 * Math.log(determinant(k, addedPx2));
+            out[2 * k + 1] = 0.5 * squares(k, addedPx2);
+        }
+        return out;
+    }
+
+    private static double logLikelihood(double[] prepared, double inflation, double logInflation) {
+        double most = prepared[0] - logInflation - prepared[1] / inflation;
+        if (prepared.length == 2) {
+            return most;
+        }
+        double sum = 1;
+        for (int k = 2; k < prepared.length; k += 2) {
+            double log = prepared[k] - logInflation - prepared[k + 1] / inflation;
             if (log > most) {
                 sum = sum * Math.exp(most - log) + 1;
                 most = log;

@@ -135,6 +135,95 @@ class ReprojectionFitTest {
         assertThrows(IllegalStateException.class, () -> fit.jacobianAt(state));
     }
 
+    private static ReprojectionFit weighed(CameraState at) {
+        ReprojectionFit fit = new ReprojectionFit(VIEW.points(), VIEW.observed(), IntrinsicsPrior.KNOWN, null);
+        assertTrue(fit.freeze(new RigidMarkerNoise(VIEW, 0.3), at));
+        return fit;
+    }
+
+    @Test
+    void fitLeavesWhatIsKnownOfItsResult() {
+        for (int column = 0; column < 6; column++) {
+            CameraState state = moved(state(), IntrinsicsPrior.KNOWN, column, column < 3 ? 20 : 0.05);
+            ReprojectionFit fit = weighed(state);
+            fit.fit(state);
+            double[] residuals = fit.residuals().clone();
+            double[] jacobian = fit.jacobian().clone();
+            double[] information = fit.information().clone();
+            fit.evaluate(state, true);
+            assertArrayEquals(fit.residuals(), residuals, 0);
+            assertArrayEquals(fit.jacobian(), jacobian, 0);
+            assertArrayEquals(fit.information(), information, 0);
+        }
+    }
+
+    @Test
+    void informationIsTheSquareOfTheDerivative() {
+        CameraState state = state();
+        ReprojectionFit fit = new ReprojectionFit(VIEW.points(), VIEW.observed(),
+                IntrinsicsPrior.of(STRONG, new int[] {0}, new double[] {200}), null);
+        fit.setIsotropic(0.3);
+        assertEquals(7, fit.columns());
+        double[] j = fit.jacobianAt(state);
+        for (int a = 0; a < 7; a++) {
+            for (int b = 0; b < 7; b++) {
+                double sum = 0;
+                for (int k = 0; k < fit.rows(); k++) {
+                    sum += j[7 * k + a] * j[7 * k + b];
+                }
+                assertEquals(sum, fit.information()[7 * a + b], 0);
+            }
+        }
+    }
+
+    @Test
+    void equalWeightsAreThoseOfADiagonalMatrix() {
+        CameraState state = moved(state(), IntrinsicsPrior.KNOWN, 3, 0.05);
+        ReprojectionFit equal = new ReprojectionFit(VIEW.points(), VIEW.observed(), IntrinsicsPrior.KNOWN, null);
+        ReprojectionFit diagonal = new ReprojectionFit(VIEW.points(), VIEW.observed(), IntrinsicsPrior.KNOWN, null);
+        equal.setIsotropic(0.3);
+        diagonal.setWhitening(equal.whitening().clone());
+        assertEquals(diagonal.evaluate(state, true), equal.evaluate(state, true), 0);
+        assertArrayEquals(diagonal.residuals(), equal.residuals(), 0);
+        assertArrayEquals(diagonal.jacobian(), equal.jacobian(), 0);
+    }
+
+    @Test
+    void fitThatEndsInRoundingLeavesNothingThatShows() {
+        for (int column = 0; column < 6; column++) {
+            CameraState state = moved(state(), IntrinsicsPrior.KNOWN, column, column < 3 ? 20 : 0.05);
+            ReprojectionFit fit = weighed(state);
+            fit.endInRounding();
+            fit.fit(state);
+            SimpleMatrix information = new SimpleMatrix(6, 6, true, fit.information());
+            SimpleMatrix jacobian = new SimpleMatrix(fit.rows(), 6, true, fit.jacobian());
+            SimpleMatrix residuals = new SimpleMatrix(fit.rows(), 1, true, fit.residuals());
+            SimpleMatrix gradient = jacobian.transpose().mult(residuals);
+            double left = gradient.dot(information.solve(gradient));
+            assertEquals(0, Math.sqrt(left), 1e-5, "deviations left from column " + column);
+        }
+    }
+
+    @Test
+    void fitIsGivenUpWhereItSettlesAtAKnownPlace() {
+        CameraState state = moved(state(), IntrinsicsPrior.KNOWN, 0, 20);
+        ReprojectionFit fit = weighed(state);
+        CameraState end = state.copy();
+        fit.fit(end);
+        int[] asked = {0};
+        CameraState givenUp = state.copy();
+        fit.fit(givenUp, at -> {
+            asked[0]++;
+            return true;
+        });
+        assertEquals(1, asked[0]);
+        double[] left = givenUp.stepFrom(end);
+        assertTrue(Math.abs(left[0]) < 1 && Math.abs(left[2]) < 1, "given up before it settles");
+        CameraState unknown = state.copy();
+        fit.fit(unknown, at -> false);
+        assertArrayEquals(end.offset, unknown.offset, 0);
+    }
+
     @Test
     void stepBetweenStatesLeadsFromOneToTheOther() {
         CameraState base = state();
