@@ -18,7 +18,6 @@ import org.cellgauge.internal.laplace.CameraFit;
 import org.cellgauge.internal.laplace.LinearModel;
 import org.cellgauge.internal.laplace.ObjectFit;
 import org.cellgauge.internal.pose.AddedNoise;
-import org.cellgauge.internal.pose.CameraModeFinder;
 import org.cellgauge.internal.pose.CameraState;
 import org.cellgauge.internal.pose.CornerErrors;
 import org.cellgauge.internal.pose.InitialPose;
@@ -369,30 +368,19 @@ final class CellModes {
             }
             NoiseBelief belief = new NoiseBelief(errors.added(), log);
             CameraFit noisy = fit.with(belief, belief.ofMeanVariance(), logNoise);
-            List<PoseMode> modes = finder(noisy).modes(fit.worldFromCamera(), finder);
+            List<PoseMode> modes = noisy.finder(fit.view).modes(fit.worldFromCamera(), finder);
             if (errors.fromNothing()) {
                 warnings.add(Observed.noiseWarning(belief));
             }
             return noisy.at(notNegligible(modes.isEmpty() ? fit.modes : modes));
         }
 
-        /** Whether this is one look of many, that started from the last one, and no result. */
-        private boolean isLook() {
-            return worldFromCameraStart != null;
-        }
-
-        private CameraModeFinder finder(CameraFit fit) {
-            CameraModeFinder of = fit.finder(fit.view);
-            return isLook() ? of.forLook() : of;
-        }
-
         /**
          * Logarithm of the mass of the camera's posterior at an added noise, by Laplace's method: about the modes known
          * already, since the noise moves modes and weighs them and hardly makes any.
          */
-        private double logMass(CameraFit fit, int node) {
-            CameraModeFinder atNode = fit.finder(fit.view, AddedNoise.atNode(node));
-            List<PoseMode> modes = (isLook() ? atNode.forMassOfLook() : atNode).refined(fit.modes);
+        private static double logMass(CameraFit fit, int node) {
+            List<PoseMode> modes = fit.finder(fit.view, AddedNoise.atNode(node)).refined(fit.modes);
             if (modes.isEmpty()) {
                 return Double.NEGATIVE_INFINITY;
             }
@@ -544,7 +532,7 @@ final class CellModes {
         /** The camera at the modes that the start leads to; null where they leave more unexplained than noise would. */
         private @Nullable CameraFit fitFromStart(ReferenceView view, RigidTransform start, IntrinsicsPrior intrinsics) {
             CameraFit fit = new CameraFit(cell.camera(), settings, view, intrinsics, null, errors, observed.noiseLevel);
-            List<PoseMode> modes = finder(fit).modes(start, finder);
+            List<PoseMode> modes = fit.finder(view).modes(start, finder);
             if (modes.isEmpty() || 2 * modes.get(0).halfChiSquare()
                     > CoverageRegion.chiSquareQuantile(EXPLAINED, 8 * view.size() - 6)) {
                 return null;

@@ -44,17 +44,6 @@ public final class DampedGaussNewton {
          * @return true to end
          */
         boolean isEnough(double squaredStds, double before, double after, boolean accepted);
-
-        /**
-         * Whether a step is so small that rounding, and not the step, decides whether the cost grows: it is then taken
-         * anyway.
-         *
-         * @param squaredStds its squared length in standard deviations of the damped problem
-         * @return false where costs are compared to the end
-         */
-        default boolean isLostInRounding(double squaredStds) {
-            return false;
-        }
     }
 
     /** How damping starts, and how it follows the success of steps. */
@@ -183,8 +172,7 @@ public final class DampedGaussNewton {
             Cholesky.solveUpper(damped, unknowns, step);
             double before = cost;
             double after = problem.at(step);
-            boolean accepted = after <= before
-                    || after < Double.POSITIVE_INFINITY && problem.isLostInRounding(squaredStds);
+            boolean accepted = after <= before;
             boolean enough = problem.isEnough(squaredStds, before, after, accepted);
             if (accepted) {
                 double foretold = foretold(lambda);

@@ -20,7 +20,6 @@ import org.jspecify.annotations.Nullable;
 public final class CameraModeFinder {
     private static final int MAX_FREEZES = 100;
     private static final double AGREEMENT = 1e-6;
-    private static final double AGREEMENT_OF_MASS = 1e-5;
     /** A mode with less than this share of the heaviest one's mass cannot change any figure shown. */
     private static final double NEGLIGIBLE_LOG_WEIGHT = -20;
     private static final double SAME_MODE_STDS = 1e-2;
@@ -44,8 +43,6 @@ public final class CameraModeFinder {
     private @Nullable Linearisation linearisation;
     private @Nullable ReprojectionFit fit;
     private @Nullable CameraState before;
-    private boolean ofLook;
-    private double agreement = AGREEMENT;
 
     /**
      * A finder.
@@ -63,27 +60,6 @@ public final class CameraModeFinder {
         this.noise = noise;
         this.intrinsicsPrior = intrinsicsPrior;
         this.posePrior = posePrior;
-    }
-
-    /**
-     * Leaves some millionths of a deviation open, for a look that is shown and forgotten: fits end where
-     * rounding decides on their steps, which takes a third of the steps.
-     *
-     * @return this
-     */
-    public CameraModeFinder forLook() {
-        ofLook = true;
-        return this;
-    }
-
-    /**
-     * The same for a look that only wants to know the mass of modes, which changes by the square of how far they move.
-     *
-     * @return this
-     */
-    public CameraModeFinder forMassOfLook() {
-        agreement = AGREEMENT_OF_MASS;
-        return forLook();
     }
 
     /**
@@ -324,9 +300,6 @@ public final class CameraModeFinder {
         if (fit == null) {
             fit = new ReprojectionFit(view.blocks(), errors.points, errors.observed, view.columns(), view.unknowns(),
                     intrinsicsPrior, posePrior);
-            if (ofLook) {
-                fit.endInRounding();
-            }
         }
         return fit;
     }
@@ -350,7 +323,7 @@ public final class CameraModeFinder {
                 return null;
             }
             double squared = squaredStep(before, state, fit);
-            if (squared < agreement * agreement && errors.agree(fit)) {
+            if (squared < AGREEMENT * AGREEMENT && errors.agree(fit)) {
                 break;
             }
             errors.move(fit);
@@ -445,7 +418,7 @@ public final class CameraModeFinder {
 
         /** Whether the residuals of a fit say that the errors are what they are taken for. */
         boolean agree(ReprojectionFit fit) {
-            return !rigid || change(fit) < agreement;
+            return !rigid || change(fit) < AGREEMENT;
         }
 
         /** Length of the change that the residuals ask for, in stated deviations. */

@@ -23,8 +23,6 @@ public final class ReprojectionFit {
     private static final double STEP_TOLERANCE = 1e-9;
     /** Length of a step, in its own deviations, below which a fit is taken to settle. */
     private static final double SETTLING = 0.3;
-    /** The same below which what the step gains may be less than the rounding of the cost. */
-    private static final double LOST = 1e-6;
 
     private final double[] points;
     private final double[] observed;
@@ -56,7 +54,6 @@ public final class ReprojectionFit {
     private final double[] factor;
     private final double[] inverseFactor;
     private double isotropicStdPx = Double.NaN;
-    private boolean endsInRounding;
     private double[][] squares = {};
     private final double[] plainResiduals;
     private final double[] plainJacobian;
@@ -288,19 +285,9 @@ public final class ReprojectionFit {
         @Override
         public boolean isEnough(double squaredStds, double before, double after, boolean accepted) {
             // the length of the step in its own standard deviations decides, so that units do not matter
-            return squaredStds < STEP_TOLERANCE * STEP_TOLERANCE || isLostInRounding(squaredStds)
+            return squaredStds < STEP_TOLERANCE * STEP_TOLERANCE
                     || known != null && accepted && squaredStds < SETTLING * SETTLING && known.test(candidate);
         }
-
-        @Override
-        public boolean isLostInRounding(double squaredStds) {
-            return endsInRounding && squaredStds < LOST * LOST;
-        }
-    }
-
-    /** Ends fits with the first step that rounding can hide: of 1e-6 deviations. */
-    void endInRounding() {
-        endsInRounding = true;
     }
 
     /**
