@@ -15,6 +15,9 @@ final class BandPixels {
     /** How far from the outline between those points pixels are asked whether they lie in the band, px. */
     private static final double MARGIN_PX = 0.5;
 
+    /** Pixels that room is made for before they are gathered, at most. */
+    private static final double MOST_FORESEEN = 1 << 20;
+
     /** How many there are. */
     int count;
     /** Place along the side from its middle, px, and across it, outwards. */
@@ -50,6 +53,8 @@ final class BandPixels {
         setOutline(plane, side, halfLength, inner, outer);
         setSpans(image);
         count = 0;
+        // about as many as square pixels; a lens may make it more
+        reserve((int) Math.min(MOST_FORESEEN, 64 + 2.3 * halfLength * Math.max(0, inner + outer)));
         for (int r = 0; r < rows; r++) {
             int y = top + r;
             int first = Math.max(0, (int) Math.floor(low[r]) - 1);
@@ -139,7 +144,7 @@ final class BandPixels {
 
     private void reserve(int more) {
         if (count + more > along.length) {
-            int length = Math.max(256, 2 * (count + more));
+            int length = count == 0 ? more : 2 * (count + more);
             along = Arrays.copyOf(along, length);
             across = Arrays.copyOf(across, length);
             grey = Arrays.copyOf(grey, length);

@@ -123,6 +123,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final List<MarkerEdges> edges = new ArrayList<>();
     private int edgesUsed;
     private final MarkerGrid grid;
+    private final EdgeWork.Pool works;
     private final SquareResidual residual;
     private final GrayU8 view = new GrayU8();
 
@@ -186,6 +187,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
             configure(bentSquares, false);
         }
         this.grid = familyPatterns.grid();
+        this.works = new EdgeWork.Pool(grid);
         this.residual = new SquareResidual(camera);
         view.subImage = true;
     }
@@ -521,7 +523,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     private MarkerEdges edges(int number) {
         if (number == edges.size()) {
-            edges.add(new MarkerEdges(camera, grid, scale));
+            edges.add(new MarkerEdges(camera, grid, scale, works));
         }
         return edges.get(number);
     }

@@ -60,7 +60,8 @@ final class MarkerEdges {
     private final MarkerGrid grid;
     private final GreyScale scale;
     private final EdgeProfile profile = new EdgeProfile();
-    private final SideFit[] sides = {new SideFit(), new SideFit(), new SideFit(), new SideFit()};
+    private final SideFit.Work sums = new SideFit.Work();
+    private final SideFit[] sides = {new SideFit(sums), new SideFit(sums), new SideFit(sums), new SideFit(sums)};
 
     private final double[] ideal = new double[2 * CORNERS];
     private final double[] refined = new double[2 * CORNERS];
@@ -82,22 +83,7 @@ final class MarkerEdges {
     private boolean unsharpened;
     private final SharpenedStep step = new SharpenedStep();
 
-    private final BandPixels band = new BandPixels();
-    private final PatternLight pattern;
-    private final PaperEdge paper = new PaperEdge();
-    // of the pixels of a band, work space
-    private double[] depths = new double[0];
-    private double[] shares = new double[0];
-    private double[] ofBlur = new double[0];
-    private double[] lights = new double[0];
-    private double[] greys = new double[0];
-    private double[] byLights = new double[0];
-    private double[] insides = new double[0];
-    private double[] asked = new double[0];
-    private double[] outlineShares = new double[0];
-    private double[] outlineByDistance = new double[0];
-    private double[] outlineByBlur = new double[0];
-    private int[] places = new int[0];
+    private final EdgeWork.Pool works;
 
     // the sides before and after the one at hand: where they meet it, their change along it with depth, and its cosine
     private final double[] cornerAt = new double[2];
@@ -133,13 +119,14 @@ final class MarkerEdges {
      * @param camera camera of the images
      * @param grid lattice of the family's markers
      * @param scale tone curve and noise, which may change between the calls of methods
+     * @param works work space, shared with other markers
      */
-    MarkerEdges(PinholeCamera camera, MarkerGrid grid, GreyScale scale) {
+    MarkerEdges(PinholeCamera camera, MarkerGrid grid, GreyScale scale, EdgeWork.Pool works) {
         this.scale = scale.another();
         this.plane = new StraightPlane(camera);
         this.distorted = camera.isDistorting();
         this.grid = grid;
-        this.pattern = new PatternLight(grid);
+        this.works = works;
     }
 
     /**
@@ -304,6 +291,15 @@ final class MarkerEdges {
     }
 
     private boolean passes(GreyImage image, int most, double stillGoodPx) {
+        EdgeWork work = works.take();
+        try {
+            return passes(image, most, stillGoodPx, work);
+        } finally {
+            works.giveBack(work);
+        }
+    }
+
+    private boolean passes(GreyImage image, int most, double stillGoodPx, EdgeWork work) {
         for (int pass = 0; pass < most; pass++) {
             if (!setHomography()) {
                 return false;
@@ -313,7 +309,7 @@ final class MarkerEdges {
             double blurMoved = 0;
             for (int i = 0; i < CORNERS; i++) {
                 double blur = sides[i].unknowns[SideFit.BLUR];
-                if (!setSide(i, centreX, centreY) || !fitSide(image, i)) {
+                if (!setSide(i, centreX, centreY) || !fitSide(image, i, work)) {
                     return false;
                 }
                 blurMoved = Math.max(blurMoved, Math.abs(sides[i].unknowns[SideFit.BLUR] - blur));
@@ -486,7 +482,9 @@ final class MarkerEdges {
 
     // ---- one side
 
-    private boolean fitSide(GreyImage image, int i) {
+    private boolean fitSide(GreyImage image, int i, EdgeWork work) {
+        PatternLight pattern = work.pattern;
+        PaperEdge paper = work.paper;
         SideFit side = sides[i];
         double blur = !side.started() ? FIRST_BLUR_PX : side.unknowns[SideFit.BLUR];
         double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
@@ -498,9 +496,9 @@ final class MarkerEdges {
         double outer = Math.min(halfWidth, Math.max(1, paper.px - 0.3));
         side.clear(blur);
         setLampOf(side);
-        band.gather(image, levels(), plane, side, side.halfLengthPx, inner, outer);
-        setLightFromElsewhere(blur, std);
-        addPixels(side, inner, std);
+        work.band.gather(image, levels(), plane, side, side.halfLengthPx, inner, outer);
+        setLightFromElsewhere(work, blur, std);
+        addPixels(side, work, inner, std);
         return side.fit(scale, profile, FIRST_BLUR_PX, settledPx);
     }
 
@@ -510,13 +508,16 @@ final class MarkerEdges {
     }
 
     /** Light that the pixels of the band see of the pattern inside and of the ground beyond the paper. */
-    private void setLightFromElsewhere(double blur, double std) {
+    private void setLightFromElsewhere(EdgeWork work, double blur, double std) {
+        PatternLight pattern = work.pattern;
+        PaperEdge paper = work.paper;
+        BandPixels band = work.band;
         int count = band.count;
-        reserve(count);
+        work.reserve(count);
         double[] along = band.along;
         double[] across = band.across;
-        double[] more = shares;
-        double[] moreByBlur = ofBlur;
+        double[] more = work.shares;
+        double[] moreByBlur = work.ofBlur;
         Arrays.fill(more, 0, count, 0);
         Arrays.fill(moreByBlur, 0, count, 0);
         double from = pattern.borderPx() - REACH * std;
@@ -524,16 +525,16 @@ final class MarkerEdges {
         int inside = 0;
         for (int k = 0; k < count; k++) {
             if (-across[k] > from + slope * along[k]) {
-                places[inside] = k;
-                asked[inside] = along[k];
-                depths[inside++] = -across[k];
+                work.places[inside] = k;
+                work.asked[inside] = along[k];
+                work.depths[inside++] = -across[k];
             }
         }
         if (inside > 0) {
-            pattern.see(asked, depths, inside, profile, blur, std, 0);
+            pattern.see(work.asked, work.depths, inside, profile, blur, std, 0);
             for (int j = 0; j < inside; j++) {
-                more[places[j]] = pattern.share[j];
-                moreByBlur[places[j]] = pattern.byBlur[j];
+                more[work.places[j]] = pattern.share[j];
+                moreByBlur[work.places[j]] = pattern.byBlur[j];
             }
         }
         double nearPaper = paper.px - REACH * std;
@@ -546,10 +547,11 @@ final class MarkerEdges {
     }
 
     /** Hands the pixels of the band to the fit. */
-    private void addPixels(SideFit side, double inner, double std) {
+    private void addPixels(SideFit side, EdgeWork work, double inner, double std) {
+        BandPixels band = work.band;
         for (int k = 0; k < 2; k++) {
             cornerAt[k] = (k - 0.5) * side.lengthPx;
-            pattern.place(k, 0.5, point);
+            work.pattern.place(k, 0.5, point);
             cornerSlope[k] = (point[0] - cornerAt[k]) / point[1];
             cornerCosine[k] = 1 / Math.sqrt(1 + cornerSlope[k] * cornerSlope[k]);
         }
@@ -564,27 +566,8 @@ final class MarkerEdges {
             double t = band.along[k];
             double d = band.across[k];
             double window = t > first && t < last ? 1 : window(t, -d, std, inverseStd);
-            side.add(t, d, band.grey[k], band.floor[k], band.cap[k], window, shares[k], ofBlur[k]);
+            side.add(t, d, band.grey[k], band.floor[k], band.cap[k], window, work.shares[k], work.ofBlur[k]);
         }
-    }
-
-    private void reserve(int count) {
-        if (shares.length >= count) {
-            return;
-        }
-        int length = Math.max(256, 2 * count);
-        depths = new double[length];
-        shares = new double[length];
-        ofBlur = new double[length];
-        lights = new double[length];
-        greys = new double[length];
-        byLights = new double[length];
-        insides = new double[length];
-        asked = new double[length];
-        outlineShares = new double[length];
-        outlineByDistance = new double[length];
-        outlineByBlur = new double[length];
-        places = new int[length];
     }
 
     /**
@@ -633,7 +616,7 @@ final class MarkerEdges {
     /**
      * Evaluates what the fits say of themselves.
      *
-     * @param withPower whether the power of the curve is asked for
+     * @param withPower whether the power of the curve is work.asked for
      * @return false where the information of a side is singular
      */
     boolean conclude(boolean withPower) {
@@ -655,24 +638,30 @@ final class MarkerEdges {
      */
     void measureShift(GreyImage image) {
         setHomography();
-        for (int i = 0; i < MAX_SHIFT_STEPS; i++) {
-            double from = shiftPx;
-            stepShift(image);
-            if (!shiftMeasured || Math.abs(shiftPx - from) < LINEAR_SHIFT_PX) {
-                return;
+        EdgeWork work = works.take();
+        try {
+            double from = Double.NaN;
+            for (int i = 0; i < MAX_SHIFT_STEPS && !(Math.abs(shiftPx - from) < LINEAR_SHIFT_PX); i++) {
+                from = shiftPx;
+                stepShift(image, work);
+                if (!shiftMeasured) {
+                    return;
+                }
             }
+        } finally {
+            works.giveBack(work);
         }
     }
 
-    private void stepShift(GreyImage image) {
+    private void stepShift(GreyImage image, EdgeWork work) {
         Arrays.fill(normal, 0);
         Arrays.fill(gradient, 0);
         for (int i = 0; i < CORNERS; i++) {
             Arrays.fill(byOwn[i], 0);
             Arrays.fill(byOwnAlong[i], 0);
             Arrays.fill(byOwnBlur[i], 0);
-            seeInnerEdge(image, i);
-            addInnerEdge(sides[i], byOwn[i], byOwnAlong[i], byOwnBlur[i]);
+            seeInnerEdge(image, i, work);
+            addInnerEdge(sides[i], work, byOwn[i], byOwnAlong[i], byOwnBlur[i]);
         }
         double[] n = normal;
         double[] g = gradient;
@@ -711,7 +700,9 @@ final class MarkerEdges {
     }
 
     /** Gathers the pixels about the inner edge of the border beside a side, and what light they are expected to have. */
-    private void seeInnerEdge(GreyImage image, int i) {
+    private void seeInnerEdge(GreyImage image, int i, EdgeWork work) {
+        PatternLight pattern = work.pattern;
+        BandPixels band = work.band;
         SideFit side = sides[i];
         double blur = side.unknowns[SideFit.BLUR];
         double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
@@ -725,33 +716,35 @@ final class MarkerEdges {
         double halfLength = side.lengthPx / 2 - grid.borderCells() * cell;
         band.gather(image, levels(), plane, side, halfLength, deep, -shallow);
         int count = band.count;
-        reserve(count);
+        work.reserveInner(count);
         double[] along = band.along;
-        double[] depth = depths;
+        double[] depth = work.depths;
         for (int k = 0; k < count; k++) {
             depth[k] = -band.across[k];
         }
         pattern.see(along, depth, count, profile, blur, std, 2 / side.lengthPx);
-        System.arraycopy(pattern.share, 0, shares, 0, count);
-        System.arraycopy(pattern.byBlur, 0, ofBlur, 0, count);
+        System.arraycopy(pattern.share, 0, work.shares, 0, count);
+        System.arraycopy(pattern.byBlur, 0, work.ofBlur, 0, count);
         double reach = REACH * std;
         if (shallow < reach) {
             double offset = side.unknowns[SideFit.OFFSET];
             double slope = side.unknowns[SideFit.SLOPE];
             for (int k = 0; k < count; k++) {
-                asked[k] = -depth[k] - offset - slope * along[k];
+                work.asked[k] = -depth[k] - offset - slope * along[k];
             }
-            profile.at(asked, count, blur, outlineShares, outlineByDistance, outlineByBlur);
+            profile.at(work.asked, count, blur, work.outlineShares, work.outlineByDistance, work.outlineByBlur);
             for (int k = 0; k < count; k++) {
                 boolean seen = depth[k] < reach;
-                shares[k] += seen ? outlineShares[k] : 0;
-                ofBlur[k] += seen ? outlineByBlur[k] : 0;
+                work.shares[k] += seen ? work.outlineShares[k] : 0;
+                work.ofBlur[k] += seen ? work.outlineByBlur[k] : 0;
             }
         }
     }
 
     /** Adds these pixels to the normal equations of the shift, and to how it hangs on the side's own line and blur. */
-    private void addInnerEdge(SideFit side, double[] bySlide, double[] bySlideAlong, double[] byBlur) {
+    private void addInnerEdge(SideFit side, EdgeWork work, double[] bySlide, double[] bySlideAlong, double[] byBlur) {
+        PatternLight pattern = work.pattern;
+        BandPixels band = work.band;
         int count = band.count;
         double lightDark = scale.light(side.unknowns[SideFit.DARK]);
         double contrast = scale.light(side.unknowns[SideFit.BRIGHT]) - lightDark;
@@ -761,12 +754,12 @@ final class MarkerEdges {
         double lampAcross = side.lampAcross;
         double[] along = band.along;
         double[] across = band.across;
-        double[] share = shares;
+        double[] share = work.shares;
         for (int k = 0; k < count; k++) {
             double lamp = 1 + lampAlong * along[k] + lampAcross * across[k];
-            lights[k] = lamp * (lightDark + contrast * share[k]);
+            work.lights[k] = lamp * (lightDark + contrast * share[k]);
         }
-        scale.at(lights, band.floor, band.cap, count, greys, byLights, insides);
+        scale.at(work.lights, band.floor, band.cap, count, work.greys, work.byLights, work.insides);
         double n00 = normal[0];
         double n10 = normal[3];
         double n11 = normal[4];
@@ -777,11 +770,11 @@ final class MarkerEdges {
         double g1 = gradient[1];
         double g2 = gradient[2];
         for (int k = 0; k < count; k++) {
-            double byLight = byLights[k] * (1 + lampAlong * along[k] + lampAcross * across[k]);
+            double byLight = work.byLights[k] * (1 + lampAlong * along[k] + lampAcross * across[k]);
             double r0 = byLight * contrast * pattern.byShift[k];
             double r1 = byLight * darkSlope * (1 - share[k]);
             double r2 = byLight * brightSlope * share[k];
-            double residual = greys[k] - band.grey[k];
+            double residual = work.greys[k] - band.grey[k];
             n00 += r0 * r0;
             n10 += r1 * r0;
             n11 += r1 * r1;
@@ -792,7 +785,7 @@ final class MarkerEdges {
             g1 -= r1 * residual;
             g2 -= r2 * residual;
             double slide = byLight * contrast * pattern.bySlide[k];
-            double blurred = byLight * contrast * ofBlur[k];
+            double blurred = byLight * contrast * work.ofBlur[k];
             double t = along[k];
             bySlide[0] += r0 * slide;
             bySlide[1] += r1 * slide;
@@ -842,7 +835,7 @@ final class MarkerEdges {
     MarkerObservation observation(int id, double[] noiseGrey, double shiftStdPx, double inDarkPx) {
         for (int j = 0; j < CORNERS; j++) {
             int i = (j + CORNERS - 1) % CORNERS;
-            // a corner's other places are zero from the start and stay so
+            // a corner's other work.places are zero from the start and stay so
             cornerByLines(j, i, j, byLines);
         }
         linesAndShift(noiseGrey);

@@ -23,6 +23,8 @@ final class PatternLight {
      * pixels: of a sharp one a little further off than of a blurred one.
      */
     private static final double DEEPEST = 5.6;
+    /** Pixels that are gone through at a time: all those beside a side of a marker of usual size. */
+    private static final int AT_ONCE = 256;
     /** A pixel that sees less of a row has no use for where that lies. */
     private static final double LEAST_SEEN = 1e-5;
 
@@ -62,12 +64,14 @@ final class PatternLight {
     // work space, of each row and pixel: how far the pixel lies behind the line before the row and where the middle of
     // what it sees of it is, px; how white the row is there, and how that changes by blur and shift
     private int rowsSeen;
-    private final double[][] behind = new double[ROWS][0];
-    private final double[][] depthSeen = new double[ROWS][0];
-    private final double[][] rowWhite = new double[ROWS][0];
-    private final double[][] rowByBlur = new double[ROWS][0];
-    private final double[][] rowGrowth = new double[ROWS][0];
-    private double[] none = new double[0];
+    private final double[][] behind = new double[ROWS][AT_ONCE];
+    private final double[][] depthSeen = new double[ROWS][AT_ONCE];
+    private final double[][] rowWhite = new double[ROWS][AT_ONCE];
+    private final double[][] rowByBlur = new double[ROWS][AT_ONCE];
+    private final double[][] rowGrowth = new double[ROWS][AT_ONCE];
+    private final double[] none = new double[AT_ONCE];
+    private final double[] alongSome = new double[AT_ONCE];
+    private final double[] depthSome = new double[AT_ONCE];
     // what is asked of the profile, of all rows at once: for few distances its loops are all beginning and end
     private int askedCount;
     private double[] asked = new double[0];
@@ -232,34 +236,43 @@ final class PatternLight {
     void see(double[] along, double[] depths, int count, EdgeProfile profile, double blur, double std,
             double perLength) {
         reserve(count);
+        for (int from = 0; from < count; from += AT_ONCE) {
+            int some = Math.min(AT_ONCE, count - from);
+            System.arraycopy(along, from, alongSome, 0, some);
+            System.arraycopy(depths, from, depthSome, 0, some);
+            seeSome(from, some, profile, blur, std, perLength);
+        }
+    }
+
+    private void seeSome(int from, int count, EdgeProfile profile, double blur, double std, double perLength) {
         double beyond = DEEPEST * std + Math.abs(shiftPx);
         rowsSeen = 0;
-        while (rowsSeen < rows && isSeen(rowsSeen, along, depths, count, beyond)) {
+        while (rowsSeen < rows && isSeen(rowsSeen, count, beyond)) {
             rowsSeen++;
         }
-        askEnds(along, depths, count, std, beyond);
+        askEnds(count, std, beyond);
         profile.at(asked, askedCount, blur, profileShare, profileByDistance, profileByBlur);
         addEnds(perLength);
         askRows(count, beyond);
         profile.at(asked, askedCount, blur, profileShare, profileByDistance, profileByBlur);
-        addRows(count);
+        addRows(from, count);
     }
 
     /** Whether any pixel sees a row: of what lies deeper the profile would be nothing. Sets how far behind it they lie. */
-    private boolean isSeen(int r, double[] along, double[] depths, int count, double beyond) {
+    private boolean isSeen(int r, int count, double beyond) {
         double line = depth[r];
         double slope = depthSlope[r];
         double[] to = behind[r];
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < count; i++) {
-            to[i] = depths[i] - line - slope * along[i];
+            to[i] = depthSome[i] - line - slope * alongSome[i];
             most = Math.max(most, to[i]);
         }
         return most > -beyond;
     }
 
     /** Asks for the profile across the ends of white stretches, a pixel being as wide along a side as across it. */
-    private void askEnds(double[] along, double[] depths, int count, double std, double beyond) {
+    private void askEnds(int count, double std, double beyond) {
         askedCount = 0;
         double reach = REACH * std;
         for (int r = 0; r < rowsSeen; r++) {
@@ -267,18 +280,18 @@ final class PatternLight {
             Arrays.fill(rowByBlur[r], 0, count, 0);
             Arrays.fill(rowGrowth[r], 0, count, 0);
             if (endCount[r] > 0) {
-                setDepthsSeen(r, along, depths, count, std, beyond);
+                setDepthsSeen(r, count, std, beyond);
             }
             for (int k = 0; k < endCount[r]; k++) {
-                askEnd(r, k, along, count, reach, beyond);
+                askEnd(r, k, count, reach, beyond);
                 askedUpTo[r][k] = askedCount;
             }
         }
     }
 
-    private void askEnd(int r, int k, double[] along, int count, double reach, double beyond) {
+    private void askEnd(int r, int k, int count, double reach, double beyond) {
         if (asked.length < askedCount + count) {
-            reserveAsked(2 * (askedCount + count));
+            reserveAsked((askedCount + count) * 5 / 4 + 64);
         }
         double at = ends[r][k];
         double slope = endSlope[r][k];
@@ -288,7 +301,7 @@ final class PatternLight {
         double[] seen = behind[r];
         int n = askedCount;
         for (int i = 0; i < count; i++) {
-            double z = (along[i] - (at + slope * depthSeen[r][i])) * cosine;
+            double z = (alongSome[i] - (at + slope * depthSeen[r][i])) * cosine;
             if (z >= reach) {
                 white[i] += sign;
             } else if (z > -reach && seen[i] > -beyond) {
@@ -319,7 +332,7 @@ final class PatternLight {
     /** Asks for the profile across the lines before rows. */
     private void askRows(int count, double beyond) {
         if (asked.length < rowsSeen * count) {
-            reserveAsked(2 * rowsSeen * count);
+            reserveAsked(rowsSeen * count * 5 / 4 + 64);
         }
         int n = 0;
         for (int r = 0; r < rowsSeen; r++) {
@@ -337,11 +350,11 @@ final class PatternLight {
         askedCount = n;
     }
 
-    private void addRows(int count) {
-        Arrays.fill(share, 0, count, 0);
-        Arrays.fill(bySlide, 0, count, 0);
-        Arrays.fill(byShift, 0, count, 0);
-        Arrays.fill(byBlur, 0, count, 0);
+    private void addRows(int from, int count) {
+        Arrays.fill(share, from, from + count, 0);
+        Arrays.fill(bySlide, from, from + count, 0);
+        Arrays.fill(byShift, from, from + count, 0);
+        Arrays.fill(byBlur, from, from + count, 0);
         int n = 0;
         for (int r = 0; r < rowsSeen; r++) {
             double[] before = r == 0 ? none : rowWhite[r - 1];
@@ -353,11 +366,11 @@ final class PatternLight {
                 double change = rowWhite[r][i] - before[i];
                 double seen = profileShare[n];
                 double byDistance = profileByDistance[n];
-                share[i] += change * seen;
-                bySlide[i] += change * byDistance;
-                byShift[i] += (Math.abs(change) + change * ofFrame) * byDistance
+                share[from + i] += change * seen;
+                bySlide[from + i] += change * byDistance;
+                byShift[from + i] += (Math.abs(change) + change * ofFrame) * byDistance
                         + (rowGrowth[r][i] - growthBefore[i]) * seen;
-                byBlur[i] += change * profileByBlur[n] + (rowByBlur[r][i] - byBlurBefore[i]) * seen;
+                byBlur[from + i] += change * profileByBlur[n] + (rowByBlur[r][i] - byBlurBefore[i]) * seen;
             }
         }
     }
@@ -368,7 +381,7 @@ final class PatternLight {
      * 1994, section 13.10.1). A pixel that looks across the edge of a slanted cell sees its ends where the cell is, not
      * where the pixel is: taken there, markers tilted by 30 degrees feigned a shift of 0.01 px.
      */
-    private void setDepthsSeen(int row, double[] along, double[] depths, int count, double std, double beyond) {
+    private void setDepthsSeen(int row, int count, double std, double beyond) {
         boolean last = row == rows - 1;
         double line = depth[row + 1];
         double slope = depthSlope[row + 1];
@@ -376,9 +389,9 @@ final class PatternLight {
         for (int i = 0; i < count; i++) {
             if (behind[row][i] > -beyond) {
                 double from = -behind[row][i] * perPx;
-                double to = last ? REACH : (line + slope * along[i] - depths[i]) * perPx;
+                double to = last ? REACH : (line + slope * alongSome[i] - depthSome[i]) * perPx;
                 double seen = EdgeProfile.tabulated(to) - EdgeProfile.tabulated(from);
-                depthSeen[row][i] = depths[i] + std * (seen > LEAST_SEEN
+                depthSeen[row][i] = depthSome[i] + std * (seen > LEAST_SEEN
                         ? (EdgeProfile.density(from) - EdgeProfile.density(to)) / seen
                         : from > 0 ? from : Math.min(0, to));
             }
@@ -389,19 +402,11 @@ final class PatternLight {
         if (share.length >= count) {
             return;
         }
-        int length = Math.max(256, 2 * count);
+        int length = count + count / 4 + 64;
         share = new double[length];
         bySlide = new double[length];
         byShift = new double[length];
         byBlur = new double[length];
-        none = new double[length];
-        for (int r = 0; r < ROWS; r++) {
-            behind[r] = new double[length];
-            depthSeen[r] = new double[length];
-            rowWhite[r] = new double[length];
-            rowByBlur[r] = new double[length];
-            rowGrowth[r] = new double[length];
-        }
     }
 
     private void reserveAsked(int length) {

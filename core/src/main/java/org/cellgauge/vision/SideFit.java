@@ -91,11 +91,7 @@ final class SideFit {
     private double[] byBright = new double[0];
     private double[] distances = new double[0];
     private double[] lights = new double[0];
-    /** Work space: a value of each pixel that is summed up next. */
-    private double[] summed = new double[0];
-    private double[] byPower = new double[0];
-    private double[] byAmount = new double[0];
-    private double[] byLogRadius = new double[0];
+    private final Work work;
 
     // where they were last evaluated: mostly what is asked of a fit next is asked there
     private boolean evaluated;
@@ -148,6 +144,33 @@ final class SideFit {
     private double expectedBlur;
     private double settledPx = SETTLED_PX;
     private double blurWeight;
+
+    /** A value of each pixel that is summed up next: for the sides of a marker, one after another. */
+    static final class Work {
+        private double[] summed = new double[0];
+        private double[] byPower = new double[0];
+        private double[] byAmount = new double[0];
+        private double[] byLogRadius = new double[0];
+
+        private void reserve(int count) {
+            if (summed.length < count) {
+                int length = count + count / 4 + 64;
+                summed = new double[length];
+                byPower = new double[length];
+                byAmount = new double[length];
+                byLogRadius = new double[length];
+            }
+        }
+    }
+
+    /**
+     * A side without pixels.
+     *
+     * @param work for this and other sides, of which one is fitted at a time
+     */
+    SideFit(Work work) {
+        this.work = work;
+    }
 
     /**
      * Drops the pixels; the line is where the side's new coordinates have it.
@@ -379,10 +402,6 @@ final class SideFit {
             byBright = new double[length];
             distances = new double[length];
             lights = new double[length];
-            summed = new double[length];
-            byPower = new double[length];
-            byAmount = new double[length];
-            byLogRadius = new double[length];
         }
         double lightDark = scale.light(p[DARK]);
         double lightBright = scale.light(p[BRIGHT]);
@@ -634,7 +653,8 @@ final class SideFit {
     private void concludeLamp(GreyScale scale) {
         double lightDark = scale.light(unknowns[DARK]);
         double contrast = scale.light(unknowns[BRIGHT]) - lightDark;
-        double[] byLamp = summed;
+        work.reserve(samples);
+        double[] byLamp = work.summed;
         double[] byLight = byLights;
         double[] share = shares;
         double[] t = along;
@@ -660,13 +680,15 @@ final class SideFit {
      * 32, 1978).
      */
     private void concludeNoise(double weights) {
-        setLeverages(summed);
+        work.reserve(samples);
+        double[] leverages = work.summed;
+        setLeverages(leverages);
         double weighted = 0;
         double taken = 0;
         for (int i = 0; i < samples; i++) {
             double w = byOffset[i] * byOffset[i];
             weighted += w * residuals[i] * residuals[i];
-            taken += w * summed[i];
+            taken += w * leverages[i];
         }
         squares = weighted / weights;
         expectedSquares = Math.max(0.1, 1 - taken / weights);
@@ -707,6 +729,8 @@ final class SideFit {
     /** Projects the side's own unknowns out of the score and the information of power. */
     private void powerOfClean(GreyScale scale) {
         scale.setEnds(unknowns[DARK], unknowns[BRIGHT]);
+        work.reserve(samples);
+        double[] byPower = work.byPower;
         scale.byPower(shares, clean, byPower);
         byUnknowns(byPower, clean, powerRow);
         byUnknowns(residuals, clean, gradient);
@@ -750,11 +774,12 @@ final class SideFit {
         maskOvershoot = table.overshoot;
         evaluate(scale, profile, p);
         scale.setEnds(p[DARK], p[BRIGHT]);
-        scale.byPower(shares, clean, byPower);
-        table.at(distances, clean, byAmount, byLogRadius);
-        shapeRow[0] = byPower;
-        shapeRow[1] = byAmount;
-        shapeRow[2] = byLogRadius;
+        work.reserve(samples);
+        scale.byPower(shares, clean, work.byPower);
+        table.at(distances, clean, work.byAmount, work.byLogRadius);
+        shapeRow[0] = work.byPower;
+        shapeRow[1] = work.byAmount;
+        shapeRow[2] = work.byLogRadius;
         double[] within = insides;
         for (int a = 0; a < SHAPES; a++) {
             double[] by = shapeRow[a];

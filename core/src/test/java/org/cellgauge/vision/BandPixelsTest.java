@@ -22,7 +22,7 @@ class BandPixelsTest {
     }
 
     private static SideFit side(RandomGenerator random) {
-        SideFit side = new SideFit();
+        SideFit side = new SideFit(new SideFit.Work());
         double angle = random.nextInt(3) == 0 ? Math.PI / 2 * random.nextInt(4) : 6.28 * random.nextDouble();
         side.tangentX = Math.cos(angle);
         side.tangentY = Math.sin(angle);

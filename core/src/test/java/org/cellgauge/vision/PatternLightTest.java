@@ -20,7 +20,7 @@ class PatternLightTest {
     }
 
     private static SideFit side(int i) {
-        SideFit side = new SideFit();
+        SideFit side = new SideFit(new SideFit.Work());
         int j = (i + 1) % 4;
         double dx = CORNERS[2 * j] - CORNERS[2 * i];
         double dy = CORNERS[2 * j + 1] - CORNERS[2 * i + 1];
