@@ -1,7 +1,6 @@
 package org.cellgauge.vision;
 
 import java.util.Arrays;
-import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.Cholesky;
 import org.cellgauge.internal.geometry.TangentPlane;
@@ -699,7 +698,7 @@ final class MarkerEdges {
         shiftMeasured = shiftInformation > 0;
     }
 
-    /** Gathers the pixels about the inner edge of the border beside a side, and what light they are expected to have. */
+    /** Gathers the pixels about the inner edge of the border beside a side, and what light they should have. */
     private void seeInnerEdge(GreyImage image, int i, EdgeWork work) {
         PatternLight pattern = work.pattern;
         BandPixels band = work.band;

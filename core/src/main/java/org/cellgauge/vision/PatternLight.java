@@ -6,9 +6,9 @@ import java.util.Arrays;
  * The light of the white cells of a marker's pattern, as pixels beside one of its sides see it: rows of cells from the
  * border inwards, each with its white stretches along the side.
  *
- * <p>A row is white by the share that blur brings from its stretches along the side, times the share that it brings from
- * the row's depth. With every edge moved into the dark by the shift, the true outline lies that far outside the one that
- * is seen, all that hangs on it moves along, and white cells are larger by it on all sides.
+ * <p>A row is white by the share that blur brings from its stretches along the side, times the share that it brings
+ * from the row's depth. With every edge moved into the dark by the shift, the true outline lies that far outside the
+ * one that is seen, all that hangs on it moves along, and white cells are larger by it on all sides.
  *
  * <p>Not thread-safe; arrays are kept between sides. Loops do one thing to all pixels, so that the compiler can take
  * several at a time.
@@ -258,7 +258,7 @@ final class PatternLight {
         addRows(from, count);
     }
 
-    /** Whether any pixel sees a row: of what lies deeper the profile would be nothing. Sets how far behind it they lie. */
+    /** Whether any pixel sees a row: of what lies deeper the profile would be nothing. Sets how far behind they lie. */
     private boolean isSeen(int r, int count, double beyond) {
         double line = depth[r];
         double slope = depthSlope[r];

@@ -26,8 +26,8 @@ import org.jspecify.annotations.Nullable;
  * it scales the distance alone. The pose starts at the homography of the four corners, taken apart (Zhang, "A flexible
  * new technique for camera calibration", PAMI 2000, section 3.1), and is then refined by damped Gauss-Newton on the
  * distorted pixels. Where that leaves more than an ordinary marker does, it may have ended at the second pose of a
- * square seen from afar: then it starts again at IPPE (Collins and Bartoli, "Infinitesimal plane-based pose estimation",
- * IJCV 2014), which takes ten times as long and knows both. Not thread-safe.
+ * square seen from afar: then it starts again at IPPE (Collins and Bartoli, "Infinitesimal plane-based pose
+ * estimation", IJCV 2014), which takes ten times as long and knows both. Not thread-safe.
  */
 final class SquareResidual {
     private static final int POSE = 6;

@@ -356,7 +356,6 @@ public final class ReprojectionFit {
         }
         double cost = 0;
         for (int m = 0; m < blocks.blocks(); m++) {
-            int size = blocks.rows(m);
             for (int time = 0; time < blocks.timesSeen(m); time++) {
                 if (!plainRows(state, m, time, withDerivatives)) {
                     return Double.POSITIVE_INFINITY;
