@@ -41,14 +41,13 @@ final class CheckOptions {
     static final class OfSurvey implements IModelTransformer {
         @Override
         public CommandSpec transform(CommandSpec spec) {
-            List<OptionSpec> last = List.of(spec.findOption("--help"), spec.findOption("--version"));
-            last.forEach(spec::remove);
+            List<OptionSpec> last = takeLast(spec);
             SettingOptions.add(spec, List.of(SettingTable.ESTIMATE, SettingTable.FOCAL_PRIOR_STD_PX,
                     SettingTable.ASPECT_PRIOR_STD, SettingTable.PRINCIPAL_PRIOR_STD_PX, SettingTable.RADIAL_PRIOR_STD,
                     SettingTable.CALIBRATION, SettingTable.CHAINS, SettingTable.ITERATIONS,
                     SettingTable.MAX_ITERATIONS, SettingTable.SEED, SettingTable.TARGET_STD_MM,
                     SettingTable.THREADS), OfCheck.USUAL);
-            last.forEach(spec::addOption);
+            putBack(spec, last);
             return spec;
         }
     }
@@ -68,16 +67,32 @@ final class CheckOptions {
     }
 
     private static CommandSpec add(CommandSpec spec, CheckSettings usual, List<Setting<?>> without) {
-        // help tells of itself last
-        List<OptionSpec> last = List.of(spec.findOption("--help"), spec.findOption("--version"));
-        last.forEach(spec::remove);
+        List<OptionSpec> last = takeLast(spec);
         spec.addOption(OptionSpec.builder(PRESET).paramLabel(THESIS).type(String.class)
                 .description("Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of "
                         + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no "
                         + "noise of the objects' own corners. Options given besides still count.").build());
         SettingOptions.add(spec, SettingTable.all().stream().filter(row -> !without.contains(row)).toList(), usual);
-        last.forEach(spec::addOption);
+        putBack(spec, last);
         return spec;
+    }
+
+    /**
+     * Takes out the options that help tells of last. A loop, here and below, since references to methods of picocli's
+     * specification keep that, its largest class, out of the archive of classes.
+     */
+    private static List<OptionSpec> takeLast(CommandSpec spec) {
+        List<OptionSpec> last = List.of(spec.findOption("--help"), spec.findOption("--version"));
+        for (OptionSpec option : last) {
+            spec.remove(option);
+        }
+        return last;
+    }
+
+    private static void putBack(CommandSpec spec, List<OptionSpec> last) {
+        for (OptionSpec option : last) {
+            spec.addOption(option);
+        }
     }
 
     /**
