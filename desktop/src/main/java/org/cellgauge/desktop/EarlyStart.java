@@ -16,8 +16,8 @@ import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.GreyImage;
 
 /**
- * Loads what reads cell files, finds markers, and reads and paints pictures while options are read: to begin takes all of
- * it longer than the work on a photo, and a second processor has nothing to do until then. It changes no result.
+ * Loads what reads cell files, finds markers, and reads and paints pictures while options are read: to begin takes all
+ * of it longer than the work on a photo, and a second processor has nothing to do until then. It changes no result.
  */
 public final class EarlyStart {
     private static final int SIDE_PX = 16;
@@ -25,8 +25,8 @@ public final class EarlyStart {
             + "placement: {std_mm: [1, 1, 1], std_deg: 0.2}\n"
             + "references:\n  1: {position_mm: [0, 0, 0], rotation_deg: [0, 0, 0]}\nobjects:\n  2: {}\n"
             + "target: {std_mm: 1}\n";
-    private static final int WIDTH_PX = 160;
-    private static final int HEIGHT_PX = 120;
+    private static final int WIDTH_PX = 64;
+    private static final int HEIGHT_PX = 48;
     private static final int BRIGHT = 200;
     private static final int DARK = 20;
 
@@ -76,8 +76,8 @@ public final class EarlyStart {
         Cell cell = CellReader.read(CELL, "", camera);
         byte[] grey = new byte[WIDTH_PX * HEIGHT_PX];
         Arrays.fill(grey, (byte) BRIGHT);
-        for (int y = HEIGHT_PX / 3; y < HEIGHT_PX / 2; y++) {
-            Arrays.fill(grey, y * WIDTH_PX + WIDTH_PX / 4, y * WIDTH_PX + WIDTH_PX / 4 + HEIGHT_PX / 6, (byte) DARK);
+        for (int y = HEIGHT_PX / 3; y < 2 * HEIGHT_PX / 3; y++) {
+            Arrays.fill(grey, y * WIDTH_PX + WIDTH_PX / 4, y * WIDTH_PX + WIDTH_PX / 4 + HEIGHT_PX / 3, (byte) DARK);
         }
         BoofMarkerDetector.forCell(cell).detect(GreyImage.packed(grey, WIDTH_PX, HEIGHT_PX), "");
     }
