@@ -75,6 +75,8 @@ public final class Main implements Callable<Integer> {
      * @param args the arguments as typed
      */
     public static void main(String[] args) {
+        // no option is a time or a database: to find out how such are read takes picocli a tenth of its start
+        System.setProperty("picocli.converters.excludes", "java[.](time|sql)[.].*");
         List<String> words = Arrays.asList(args);
         if (words.contains("check")) {
             // names without this ending may be those of folders

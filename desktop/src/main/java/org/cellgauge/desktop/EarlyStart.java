@@ -2,22 +2,19 @@ package org.cellgauge.desktop;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.util.Arrays;
+import java.time.LocalDate;
 import java.util.List;
-import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.internal.overlay.Polyline;
 import org.cellgauge.internal.overlay.Role;
 import org.cellgauge.internal.overlay.Status;
-import org.cellgauge.internal.vision.BoofThreads;
-import org.cellgauge.vision.BoofMarkerDetector;
-import org.cellgauge.vision.GreyImage;
 
 /**
- * Loads what reads cell files, finds markers, and reads and paints pictures while options are read: to begin takes all
- * of it longer than the work on a photo, and a second processor has nothing to do until then. It changes no result.
+ * Loads what reads cell files, and reads and paints pictures while options are read: to begin takes all of it longer than
+ * the work on a photo, and a second processor has nothing to do until then. It changes no result. Markers are not looked
+ * for ahead: options are read by then, and the two would wait for each other.
  */
 public final class EarlyStart {
     private static final int SIDE_PX = 16;
@@ -25,10 +22,6 @@ public final class EarlyStart {
             + "placement: {std_mm: [1, 1, 1], std_deg: 0.2}\n"
             + "references:\n  1: {position_mm: [0, 0, 0], rotation_deg: [0, 0, 0]}\nobjects:\n  2: {}\n"
             + "target: {std_mm: 1}\n";
-    private static final int WIDTH_PX = 64;
-    private static final int HEIGHT_PX = 48;
-    private static final int BRIGHT = 200;
-    private static final int DARK = 20;
 
     private EarlyStart() {
     }
@@ -50,7 +43,9 @@ public final class EarlyStart {
     private static void load(boolean paints, boolean decodes) {
         try {
             // in the order of their turn
-            findMarkers();
+            readCell();
+            // the table of time zones
+            LocalDate.now();
             byte[] photo = {0};
             Sha256.of(photo);
             if (decodes || paints) {
@@ -68,18 +63,9 @@ public final class EarlyStart {
         }
     }
 
-    /** Looks for markers of a small cell in a picture of a dark square. */
-    private static void findMarkers() {
-        BoofThreads.useOne();
-        PinholeCamera camera = PinholeCamera.of(WIDTH_PX, HEIGHT_PX,
-                new double[] {WIDTH_PX, WIDTH_PX, WIDTH_PX / 2.0, HEIGHT_PX / 2.0, 0, 0, 0, 0, 0, 0});
-        Cell cell = CellReader.read(CELL, "", camera);
-        byte[] grey = new byte[WIDTH_PX * HEIGHT_PX];
-        Arrays.fill(grey, (byte) BRIGHT);
-        for (int y = HEIGHT_PX / 3; y < 2 * HEIGHT_PX / 3; y++) {
-            Arrays.fill(grey, y * WIDTH_PX + WIDTH_PX / 4, y * WIDTH_PX + WIDTH_PX / 4 + HEIGHT_PX / 3, (byte) DARK);
-        }
-        BoofMarkerDetector.forCell(cell).detect(GreyImage.packed(grey, WIDTH_PX, HEIGHT_PX), "");
+    private static void readCell() {
+        CellReader.read(CELL, "", PinholeCamera.of(SIDE_PX, SIDE_PX,
+                new double[] {SIDE_PX, SIDE_PX, SIDE_PX / 2.0, SIDE_PX / 2.0, 0, 0, 0, 0, 0, 0}));
     }
 
     private static void paint(BufferedImage black) throws IOException {
