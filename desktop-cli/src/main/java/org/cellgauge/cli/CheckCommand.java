@@ -83,23 +83,23 @@ public final class CheckCommand implements Callable<Integer> {
         usage.sortOptions(false);
         usage.description("Finds the markers in photos of a cell, estimates the poses of camera and objects with their "
                     + "uncertainties, and judges these against the target of the cell file.", "", "Examples:",
-                "  cellgauge check --cell cell.yaml photo.png",
-                "  cellgauge check --cell cell.yaml photos/ --out results",
-                "  cellgauge check --cell cell.yaml --detections a.json",
-                "  cellgauge check --cell cell.yaml photos/ --rejudge --target 2",
-                "  camera-tool | cellgauge check --cell cell.yaml --json -",
-                "");
+            "  cellgauge check --cell cell.yaml photo.png",
+            "  cellgauge check --cell cell.yaml photos/ --out results",
+            "  cellgauge check --cell cell.yaml --detections a.json",
+            "  cellgauge check --cell cell.yaml photos/ --rejudge --target 2",
+            "  camera-tool | cellgauge check --cell cell.yaml --json -",
+            "");
         usage.footer("",
-                "Files in DIR: NAME.result.json and NAME.overlay.png of every photo, report.html and summary.csv of the",
-                "run; NAME.chain-K.csv (Stan CSV) of a single photo, or with --draws. What an earlier run left there of",
-                "the same photo, cell and settings is kept; other results of the same names are replaced. Beyond 100",
-                "photos the report has pages.",
-                "The table goes to standard output, progress and messages to standard error.",
-                "",
-                "Exit codes: 0 target met or none set, 1 internal error, 2 usage, 3 input refused or results",
-                "not writable, 4 target missed, 5 not converged or pose ambiguous: no figure to trust. Of several",
-                "photos the most serious counts: 1, then 3, 5, 4, 0. Stopped by Ctrl-C 130, by SIGTERM 143: what is",
-                "done by then is in DIR, summary and report included, and the same command does the rest.");
+            "Files in DIR: NAME.result.json and NAME.overlay.png of every photo, report.html and summary.csv of the",
+            "run; NAME.chain-K.csv (Stan CSV) of a single photo, or with --draws. What an earlier run left there of",
+            "the same photo, cell and settings is kept; other results of the same names are replaced. Beyond 100",
+            "photos the report has pages.",
+            "The table goes to standard output, progress and messages to standard error.",
+            "",
+            "Exit codes: 0 target met or none set, 1 internal error, 2 usage, 3 input refused or results",
+            "not writable, 4 target missed, 5 not converged or pose ambiguous: no figure to trust. Of several",
+            "photos the most serious counts: 1, then 3, 5, 4, 0. Stopped by Ctrl-C 130, by SIGTERM 143: what is",
+            "done by then is in DIR, summary and report included, and the same command does the rest.");
     }
 
     private static void addOptions(CommandSpec spec) {

@@ -3,7 +3,10 @@ package org.cellgauge.cli;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 
-/** The options of every command, for those whose specification is made by calls: picocli makes its own of annotations. */
+/**
+ * The options of every command, for commands whose specification is made by calls: picocli's own are made of
+ * annotations, which takes long.
+ */
 final class StandardOptions {
     private StandardOptions() {
     }

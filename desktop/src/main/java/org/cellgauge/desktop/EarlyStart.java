@@ -1,9 +1,11 @@
 package org.cellgauge.desktop;
 
+import io.reactivex.rxjava3.core.Flowable;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.time.LocalDate;
 import java.util.List;
+import java.util.Locale;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.overlay.Overlay;
@@ -12,9 +14,9 @@ import org.cellgauge.internal.overlay.Role;
 import org.cellgauge.internal.overlay.Status;
 
 /**
- * Loads what reads cell files, and reads and paints pictures while options are read: to begin takes all of it longer than
- * the work on a photo, and a second processor has nothing to do until then. It changes no result. Markers are not looked
- * for ahead: options are read by then, and the two would wait for each other.
+ * Loads what reads cell files and pictures, paints pictures, and sums up while options are read: to begin takes all of
+ * it longer than the work on a photo, and a second processor has nothing to do until then. It changes no result.
+ * Markers are not looked for ahead: options are read by then, and the two would wait for each other.
  */
 public final class EarlyStart {
     private static final int SIDE_PX = 16;
@@ -46,6 +48,7 @@ public final class EarlyStart {
             readCell();
             // the table of time zones
             LocalDate.now();
+            new StopSignal();
             byte[] photo = {0};
             Sha256.of(photo);
             if (decodes || paints) {
@@ -58,6 +61,9 @@ public final class EarlyStart {
                     paint(black);
                 }
             }
+            // of chains, and of what is said of them
+            Flowable.empty();
+            String.format(Locale.ROOT, "%.1f", 1.0);
         } catch (IOException | RuntimeException e) {
             // whoever needs it will come upon it again, and tell
         }
