@@ -1,7 +1,7 @@
 package org.cellgauge.statistics;
 
-import org.apache.commons.math3.distribution.BetaDistribution;
 import org.cellgauge.internal.statistics.Autocovariance;
+import org.cellgauge.internal.statistics.BetaRank;
 import org.cellgauge.internal.statistics.BucketSort;
 import org.cellgauge.internal.statistics.ParetoTail;
 import org.cellgauge.internal.statistics.Quantiles;
@@ -371,16 +371,13 @@ public final class ChainDiagnostics {
         if (Double.isNaN(size)) {
             return Double.NaN;
         }
-        // The solver's default of 1e-9 could pick a neighbouring order statistic among many draws. The generator is
-        // null because no numbers are drawn
-        BetaDistribution beta =
-                new BetaDistribution(null, size * probability + 1, size * (1 - probability) + 1, 1e-13);
         int total = sorted.length;
+        BetaRank ranks = new BetaRank(size * probability + 1, size * (1 - probability) + 1, total);
         // Normal probabilities of one standard deviation to either side, as rounded by V and its implementations
-        double low = Math.floor(beta.inverseCumulativeProbability(0.1586553) * total);
-        double high = Math.ceil(beta.inverseCumulativeProbability(0.8413447) * total);
-        double lowValue = sorted[(int) Math.max(low, 1) - 1];
-        double highValue = sorted[(int) Math.min(high, total) - 1];
+        int low = ranks.floor(0.1586553, -1);
+        int high = ranks.floor(0.8413447, 1) + 1;
+        double lowValue = sorted[Math.max(low, 1) - 1];
+        double highValue = sorted[Math.min(high, total) - 1];
         return (highValue - lowValue) / 2;
     }
 

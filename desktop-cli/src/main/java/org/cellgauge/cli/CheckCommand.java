@@ -24,26 +24,72 @@ import org.cellgauge.internal.warning.Printable;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.settings.CheckSettings;
-import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
+import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.ParentCommand;
-import picocli.CommandLine.Spec;
+import picocli.CommandLine.ParseResult;
 
 /** {@code cellgauge check}: from photos of a cell to poses, their uncertainties and a verdict. */
-@Command(name = "check", mixinStandardHelpOptions = true, sortOptions = false, versionProvider = Main.Version.class,
-        modelTransformer = CheckOptions.OfCheck.class,
-        description = {"Finds the markers in photos of a cell, estimates the poses of camera and objects with their "
-                + "uncertainties, and judges these against the target of the cell file.", "", "Examples:",
+public final class CheckCommand implements Callable<Integer> {
+    static final String DRAWS = "--draws";
+    private static final String CELL = "--cell";
+    private static final String DETECTIONS = "--detections";
+    private static final String OUT = "--out";
+    private static final String JSON = "--json";
+    private static final String REJUDGE = "--rejudge";
+    private static final String AGAIN = "--again";
+    private static final String NO_ADVICE = "--no-advice";
+
+    /** Most different things to do that are told of a batch. */
+    private static final int MOST_ACTIONS = 20;
+    private static final Path DEFAULT_FOLDER = Path.of("cellgauge-out");
+
+    private final Main main;
+    private final CommandSpec spec;
+    private Path cellFile;
+    private List<Path> images;
+    private List<Path> detectionsFiles;
+    private Path out;
+    private boolean json;
+    private boolean rejudge;
+    private boolean again;
+    private Boolean draws;
+    private boolean noAdvice;
+    private Stages stages;
+
+    private CheckCommand(Main main) {
+        this.main = main;
+        spec = CommandSpec.wrapWithoutInspection(this).name("check").versionProvider(new Main.Version());
+    }
+
+    /**
+     * The command with its options. They are made by calls, since reading annotations takes longer than all the rest of
+     * a command line.
+     *
+     * @param main the command it belongs to
+     * @return a specification of {@link CheckCommand}
+     */
+    static CommandSpec spec(Main main) {
+        CommandSpec spec = new CheckCommand(main).spec;
+        addTexts(spec.usageMessage());
+        addOptions(spec);
+        CheckOptions.addToCheck(spec);
+        return StandardOptions.add(spec);
+    }
+
+    private static void addTexts(UsageMessageSpec usage) {
+        usage.sortOptions(false);
+        usage.description("Finds the markers in photos of a cell, estimates the poses of camera and objects with their "
+                    + "uncertainties, and judges these against the target of the cell file.", "", "Examples:",
             "  cellgauge check --cell cell.yaml photo.png",
             "  cellgauge check --cell cell.yaml photos/ --out results",
             "  cellgauge check --cell cell.yaml --detections a.json",
             "  cellgauge check --cell cell.yaml photos/ --rejudge --target 2",
             "  camera-tool | cellgauge check --cell cell.yaml --json -",
-            ""},
-        footer = {"",
+            "");
+        usage.footer("",
             "Files in DIR: NAME.result.json and NAME.overlay.png of every photo, report.html and summary.csv of the",
             "run; NAME.chain-K.csv (Stan CSV) of a single photo, or with --draws. What an earlier run left there of",
             "the same photo, cell and settings is kept; other results of the same names are replaced. Beyond 100",
@@ -53,60 +99,49 @@ import picocli.CommandLine.Spec;
             "Exit codes: 0 target met or none set, 1 internal error, 2 usage, 3 input refused or results",
             "not writable, 4 target missed, 5 not converged or pose ambiguous: no figure to trust. Of several",
             "photos the most serious counts: 1, then 3, 5, 4, 0. Stopped by Ctrl-C 130, by SIGTERM 143: what is",
-            "done by then is in DIR, summary and report included, and the same command does the rest."})
-public final class CheckCommand implements Callable<Integer> {
-    static final String DRAWS = "--draws";
+            "done by then is in DIR, summary and report included, and the same command does the rest.");
+    }
 
-    /** Most different things to do that are told of a batch. */
-    private static final int MOST_ACTIONS = 20;
-    private static final Path DEFAULT_FOLDER = Path.of("cellgauge-out");
+    private static void addOptions(CommandSpec spec) {
+        spec.addOption(OptionSpec.builder(CELL).required(true).paramLabel("CELL").type(Path.class)
+                .description("The cell file; - is standard input, here and below.").build());
+        spec.addPositional(PositionalParamSpec.builder().paramLabel("IMAGE").arity("0..*")
+                .type(List.class).auxiliaryTypes(Path.class)
+                .description("Photos of the cell (PNG, JPEG, BMP, TIFF, GIF, WebP, PGM, PPM), or folders of them.")
+                .build());
+        spec.addOption(OptionSpec.builder(DETECTIONS).paramLabel("FILE").arity("1..*")
+                .type(List.class).auxiliaryTypes(Path.class)
+                .description("Files of corners from any detector, in place of photos; name photos before this option.")
+                .build());
+        spec.addOption(OptionSpec.builder(OUT).paramLabel("DIR").type(Path.class)
+                .description("Folder for the results; made if it is missing (cellgauge-out; with --json: no files).")
+                .build());
+        addFlag(spec, JSON, "Prints one line of JSON for each input in place of the table: its result file, or why it "
+                + "was refused.");
+        addFlag(spec, REJUDGE, "Samples nothing: judges the results in DIR by the target as it is now. They must be of "
+                + "the same inputs, settings and, but for its target, the same cell.");
+        addFlag(spec, AGAIN, "Checks all photos, also those whose results an earlier run left in DIR.");
+        spec.addOption(OptionSpec.builder(DRAWS).negatable(true).fallbackValue("true").type(Boolean.class)
+                .description("Writes all draws into NAME.chain-K.csv, some MB a photo, or none. Without either: of a "
+                        + "single photo 1000 draws a chain at most and 20 MB in all, of several photos none.").build());
+        addFlag(spec, NO_ADVICE, "Leaves out which changes of the set-up would meet a target that is missed.");
+    }
 
-    @Spec
-    private CommandSpec spec;
+    private static void addFlag(CommandSpec spec, String name, String description) {
+        spec.addOption(OptionSpec.builder(name).type(boolean.class).description(description).build());
+    }
 
-    @ParentCommand
-    private Main main;
-
-    @Option(names = "--cell", required = true, paramLabel = "CELL",
-            description = "The cell file; - is standard input, here and below.")
-    private Path cellFile;
-
-    @Parameters(paramLabel = "IMAGE", arity = "0..*",
-            description = "Photos of the cell (PNG, JPEG, BMP, TIFF, GIF, WebP, PGM, PPM), or folders of them.")
-    private List<Path> images = new ArrayList<>();
-
-    @Option(names = "--detections", paramLabel = "FILE", arity = "1..*",
-            description = "Files of corners from any detector, in place of photos; name photos before this option.")
-    private List<Path> detectionsFiles = new ArrayList<>();
-
-    @Option(names = "--out", paramLabel = "DIR",
-            description = "Folder for the results; made if it is missing (cellgauge-out; with --json: no files).")
-    private Path out;
-
-    @Option(names = "--json",
-            description = "Prints one line of JSON for each input in place of the table: its result file, or why it "
-                    + "was refused.")
-    private boolean json;
-
-    @Option(names = "--rejudge",
-            description = "Samples nothing: judges the results in DIR by the target as it is now. They must be of the "
-                    + "same inputs, settings and, but for its target, the same cell.")
-    private boolean rejudge;
-
-    @Option(names = "--again",
-            description = "Checks all photos, also those whose results an earlier run left in DIR.")
-    private boolean again;
-
-    @Option(names = DRAWS, negatable = true, fallbackValue = "true",
-            description = "Writes all draws into NAME.chain-K.csv, some MB a photo, or none. Without either: of a "
-                    + "single photo 1000 draws a chain at most and 20 MB in all, of several photos none.")
-    private Boolean draws;
-
-    @Option(names = "--no-advice", description = "Leaves out which changes of the set-up would meet a target that is "
-            + "missed.")
-    private boolean noAdvice;
-
-    private Stages stages;
+    private void takeOptions(ParseResult given) {
+        cellFile = given.matchedOptionValue(CELL, null);
+        images = given.matchedPositionalValue(0, List.of());
+        detectionsFiles = given.matchedOptionValue(DETECTIONS, List.of());
+        out = given.matchedOptionValue(OUT, null);
+        json = given.matchedOptionValue(JSON, false);
+        rejudge = given.matchedOptionValue(REJUDGE, false);
+        again = given.matchedOptionValue(AGAIN, false);
+        draws = given.matchedOptionValue(DRAWS, null);
+        noAdvice = given.matchedOptionValue(NO_ADVICE, false);
+    }
 
     /**
      * Runs the check.
@@ -115,7 +150,8 @@ public final class CheckCommand implements Callable<Integer> {
      */
     @Override
     public Integer call() {
-        CheckSettings settings = CheckOptions.settings(spec.commandLine(), CheckOptions.OfCheck.USUAL);
+        takeOptions(spec.commandLine().getParseResult());
+        CheckSettings settings = CheckOptions.settings(spec.commandLine(), CheckOptions.CHECK_USUAL);
         if (images.isEmpty() && detectionsFiles.isEmpty()) {
             throw new ParameterException(spec.commandLine(),
                     "nothing to check; name photos, a folder of them, or --detections FILE");

@@ -16,6 +16,8 @@ import picocli.CommandLine.ParameterException;
  * given stays as the preset or the command's default has it.
  */
 final class CheckOptions {
+    static final CheckSettings CHECK_USUAL = CheckSettings.builder().build();
+
     private static final String PRESET = "--preset";
     private static final String THESIS = "thesis";
 
@@ -27,28 +29,26 @@ final class CheckOptions {
         this.usual = usual;
     }
 
-    /** Adds the options to {@code check}. */
-    static final class OfCheck implements IModelTransformer {
-        static final CheckSettings USUAL = CheckSettings.builder().build();
-
-        @Override
-        public CommandSpec transform(CommandSpec spec) {
-            return add(spec, USUAL, List.of());
-        }
+    /**
+     * Adds the options to {@code check}.
+     *
+     * @param spec the command, as yet without options of help
+     */
+    static void addToCheck(CommandSpec spec) {
+        add(spec, CHECK_USUAL, List.of());
     }
 
     /** Adds to {@code survey} those that many photos know: of the lens, of chains, and the target. */
     static final class OfSurvey implements IModelTransformer {
         @Override
         public CommandSpec transform(CommandSpec spec) {
-            List<OptionSpec> last = List.of(spec.findOption("--help"), spec.findOption("--version"));
-            last.forEach(spec::remove);
+            List<OptionSpec> last = takeLast(spec);
             SettingOptions.add(spec, List.of(SettingTable.ESTIMATE, SettingTable.FOCAL_PRIOR_STD_PX,
                     SettingTable.ASPECT_PRIOR_STD, SettingTable.PRINCIPAL_PRIOR_STD_PX, SettingTable.RADIAL_PRIOR_STD,
                     SettingTable.CALIBRATION, SettingTable.CHAINS, SettingTable.ITERATIONS,
                     SettingTable.MAX_ITERATIONS, SettingTable.SEED, SettingTable.TARGET_STD_MM,
-                    SettingTable.THREADS), OfCheck.USUAL);
-            last.forEach(spec::addOption);
+                    SettingTable.THREADS), CHECK_USUAL);
+            putBack(spec, last);
             return spec;
         }
     }
@@ -63,21 +63,37 @@ final class CheckOptions {
         @Override
         public CommandSpec transform(CommandSpec spec) {
             SettingOptions.add(spec, StudyTable.all(), StudySettings.USUAL);
-            return add(spec, USUAL, List.of(SettingTable.TARGET_STD_MM));
+            List<OptionSpec> last = takeLast(spec);
+            add(spec, USUAL, List.of(SettingTable.TARGET_STD_MM));
+            putBack(spec, last);
+            return spec;
         }
     }
 
-    private static CommandSpec add(CommandSpec spec, CheckSettings usual, List<Setting<?>> without) {
-        // help tells of itself last
-        List<OptionSpec> last = List.of(spec.findOption("--help"), spec.findOption("--version"));
-        last.forEach(spec::remove);
+    private static void add(CommandSpec spec, CheckSettings usual, List<Setting<?>> without) {
         spec.addOption(OptionSpec.builder(PRESET).paramLabel(THESIS).type(String.class)
                 .description("Sets all of the following as in the thesis: corner-cube with kappa 0.5, its mixture of "
                         + "steps, 1 chain of 10000 iterations of which 5000 are kept, start at the average pose, no "
                         + "noise of the objects' own corners. Options given besides still count.").build());
         SettingOptions.add(spec, SettingTable.all().stream().filter(row -> !without.contains(row)).toList(), usual);
-        last.forEach(spec::addOption);
-        return spec;
+    }
+
+    /**
+     * Takes out the options that help tells of last. A loop, here and below, since references to methods of picocli's
+     * specification keep that, its largest class, out of the archive of classes.
+     */
+    private static List<OptionSpec> takeLast(CommandSpec spec) {
+        List<OptionSpec> last = List.of(spec.findOption("--help"), spec.findOption("--version"));
+        for (OptionSpec option : last) {
+            spec.remove(option);
+        }
+        return last;
+    }
+
+    private static void putBack(CommandSpec spec, List<OptionSpec> last) {
+        for (OptionSpec option : last) {
+            spec.addOption(option);
+        }
     }
 
     /**

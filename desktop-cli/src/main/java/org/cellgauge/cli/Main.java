@@ -12,6 +12,7 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
@@ -23,22 +24,16 @@ import org.cellgauge.desktop.BatchCheck;
 import org.cellgauge.desktop.EarlyStart;
 import org.cellgauge.desktop.MachineRefusal;
 import picocli.CommandLine;
-import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Entry point of the command {@code cellgauge}. */
-@Command(name = "cellgauge", mixinStandardHelpOptions = true, versionProvider = Main.Version.class,
-        description = "Honest uncertainties of camera and object poses in a robot cell.",
-        footer = {"", "A first call, from a clone:",
-            "  cellgauge check --cell fixtures/lifted-4/cell.yaml \\",
-            "      fixtures/lifted-4/photo.png",
-            "'cellgauge help COMMAND' shows a command's options."})
 public final class Main implements Callable<Integer> {
     /** Columns of help where no terminal says how many it has, and the most of one that does. */
     private static final int HELP_WIDTH = 80;
@@ -48,11 +43,20 @@ public final class Main implements Callable<Integer> {
     private static final List<String> COMMANDS = List.of("check", "plan", "calibrate", "survey", "simulate", "validate",
             "reproduce", "camera", "families", "help");
 
-    @Option(names = "--debug", scope = ScopeType.INHERIT,
-            description = "Shows stack traces of internal errors and how long the stages take.")
-    private boolean debug;
-
+    private final OptionSpec debug = OptionSpec.builder("--debug").type(boolean.class).scopeType(ScopeType.INHERIT)
+            .description("Shows stack traces of internal errors and how long the stages take.").build();
     private CommandLine commandLine;
+
+    /** The command without commands of its own, made by calls as {@link CheckCommand#spec} is. */
+    private CommandSpec spec() {
+        CommandSpec spec = CommandSpec.wrapWithoutInspection(this).name("cellgauge").versionProvider(new Version());
+        spec.usageMessage().description("Honest uncertainties of camera and object poses in a robot cell.");
+        spec.usageMessage().footer("", "A first call, from a clone:",
+                "  cellgauge check --cell fixtures/lifted-4/cell.yaml \\",
+                "      fixtures/lifted-4/photo.png",
+                "'cellgauge help COMMAND' shows a command's options.");
+        return StandardOptions.add(spec.addOption(debug));
+    }
 
     /**
      * Without a command there is nothing to do: shows what there is.
@@ -71,9 +75,13 @@ public final class Main implements Callable<Integer> {
      * @param args the arguments as typed
      */
     public static void main(String[] args) {
+        // no option is a time or a database: to find out how such are read takes picocli a tenth of its start
+        System.setProperty("picocli.converters.excludes", "java[.](time|sql)[.].*");
         List<String> words = Arrays.asList(args);
         if (words.contains("check")) {
-            EarlyStart.begin(!words.contains("--json") || words.contains("--out"));
+            // names without this ending may be those of folders
+            boolean decodes = words.stream().noneMatch(word -> word.toLowerCase(Locale.ROOT).endsWith(".png"));
+            EarlyStart.begin(!words.contains("--json") || words.contains("--out"), decodes);
         }
         System.exit(run(commandLine(args), args));
     }
@@ -114,13 +122,13 @@ public final class Main implements Callable<Integer> {
      */
     public static CommandLine commandLine(String... args) {
         Main main = new Main();
-        main.commandLine = new CommandLine(main);
+        main.commandLine = new CommandLine(main.spec());
         Optional<String> word = Arrays.stream(args).filter(arg -> !arg.startsWith("-")).findFirst();
         // help tells of all of them
         List<String> named = word.filter(COMMANDS::contains).filter(name -> !name.equals("help")).map(List::of)
                 .orElse(COMMANDS);
         // a command line of its own, since only such a one asks what makes its settings' options
-        named.forEach(name -> main.commandLine.addSubcommand(new CommandLine(command(name))));
+        named.forEach(name -> main.commandLine.addSubcommand(new CommandLine(command(name, main))));
         main.commandLine.setUsageHelpWidth(helpWidth(System.getenv("COLUMNS")));
         main.commandLine.setColorScheme(CommandLine.Help.defaultColorScheme(ansi(System.getenv())));
         // examples tell more than a list of all options
@@ -134,9 +142,9 @@ public final class Main implements Callable<Integer> {
         return main.commandLine;
     }
 
-    private static Object command(String name) {
+    private static Object command(String name, Main main) {
         return switch (name) {
-            case "check" -> new CheckCommand();
+            case "check" -> CheckCommand.spec(main);
             case "plan" -> new PlanCommand();
             case "calibrate" -> new CalibrateCommand();
             case "survey" -> new SurveyCommand();
@@ -186,7 +194,7 @@ public final class Main implements Callable<Integer> {
 
     /** Whether stack traces and times are wanted. */
     boolean debug() {
-        return debug;
+        return Boolean.TRUE.equals(debug.getValue());
     }
 
     /**
@@ -201,13 +209,13 @@ public final class Main implements Callable<Integer> {
         PrintWriter err = command.getErr();
         if (exitCode == ExitCodes.INTERNAL_ERROR) {
             err.println("Internal error: " + BatchCheck.inShort(e)
-                    + (debug ? "" : ". Run it again with --debug for the stack trace, and please report it."));
+                    + (debug() ? "" : ". Run it again with --debug for the stack trace, and please report it."));
         } else {
             // one that is told of an input names it
             err.println(e instanceof InputRefusedException ? CommandWords.of(e)
                     : MachineRefusal.behind(e).map(CommandWords::of).orElseGet(() -> CommandWords.of(e)));
         }
-        if (debug) {
+        if (debug()) {
             e.printStackTrace(err);
         }
         err.flush();

@@ -34,7 +34,7 @@ final class RepeatingCommand {
      */
     static String check(Path cellFile, CheckInput input, CheckSettings settings, boolean allDraws) {
         List<String> words = new ArrayList<>(List.of("cellgauge", "check", "--cell", file(cellFile)));
-        addTold(words, SettingTable.all(), settings, CheckOptions.OfCheck.USUAL);
+        addTold(words, SettingTable.all(), settings, CheckOptions.CHECK_USUAL);
         if (allDraws) {
             words.add(CheckCommand.DRAWS);
         }

@@ -109,7 +109,7 @@ public final class SurveyCommand implements Callable<Integer> {
      */
     @Override
     public Integer call() {
-        CheckSettings settings = CheckOptions.settings(spec.commandLine(), CheckOptions.OfCheck.USUAL);
+        CheckSettings settings = CheckOptions.settings(spec.commandLine(), CheckOptions.CHECK_USUAL);
         if (images.isEmpty() && detectionsFiles.isEmpty()) {
             throw new ParameterException(spec.commandLine(),
                     "nothing to survey; name photos, a folder of them, or --detections FILE");

@@ -1,19 +1,29 @@
 package org.cellgauge.desktop;
 
+import io.reactivex.rxjava3.core.Flowable;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.time.LocalDate;
 import java.util.List;
+import java.util.Locale;
+import org.cellgauge.cell.CellReader;
+import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.internal.overlay.Polyline;
 import org.cellgauge.internal.overlay.Role;
 import org.cellgauge.internal.overlay.Status;
 
 /**
- * Loads what reads and paints pictures while options and cell file are read: Java's part of both takes longer to begin
- * than the work on a photo, and a second processor has nothing to do until then. It changes no result.
+ * Loads what reads cell files and pictures, paints pictures, and sums up while options are read: to begin takes all of
+ * it longer than the work on a photo, and a second processor has nothing to do until then. It changes no result.
+ * Markers are not looked for ahead: options are read by then, and the two would wait for each other.
  */
 public final class EarlyStart {
     private static final int SIDE_PX = 16;
+    private static final String CELL = "cellgauge: 1\nmarkers: {family: square-binary, size_mm: 50}\n"
+            + "placement: {std_mm: [1, 1, 1], std_deg: 0.2}\n"
+            + "references:\n  1: {position_mm: [0, 0, 0], rotation_deg: [0, 0, 0]}\nobjects:\n  2: {}\n"
+            + "target: {std_mm: 1}\n";
 
     private EarlyStart() {
     }
@@ -21,29 +31,52 @@ public final class EarlyStart {
     /**
      * Begins, in a thread of its own, where there is a second processor.
      *
-     * @param paints whether overlays will be painted, or photos read alone
+     * @param paints whether overlays will be painted
+     * @param decodes whether photos may be of formats that ImageIO reads
      */
-    public static void begin(boolean paints) {
+    public static void begin(boolean paints, boolean decodes) {
         if (Runtime.getRuntime().availableProcessors() > 1) {
-            Thread thread = new Thread(() -> load(paints), "cellgauge-ahead");
+            Thread thread = new Thread(() -> load(paints, decodes), "cellgauge-ahead");
             thread.setDaemon(true);
             thread.start();
         }
     }
 
-    private static void load(boolean paints) {
+    private static void load(boolean paints, boolean decodes) {
         try {
-            BufferedImage black = new BufferedImage(SIDE_PX, SIDE_PX, BufferedImage.TYPE_INT_RGB);
-            byte[] photo = Pictures.png(black);
+            // in the order of their turn
+            readCell();
+            // the table of time zones
+            LocalDate.now();
+            new StopSignal();
+            byte[] photo = {0};
             Sha256.of(photo);
-            ImageFiles.decode(photo, "", (width, height) -> { });
-            if (paints) {
-                Polyline line = new Polyline(Role.OBJECT_OUTLINE, Status.PASS, 0, false, 1, 1.5, SIDE_PX - 1, 9);
-                Overlay overlay = new Overlay(SIDE_PX, SIDE_PX, Status.PASS, 1, 1, List.of(line));
-                Pictures.jpeg(OverlayPainter.paint(black, overlay), SIDE_PX);
+            if (decodes || paints) {
+                BufferedImage black = new BufferedImage(SIDE_PX, SIDE_PX, BufferedImage.TYPE_INT_RGB);
+                photo = Pictures.png(black);
+                if (decodes) {
+                    ImageFiles.decode(photo, "", (width, height) -> { });
+                }
+                if (paints) {
+                    paint(black);
+                }
             }
+            // of chains, and of what is said of them
+            Flowable.empty();
+            String.format(Locale.ROOT, "%.1f", 1.0);
         } catch (IOException | RuntimeException e) {
             // whoever needs it will come upon it again, and tell
         }
+    }
+
+    private static void readCell() {
+        CellReader.read(CELL, "", PinholeCamera.of(SIDE_PX, SIDE_PX,
+                new double[] {SIDE_PX, SIDE_PX, SIDE_PX / 2.0, SIDE_PX / 2.0, 0, 0, 0, 0, 0, 0}));
+    }
+
+    private static void paint(BufferedImage black) throws IOException {
+        Polyline line = new Polyline(Role.OBJECT_OUTLINE, Status.PASS, 0, false, 1, 1.5, SIDE_PX - 1, 9);
+        Overlay overlay = new Overlay(SIDE_PX, SIDE_PX, Status.PASS, 1, 1, List.of(line));
+        Pictures.jpeg(OverlayPainter.paint(black, overlay), SIDE_PX);
     }
 }
