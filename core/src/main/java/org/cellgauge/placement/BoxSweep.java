@@ -1,7 +1,6 @@
 package org.cellgauge.placement;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -30,7 +29,7 @@ final class BoxSweep {
         for (int i = 0; i < least.size(); i++) {
             order.add(i);
         }
-        order.sort(Comparator.comparingDouble(i -> least.get(i)[along]));
+        order.sort((i, j) -> Double.compare(least.get(i)[along], least.get(j)[along]));
         for (int i = 0; i < order.size(); i++) {
             int box = order.get(i);
             double end = most.get(box)[along];
@@ -41,7 +40,7 @@ final class BoxSweep {
                 }
             }
         }
-        pairs.sort(Comparator.<int[]>comparingInt(pair -> pair[1]).thenComparingInt(pair -> pair[0]));
+        pairs.sort((a, b) -> a[1] != b[1] ? Integer.compare(a[1], b[1]) : Integer.compare(a[0], b[0]));
         return pairs;
     }
 

@@ -12,7 +12,6 @@ import georegression.struct.shapes.Quadrilateral_F64;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -735,7 +734,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
                         Decimal.of(c.impliedStdPx, 1), Decimal.of(limit, 1)));
             }
         }
-        squares.sort(Comparator.comparingDouble(c -> c.impliedStdPx));
+        squares.sort((a, b) -> Double.compare(a.impliedStdPx, b.impliedStdPx));
         // outline and inner edge of one marker may both be followed: the same marker twice, not two markers
         List<Candidate> apart = new ArrayList<>();
         for (Candidate c : squares) {

@@ -26,7 +26,7 @@ import org.ddogleg.struct.DogArray;
  * quadrilaterals. Not thread-safe.
  */
 final class WindowContours extends BinaryContourFinderLinearExternal {
-    private static final Comparator<ContourPacked> BY_FIRST_PIXEL = Comparator.comparingInt(contour -> contour.id);
+    private static final Comparator<ContourPacked> BY_FIRST_PIXEL = (a, b) -> Integer.compare(a.id, b.id);
 
     private final SearchWindows windows;
     private final Rectangles places;
