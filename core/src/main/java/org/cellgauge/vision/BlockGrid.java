@@ -31,7 +31,7 @@ final class BlockGrid {
     /** Grey values of a row and of the one below it. */
     private int[] here = new int[0];
     private int[] below = new int[0];
-    /** Of each column of a strip, how many differences across columns there are, and their sum; and of their squares. */
+    /** Of each column of a strip, the differences across columns: count and sum in one number, and their squares. */
     private int[] across = new int[0];
     private int[] squaresAcross = new int[0];
     /** The same of differences across rows, by where these lie in the grid. */
@@ -138,7 +138,7 @@ final class BlockGrid {
         }
     }
 
-    /** Adds every so manieth column of a strip to what was gathered. */
+    /** Adds the columns of a strip that lie at one place of the grid to what was gathered. */
     private void conclude(int axis, int place, int[] sums, int[] ofSquares, int first, int pixels, int step) {
         long gathered = 0;
         long differences = 0;
