@@ -91,7 +91,8 @@ final class SquareSearch {
         this.codePlaces = new double[codeCells * CODE_PLACES];
         for (int i = 0; i < codePlaces.length; i++) {
             double inCell = (i % CODE_PLACES + 0.5 * (1 + CELL_PLACES - CODE_PLACES)) / CELL_PLACES;
-            codePlaces[i] = (grid.borderCells() + i / CODE_PLACES + inCell) / grid.cells();
+            int cell = i / CODE_PLACES;
+            codePlaces[i] = (grid.borderCells() + cell + inCell) / grid.cells();
         }
         this.borderPlaces = new double[(int) Math.round(grid.cells() * BORDER_PLACES)];
         for (int i = 0; i < borderPlaces.length; i++) {
