@@ -27,7 +27,8 @@ class BlockGridTest {
     void addsUpPartsAndLeavesOutWhatLiesOutside() {
         GreyImage image = image(3, 6);
         BlockGrid grid = new BlockGrid();
-        grid.add(image, -20, -20, 61, HEIGHT + 5, NOISE);
+        grid.add(image, -20, -20, 61, 101, NOISE);
+        grid.add(image, -20, 101, 61, HEIGHT + 5, NOISE);
         grid.add(image, 61, 0, WIDTH + 30, HEIGHT + 5, NOISE);
         grid.add(image, WIDTH + 3, 0, WIDTH + 30, HEIGHT, NOISE);
         assertEquals(plainExcess(image, 0, 0, WIDTH - 1, HEIGHT - 1), grid.excess(), 1e-12);
