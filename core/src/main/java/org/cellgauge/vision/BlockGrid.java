@@ -19,11 +19,24 @@ final class BlockGrid {
     /** How much larger differences across borders are than others, and by how many standard errors. */
     private static final double LEAST_RATIO = 1.2;
     private static final double LEAST_DEVIATIONS = 8;
+    /** Rows gathered at a time: of so many, sums of differences stay below {@link #ONE} and its multiples positive. */
+    private static final int STRIP = 256;
+    /** Counts one difference in a number that sums differences in its lower digits. */
+    private static final int ONE = 1 << 16;
 
     // first across columns, then across rows
     private final long[][] count = new long[2][BLOCK];
     private final double[][] sum = new double[2][BLOCK];
     private final double[][] squares = new double[2][BLOCK];
+    /** Grey values of a row and of the one below it. */
+    private int[] here = new int[0];
+    private int[] below = new int[0];
+    /** Of each column of a strip, the differences across columns: count and sum in one number, and their squares. */
+    private int[] across = new int[0];
+    private int[] squaresAcross = new int[0];
+    /** The same of differences across rows, by where these lie in the grid. */
+    private int[][] ofColumns = new int[BLOCK][0];
+    private int[][] squaresOfColumns = new int[BLOCK][0];
 
     /** Forgets what was gathered. */
     void clear() {
@@ -45,22 +58,99 @@ final class BlockGrid {
      * @param noiseGrey noise of a pixel, standard deviation, grey levels
      */
     void add(GreyImage image, int x0, int y0, int x1, int y1, double noiseGrey) {
-        double edge = Math.max(LEAST_EDGE, EDGE_NOISES * noiseGrey);
-        for (int y = Math.max(0, y0); y < Math.min(y1, image.heightPx() - 1); y++) {
-            for (int x = Math.max(0, x0); x < Math.min(x1, image.widthPx() - 1); x++) {
-                int here = image.get(x, y);
-                gather(0, x % BLOCK, Math.abs(image.get(x + 1, y) - here), edge);
-                gather(1, y % BLOCK, Math.abs(image.get(x, y + 1) - here), edge);
-            }
+        int most = (int) Math.max(LEAST_EDGE, EDGE_NOISES * noiseGrey);
+        int left = Math.max(0, x0);
+        int right = Math.min(x1, image.widthPx() - 1);
+        int bottom = Math.min(y1, image.heightPx() - 1);
+        if (left >= right) {
+            return;
+        }
+        for (int y = Math.max(0, y0); y < bottom; y += STRIP) {
+            addStrip(image, left, right, y, Math.min(bottom, y + STRIP), most);
         }
     }
 
-    private void gather(int axis, int place, int difference, double edge) {
-        if (difference <= edge) {
-            count[axis][place]++;
-            sum[axis][place] += difference;
-            squares[axis][place] += difference * difference;
+    private void addStrip(GreyImage image, int left, int right, int top, int bottom, int most) {
+        int pixels = right - left;
+        reserve(pixels);
+        int[] row = here;
+        int[] next = below;
+        unpack(image, left, top, pixels + 1, row);
+        for (int y = top; y < bottom; y++) {
+            unpack(image, left, y + 1, pixels + 1, next);
+            gatherAcross(row, pixels, most);
+            gatherDown(row, next, pixels, most, ofColumns[y % BLOCK], squaresOfColumns[y % BLOCK]);
+            int[] done = row;
+            row = next;
+            next = done;
         }
+        for (int k = 0; k < BLOCK; k++) {
+            conclude(0, (left + k) % BLOCK, across, squaresAcross, k, pixels, BLOCK);
+            conclude(1, k, ofColumns[k], squaresOfColumns[k], 0, pixels, 1);
+        }
+    }
+
+    /** Makes room for a strip, and forgets the one before. */
+    private void reserve(int pixels) {
+        if (across.length < pixels) {
+            here = new int[pixels + 1];
+            below = new int[pixels + 1];
+            across = new int[pixels];
+            squaresAcross = new int[pixels];
+            ofColumns = new int[BLOCK][pixels];
+            squaresOfColumns = new int[BLOCK][pixels];
+            return;
+        }
+        Arrays.fill(across, 0, pixels, 0);
+        Arrays.fill(squaresAcross, 0, pixels, 0);
+        for (int place = 0; place < BLOCK; place++) {
+            Arrays.fill(ofColumns[place], 0, pixels, 0);
+            Arrays.fill(squaresOfColumns[place], 0, pixels, 0);
+        }
+    }
+
+    private static void unpack(GreyImage image, int left, int y, int pixels, int[] out) {
+        byte[] grey = image.luminance();
+        int at = image.offset() + y * image.rowStride() + left;
+        for (int x = 0; x < pixels; x++) {
+            out[x] = grey[at + x] & 0xFF;
+        }
+    }
+
+    private void gatherAcross(int[] row, int pixels, int most) {
+        int[] sums = across;
+        int[] ofSquares = squaresAcross;
+        for (int x = 0; x < pixels; x++) {
+            int difference = Math.abs(row[x + 1] - row[x]);
+            // all bits where the difference is none of an edge
+            int counts = difference - most - 1 >> 31;
+            sums[x] += (difference | ONE) & counts;
+            ofSquares[x] += difference * difference & counts;
+        }
+    }
+
+    private static void gatherDown(int[] row, int[] next, int pixels, int most, int[] sums, int[] ofSquares) {
+        for (int x = 0; x < pixels; x++) {
+            int difference = Math.abs(next[x] - row[x]);
+            int counts = difference - most - 1 >> 31;
+            sums[x] += (difference | ONE) & counts;
+            ofSquares[x] += difference * difference & counts;
+        }
+    }
+
+    /** Adds the columns of a strip that lie at one place of the grid to what was gathered. */
+    private void conclude(int axis, int place, int[] sums, int[] ofSquares, int first, int pixels, int step) {
+        long gathered = 0;
+        long differences = 0;
+        long ofAll = 0;
+        for (int x = first; x < pixels; x += step) {
+            gathered += sums[x] / ONE;
+            differences += sums[x] % ONE;
+            ofAll += ofSquares[x];
+        }
+        count[axis][place] += gathered;
+        sum[axis][place] += differences;
+        squares[axis][place] += ofAll;
     }
 
     /**

@@ -574,9 +574,11 @@ public final class BoofMarkerDetector implements MarkerDetector {
         for (int turns = 0; turns < 4; turns++) {
             if (listedId(white) != NONE) {
                 square.whiteOverMargin = reader.cells.whiteOverMargin(asSeen);
+                if (light.isKept() && ownGrid.contains(listedId(white))) {
+                    return turns;
+                }
                 double misfit = reader.cells.misfit(image, scale, marker.darkGrey(), marker.brightGrey(), asSeen);
-                boolean known = light.isKept() && ownGrid.contains(listedId(white));
-                return !known && reader.otherGrids.explainBetter(misfit, image, corners, scale, marker) ? NONE : turns;
+                return reader.otherGrids.explainBetter(misfit, image, corners, scale, marker) ? NONE : turns;
             }
             System.arraycopy(familyPatterns.turnedClockwise(white), 0, white, 0, white.length);
         }

@@ -57,6 +57,9 @@ final class FlatNoise {
     private final int[] tileX = new int[MOST_TILES];
     private final int[] tileY = new int[MOST_TILES];
     private int places;
+    private final int[] taking = new int[PIXELS];
+    private final double[] ofPlane = new double[TILE];
+    /** What is left of a tile without its plane. */
     private final double[] grey = new double[PIXELS];
     private final double[] variances = new double[MOST_TILES];
     private final double[] sorted = new double[MOST_TILES];
@@ -172,39 +175,10 @@ final class FlatNoise {
     }
 
     private void addTile(GreyImage image, int x0, int y0, int lags) {
-        double sum = 0;
-        double byX = 0;
-        double byY = 0;
-        int least = 255;
-        int largest = 0;
-        for (int y = 0, i = 0; y < TILE; y++) {
-            int ofRow = 0;
-            for (int x = 0; x < TILE; x++) {
-                int value = image.get(x0 + x, y0 + y);
-                least = Math.min(least, value);
-                largest = Math.max(largest, value);
-                grey[i++] = value;
-                ofRow += value;
-                byX += centred(x) * value;
-            }
-            sum += ofRow;
-            byY += centred(y) * ofRow;
-        }
-        if (least == 0 || largest == 255) {
+        if (!take(image, x0, y0)) {
             return;
         }
-        double mean = sum / PIXELS;
-        byX /= slopeSquares;
-        byY /= slopeSquares;
-        double squares = 0;
-        for (int y = 0, i = 0; y < TILE; y++) {
-            double ofRow = mean + byY * centred(y);
-            for (int x = 0; x < TILE; x++, i++) {
-                grey[i] -= ofRow + byX * centred(x);
-                squares += grey[i] * grey[i];
-            }
-        }
-        double variance = squares / (PIXELS - PLANE);
+        double variance = flatten() / (PIXELS - PLANE);
         if (variance < LEAST_VARIANCE) {
             return;
         }
@@ -219,17 +193,85 @@ final class FlatNoise {
         tiles++;
     }
 
+    /** Takes a tile from the image; whether none of it is at an end of the scale. */
+    private boolean take(GreyImage image, int x0, int y0) {
+        byte[] in = image.luminance();
+        int[] out = taking;
+        int atEnds = 0;
+        for (int y = 0, i = 0; y < TILE; y++) {
+            int at = image.offset() + (y0 + y) * image.rowStride() + x0;
+            for (int x = 0; x < TILE; x++) {
+                int value = in[at + x] & 0xFF;
+                // negative at either end
+                atEnds |= value - 1 | 254 - value;
+                out[i++] = value;
+            }
+        }
+        return atEnds >= 0;
+    }
+
+    /** Takes the plane that fits a tile best off it; the sum of the squares of what is left. */
+    private double flatten() {
+        int sum = 0;
+        int byColumn = 0;
+        int byRow = 0;
+        for (int y = 0, i = 0; y < TILE; y++) {
+            int ofRow = 0;
+            for (int x = 0; x < TILE; x++) {
+                int value = taking[i++];
+                ofRow += value;
+                byColumn += x * value;
+            }
+            sum += ofRow;
+            byRow += y * ofRow;
+        }
+        double mean = (double) sum / PIXELS;
+        double byX = (byColumn + centred(0) * sum) / slopeSquares;
+        double byY = (byRow + centred(0) * sum) / slopeSquares;
+        for (int x = 0; x < TILE; x++) {
+            ofPlane[x] = byX * centred(x);
+        }
+        double[] left = grey;
+        double even = 0;
+        double odd = 0;
+        for (int y = 0, i = 0; y < TILE; y++) {
+            double ofRow = mean + byY * centred(y);
+            for (int x = 0; x < TILE; x += 2, i += 2) {
+                double here = taking[i] - (ofRow + ofPlane[x]);
+                double beside = taking[i + 1] - (ofRow + ofPlane[x + 1]);
+                left[i] = here;
+                left[i + 1] = beside;
+                even += here * here;
+                odd += beside * beside;
+            }
+        }
+        return even + odd;
+    }
+
     private double products(int byX, int byY) {
-        double sum = 0;
+        double[] of = grey;
         int from = Math.max(0, -byX);
         int to = TILE - Math.max(0, byX);
         int step = byY * TILE + byX;
+        // several sums, as each addition waits for the one before it
+        double first = 0;
+        double second = 0;
+        double third = 0;
+        double fourth = 0;
         for (int y = 0; y < TILE - byY; y++) {
-            for (int i = y * TILE + from; i < y * TILE + to; i++) {
-                sum += grey[i] * grey[i + step];
+            int i = y * TILE + from;
+            int end = y * TILE + to;
+            for (; i + 3 < end; i += 4) {
+                first += of[i] * of[i + step];
+                second += of[i + 1] * of[i + 1 + step];
+                third += of[i + 2] * of[i + 2 + step];
+                fourth += of[i + 3] * of[i + 3 + step];
+            }
+            for (; i < end; i++) {
+                first += of[i] * of[i + step];
             }
         }
-        return sum;
+        return first + second + (third + fourth);
     }
 
     private boolean conclude(int lags) {

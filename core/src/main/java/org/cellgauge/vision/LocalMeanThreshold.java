@@ -3,7 +3,8 @@ package org.cellgauge.vision;
 import boofcv.abst.filter.binary.InputToBinary;
 import boofcv.struct.image.GrayU8;
 import boofcv.struct.image.ImageType;
-import java.nio.ByteBuffer;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 
@@ -31,8 +32,13 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private static final int SLACK = 2;
     /** More places than these are gone through as their window: each keeps its contours. */
     private static final int MOST_PLACES = 32;
+    /** Eight pixels in a number. */
+    private static final VarHandle EIGHT =
+            MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
     /** Every second one of eight pixels, in a number of 16 bits each. */
     private static final long EVERY_SECOND = 0x00FF_00FF_00FF_00FFL;
+    private static final long BEYOND_EACH = 0x0100_0100_0100_0100L;
+    private static final int BITS = 16;
     private static final long IN_EACH = 0x0001_0001_0001_0001L;
     private static final long SIGN_OF_EACH = 0x8000_8000_8000_8000L;
     private static final int LARGEST = 0x7FFF;
@@ -58,6 +64,9 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     /** Whether these are the greys themselves; else no pixel is beyond them. */
     private boolean[] exact = new boolean[0];
     private boolean[] contrasting = new boolean[0];
+    /** The same of each tile of a row, with the two above and below it. */
+    private int[] darkestOfThree = new int[0];
+    private int[] brightestOfThree = new int[0];
     /** The row about which each tile's columns are summed. */
     private int[] summedAbout = new int[0];
     /** Tiles from and to which columns are summed, and those of them that are gone through, of each run of a row. */
@@ -131,9 +140,10 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private void findPlaces(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
         ofWindow.clear();
         for (int down = top; down < bottom; down++) {
+            spanRows(down, left, right);
             int from = left;
             for (int across = left; across <= right; across++) {
-                boolean found = across < right && hasContrast(input, across, down);
+                boolean found = across < right && mayHaveContrast(across) && hasContrast(input, across, down);
                 if (across < right) {
                     contrasting[down * tilesAcross + across] = found;
                 }
@@ -148,11 +158,26 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
             ofWindow.add(TILE * left, TILE * top, Math.min(width, TILE * right), Math.min(height, TILE * bottom));
         }
         for (int i = 0; i < ofWindow.count(); i++) {
-            for (int y = ofWindow.top(i); y < ofWindow.bottom(i); y++) {
-                int at = output.startIndex + y * output.stride;
-                Arrays.fill(output.data, at + ofWindow.left(i), at + ofWindow.right(i), (byte) 0);
+            for (int down = ofWindow.top(i) / TILE; down < tiles(ofWindow.bottom(i)); down++) {
+                clearPlain(output, down, ofWindow.left(i) / TILE, tiles(ofWindow.right(i)));
             }
             places.add(ofWindow.left(i), ofWindow.top(i), ofWindow.right(i), ofWindow.bottom(i));
+        }
+    }
+
+    /** Clears a row of tiles, but for those that are gone through: in these every pixel is marked or cleared. */
+    private void clearPlain(GrayU8 output, int down, int left, int right) {
+        int across = left;
+        while (across < right) {
+            int from = across;
+            while (across < right && !contrasting[down * tilesAcross + across]) {
+                across++;
+            }
+            for (int y = TILE * down; from < across && y < Math.min(height, TILE * (down + 1)); y++) {
+                int at = output.startIndex + y * output.stride;
+                Arrays.fill(output.data, at + TILE * from, at + Math.min(width, TILE * across), (byte) 0);
+            }
+            across++;
         }
     }
 
@@ -172,6 +197,8 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         brightest = new int[tilesAcross * tilesDown];
         exact = new boolean[tilesAcross * tilesDown];
         contrasting = new boolean[tilesAcross * tilesDown];
+        darkestOfThree = new int[tilesAcross];
+        brightestOfThree = new int[tilesAcross];
         summedAbout = new int[tilesAcross];
         runs = new int[4 * (tilesAcross / 2 + 1)];
     }
@@ -181,7 +208,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
      * one before, and whether all pixels are within limits is seen for four at a time.
      */
     private void lookForContrast(GrayU8 input, int left, int top, int right, int bottom) {
-        ByteBuffer pixels = ByteBuffer.wrap(input.data).order(ByteOrder.LITTLE_ENDIAN);
+        byte[] pixels = input.data;
         int low = 1;
         int high = 0;
         for (int down = top; down < bottom; down++) {
@@ -205,15 +232,15 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     }
 
     /** Whether no pixel of a tile is darker or brighter than that. */
-    private static boolean areWithin(ByteBuffer pixels, int first, int stride, int low, int high) {
+    private static boolean areWithin(byte[] pixels, int first, int stride, int low, int high) {
         // the sign of a sum shows a pixel beyond
         long fromLow = IN_EACH * (LARGEST + low);
         long toHigh = IN_EACH * (LARGEST - high);
         long beyond = 0;
         int at = first;
         for (int row = 0; row < TILE; row += STEP) {
-            long left = pixels.getLong(at) & EVERY_SECOND;
-            long right = pixels.getLong(at + Long.BYTES) & EVERY_SECOND;
+            long left = (long) EIGHT.get(pixels, at) & EVERY_SECOND;
+            long right = (long) EIGHT.get(pixels, at + Long.BYTES) & EVERY_SECOND;
             beyond |= fromLow - left | left + toHigh | fromLow - right | right + toHigh;
             at += stride;
         }
@@ -221,6 +248,46 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     }
 
     private void measure(GrayU8 input, int across, int down) {
+        boolean whole = TILE * (across + 1) <= width && TILE * (down + 1) <= height;
+        if (whole) {
+            measureWhole(input, across, down);
+        } else {
+            measurePart(input, across, down);
+        }
+        exact[down * tilesAcross + across] = true;
+    }
+
+    private void measureWhole(GrayU8 input, int across, int down) {
+        byte[] pixels = input.data;
+        int at = input.startIndex + TILE * down * input.stride + TILE * across;
+        long low = EVERY_SECOND;
+        long high = 0;
+        for (int row = 0; row < TILE; row += STEP) {
+            long left = (long) EIGHT.get(pixels, at) & EVERY_SECOND;
+            long right = (long) EIGHT.get(pixels, at + Long.BYTES) & EVERY_SECOND;
+            long over = excess(left, right);
+            low -= excess(low, left - over);
+            high += excess(right + over, high);
+            at += STEP * input.stride;
+        }
+        int darkestOfAll = 255;
+        int brightestOfAll = 0;
+        for (int shift = 0; shift < Long.SIZE; shift += BITS) {
+            darkestOfAll = Math.min(darkestOfAll, (int) (low >>> shift) & 0xFF);
+            brightestOfAll = Math.max(brightestOfAll, (int) (high >>> shift) & 0xFF);
+        }
+        darkest[down * tilesAcross + across] = darkestOfAll;
+        brightest[down * tilesAcross + across] = brightestOfAll;
+    }
+
+    /** By how much each of four pixels is brighter than another; 0 where it is darker. */
+    private static long excess(long pixels, long others) {
+        long differences = (pixels | BEYOND_EACH) - others;
+        long brighter = differences >>> Byte.SIZE & IN_EACH;
+        return differences & (brighter << Byte.SIZE) - brighter;
+    }
+
+    private void measurePart(GrayU8 input, int across, int down) {
         byte[] in = input.data;
         int low = 255;
         int high = 0;
@@ -236,7 +303,6 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         }
         darkest[down * tilesAcross + across] = low;
         brightest[down * tilesAcross + across] = high;
-        exact[down * tilesAcross + across] = true;
     }
 
     /** Fills the runs of a window's row of tiles. */
@@ -262,35 +328,47 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         return count;
     }
 
-    /** Whether a pixel may be dark in a tile, as far as it and the tiles about it were looked at. */
-    private boolean hasContrast(GrayU8 input, int across, int down) {
-        return mayHaveContrast(across, down) && (!measureAbout(input, across, down) || mayHaveContrast(across, down));
+    /** Finds limits to the pixels of each tile and of those above and below it, in a window and beside. */
+    private void spanRows(int down, int left, int right) {
+        int above = tilesAcross * Math.max(0, down - 1);
+        int at = tilesAcross * down;
+        int below = tilesAcross * Math.min(tilesDown - 1, down + 1);
+        int[] low = darkest;
+        int[] high = brightest;
+        int[] lowest = darkestOfThree;
+        int[] highest = brightestOfThree;
+        int end = Math.min(tilesAcross, right + 1);
+        for (int x = Math.max(0, left - 1); x < end; x++) {
+            lowest[x] = Math.min(low[at + x], Math.min(low[above + x], low[below + x]));
+        }
+        for (int x = Math.max(0, left - 1); x < end; x++) {
+            highest[x] = Math.max(high[at + x], Math.max(high[above + x], high[below + x]));
+        }
     }
 
-    private boolean mayHaveContrast(int across, int down) {
+    /** Whether a pixel may be dark in a tile, by the limits of its row. */
+    private boolean mayHaveContrast(int across) {
+        int before = Math.max(0, across - 1);
+        int after = Math.min(tilesAcross - 1, across + 1);
+        int low = Math.min(darkestOfThree[across], Math.min(darkestOfThree[before], darkestOfThree[after]));
+        int high = Math.max(brightestOfThree[across], Math.max(brightestOfThree[before], brightestOfThree[after]));
+        return 100 * low <= percent * high;
+    }
+
+    /** Whether a pixel may be dark in a tile, by what it and the tiles about it have in them. */
+    private boolean hasContrast(GrayU8 input, int across, int down) {
         int low = 255;
         int high = 0;
         for (int y = Math.max(0, down - 1); y <= Math.min(tilesDown - 1, down + 1); y++) {
             for (int x = Math.max(0, across - 1); x <= Math.min(tilesAcross - 1, across + 1); x++) {
+                if (!exact[y * tilesAcross + x]) {
+                    measure(input, x, y);
+                }
                 low = Math.min(low, darkest[y * tilesAcross + x]);
                 high = Math.max(high, brightest[y * tilesAcross + x]);
             }
         }
         return 100 * low <= percent * high;
-    }
-
-    /** Measures the tiles about one of which only limits are known; whether there are any. */
-    private boolean measureAbout(GrayU8 input, int across, int down) {
-        boolean any = false;
-        for (int y = Math.max(0, down - 1); y <= Math.min(tilesDown - 1, down + 1); y++) {
-            for (int x = Math.max(0, across - 1); x <= Math.min(tilesAcross - 1, across + 1); x++) {
-                if (!exact[y * tilesAcross + x]) {
-                    measure(input, x, y);
-                    any = true;
-                }
-            }
-        }
-        return any;
     }
 
     /** Sums the columns of a tile anew, over the rows about one, which may lie just above the image. */

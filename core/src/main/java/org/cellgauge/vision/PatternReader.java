@@ -1,5 +1,6 @@
 package org.cellgauge.vision;
 
+import java.util.Arrays;
 import org.cellgauge.geometry.Lens;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.geometry.TangentPlane;
@@ -34,12 +35,22 @@ final class PatternReader {
     private final double[] outsideX;
     private final double[] outsideY;
     private final double[] middles;
+    /** Places in each band at which it is read, as shares of the marker's width. */
+    private final double[] points;
     /** Two places in each band of the code. */
     private final double[] places;
+    /** The same as shares of the marker's width. */
+    private final double[] sharesOfPlaces;
     private final double[] placeWeightX;
     private final double[] placeWeightY;
     private final double[] placeOutsideX;
     private final double[] placeOutsideY;
+    /** Of each row of bands, the share of white in the light along it where columns cross it. */
+    private final double[] whiteOfRows;
+    /** Along a row of places: where these are, and their light. */
+    private final double[] alongX;
+    private final double[] alongY;
+    private final double[] alongLight;
     private final double[] homography = new double[8];
     private final double[] ray = new double[3];
     private final double[] uv = new double[2];
@@ -69,10 +80,22 @@ final class PatternReader {
         for (int i = 0; i < bands; i++) {
             middles[i] = grid.middle(i);
         }
+        this.points = new double[POINTS * bands];
+        for (int i = 0; i < points.length; i++) {
+            points[i] = (middles[i / POINTS] + POINT_SPACING * (i % POINTS - POINTS / 2)) / grid.cells();
+        }
         this.places = new double[2 * grid.codeCells()];
         for (int i = 0; i < places.length; i++) {
             places[i] = grid.middle(grid.borderBands() + i / 2) + (i % 2 == 0 ? -OFF_MIDDLE : OFF_MIDDLE);
         }
+        this.sharesOfPlaces = new double[places.length];
+        for (int i = 0; i < places.length; i++) {
+            sharesOfPlaces[i] = places[i] / grid.cells();
+        }
+        this.whiteOfRows = new double[bands * Math.max(bands, places.length)];
+        this.alongX = new double[points.length];
+        this.alongY = new double[points.length];
+        this.alongLight = new double[points.length];
         this.placeWeightX = new double[places.length * bands];
         this.placeWeightY = new double[places.length * bands];
         this.placeOutsideX = new double[places.length];
@@ -98,11 +121,17 @@ final class PatternReader {
             return false;
         }
         sample(image, scale, darkGrey, brightGrey);
+        return settle(cornersPx, blurPx, white);
+    }
+
+    /** Changes cells of a reading until none is wrong. */
+    private boolean settle(double[] cornersPx, double blurPx, boolean[] white) {
         double blur = Math.sqrt(blurPx * blurPx + READING_VARIANCE_PX2);
         blurX = blur * grid.cells() / meanLength(cornersPx, 0, 1, 3, 2);
         blurY = blur * grid.cells() / meanLength(cornersPx, 0, 3, 1, 2);
         weights(middles, blurX, weightX, outsideX);
         weights(middles, blurY, weightY, outsideY);
+        setWhiteOfRows(white, weightX, outsideX);
         for (int round = 0; round < MAX_ROUNDS; round++) {
             int worst = -1;
             double worstExcess = 0;
@@ -110,7 +139,7 @@ final class PatternReader {
                 for (int column = 0; column < bands; column++) {
                     int cell = row * bands + column;
                     double ownShare = weightY[row * bands + row] * weightX[column * bands + column];
-                    double off = level[cell] - expected(white, row, column, weightX, outsideX, weightY, outsideY);
+                    double off = level[cell] - expected(row, column, bands, weightY, outsideY);
                     double excess = (white[cell] ? -off : off) / ownShare - 0.5;
                     if (excess > worstExcess) {
                         worstExcess = excess;
@@ -123,6 +152,7 @@ final class PatternReader {
             }
             // one at a time, the worst first: changing a cell explains part of what its neighbours seemed to lack
             white[worst] = !white[worst];
+            setWhiteOfRow(worst / bands, white, weightX, outsideX);
         }
         return false;
     }
@@ -142,7 +172,7 @@ final class PatternReader {
         for (int i = 0; i < white.length; i++) {
             white[i] = level[i] > 0.5;
         }
-        return read(image, cornersPx, scale, darkGrey, brightGrey, blurPx, white);
+        return settle(cornersPx, blurPx, white);
     }
 
     /**
@@ -153,12 +183,13 @@ final class PatternReader {
      * @return about 1; more where the margin is too narrow to be seen white
      */
     double whiteOverMargin(boolean[] white) {
+        setWhiteOfRows(white, weightX, outsideX);
         double seen = 0;
         double expected = 0;
         for (int cell = 0; cell < white.length; cell++) {
             if (white[cell]) {
                 seen += level[cell];
-                expected += expected(white, cell / bands, cell % bands, weightX, outsideX, weightY, outsideY);
+                expected += expected(cell / bands, cell % bands, bands, weightY, outsideY);
             }
         }
         return seen / expected;
@@ -174,32 +205,46 @@ final class PatternReader {
     double misfit(GreyImage image, GreyScale scale, double darkGrey, double brightGrey, boolean[] white) {
         weights(places, blurX, placeWeightX, placeOutsideX);
         weights(places, blurY, placeWeightY, placeOutsideY);
+        setWhiteOfRows(white, placeWeightX, placeOutsideX);
         double dark = scale.light(darkGrey);
         double contrast = scale.light(Math.min(255, brightGrey)) - dark;
         double sum = 0;
         for (int row = 0; row < places.length; row++) {
+            lightAlong(image, scale, sharesOfPlaces, sharesOfPlaces[row]);
             for (int column = 0; column < places.length; column++) {
-                double seen = (lightAt(image, scale, places[column], places[row]) - dark) / contrast;
-                double off = seen - expected(white, row, column, placeWeightX, placeOutsideX, placeWeightY,
-                        placeOutsideY);
+                double seen = (alongLight[column] - dark) / contrast;
+                double off = seen - expected(row, column, places.length, placeWeightY, placeOutsideY);
                 sum += off * off;
             }
         }
         return Math.sqrt(sum) / places.length;
     }
 
-    /** Light where a row and a column of places cross that weights were taken for. */
-    private double expected(boolean[] white, int row, int column, double[] ofX, double[] beyondX, double[] ofY,
-            double[] beyondY) {
-        double sum = 0;
-        for (int r = 0; r < bands; r++) {
+    /** Sets the light along each row of bands where columns cross it that weights were taken for. */
+    private void setWhiteOfRows(boolean[] white, double[] ofX, double[] beyondX) {
+        for (int row = 0; row < bands; row++) {
+            setWhiteOfRow(row, white, ofX, beyondX);
+        }
+    }
+
+    private void setWhiteOfRow(int row, boolean[] white, double[] ofX, double[] beyondX) {
+        int columns = beyondX.length;
+        for (int column = 0; column < columns; column++) {
             double inRow = beyondX[column];
             for (int c = 0; c < bands; c++) {
-                if (white[r * bands + c]) {
+                if (white[row * bands + c]) {
                     inRow += ofX[column * bands + c];
                 }
             }
-            sum += ofY[row * bands + r] * inRow;
+            whiteOfRows[row * columns + column] = inRow;
+        }
+    }
+
+    /** Light where a row crosses one of the columns that the light along the rows was set for. */
+    private double expected(int row, int column, int columns, double[] ofY, double[] beyondY) {
+        double sum = 0;
+        for (int r = 0; r < bands; r++) {
+            sum += ofY[row * bands + r] * whiteOfRows[r * columns + column];
         }
         return sum + beyondY[row];
     }
@@ -230,30 +275,54 @@ final class PatternReader {
         // what is clipped reads as 255, however bright it was
         double contrast = scale.light(Math.min(255, brightGrey)) - dark;
         for (int row = 0; row < bands; row++) {
-            for (int column = 0; column < bands; column++) {
-                double sum = 0;
-                for (int k = 0; k < POINTS * POINTS; k++) {
-                    sum += lightAt(image, scale, middles[column] + POINT_SPACING * (k % POINTS - POINTS / 2),
-                            middles[row] + POINT_SPACING * (k / POINTS - POINTS / 2));
+            int first = row * bands;
+            Arrays.fill(level, first, first + bands, 0);
+            for (int k = 0; k < POINTS; k++) {
+                lightAlong(image, scale, points, points[row * POINTS + k]);
+                for (int i = 0; i < points.length; i++) {
+                    level[first + i / POINTS] += alongLight[i];
                 }
-                level[row * bands + column] = (sum / (POINTS * POINTS) - dark) / contrast;
+            }
+            for (int cell = first; cell < first + bands; cell++) {
+                level[cell] = (level[cell] / (POINTS * POINTS) - dark) / contrast;
             }
         }
     }
 
-    /** Light at a place of the marker, in cells to the right and down from its top left. */
-    private double lightAt(GreyImage image, GreyScale scale, double right, double down) {
-        double x = right / grid.cells();
-        double y = down / grid.cells();
-        double w = homography[6] * x + homography[7] * y + 1;
-        double xn = (homography[0] * x + homography[1] * y + homography[2]) / w;
-        double yn = (homography[3] * x + homography[4] * y + homography[5]) / w;
-        if (plane != null) {
-            plane.toImage(xn, yn, uv, 0);
-        } else {
-            lens.project(intrinsics, xn, yn, 1, uv, 0);
+    /** Sets the light at places along a row of the marker, given as shares of its width. */
+    private void lightAlong(GreyImage image, GreyScale scale, double[] across, double down) {
+        int count = across.length;
+        place(across, down);
+        for (int i = 0; i < count; i++) {
+            if (plane != null) {
+                plane.toImage(alongX[i], alongY[i], uv, 0);
+            } else {
+                lens.project(intrinsics, alongX[i], alongY[i], 1, uv, 0);
+            }
+            double u = uv[0];
+            double v = uv[1];
+            alongLight[i] = scale.tabulatedLight(
+                    image.hasNeighbours(u, v) ? image.interpolateInside(u, v) : image.interpolate(u, v));
         }
-        return scale.tabulatedLight(image.interpolate(uv[0], uv[1]));
+    }
+
+    private void place(double[] across, double down) {
+        double[] h = homography;
+        double byX = h[0];
+        double byY = h[3];
+        double byW = h[6];
+        double downX = h[1] * down;
+        double downY = h[4] * down;
+        double downW = h[7] * down;
+        double startX = h[2];
+        double startY = h[5];
+        double[] toX = alongX;
+        double[] toY = alongY;
+        for (int i = 0; i < across.length; i++) {
+            double w = byW * across[i] + downW + 1;
+            toX[i] = (byX * across[i] + downX + startX) / w;
+            toY[i] = (byY * across[i] + downY + startY) / w;
+        }
     }
 
     private boolean setHomography(double[] cornersPx) {

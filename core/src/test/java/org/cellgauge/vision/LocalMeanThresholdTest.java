@@ -160,4 +160,37 @@ class LocalMeanThresholdTest {
             }
         }
     }
+
+    /** A speck of two by two pixels on plain ground, wherever in its tile: one of its pixels is always looked at. */
+    @Test
+    void aSpeckIsFoundWhereverItLies() {
+        LocalMeanThreshold threshold = new LocalMeanThreshold(10, 85, new SearchWindows());
+        GrayU8 found = new GrayU8(1, 1);
+        for (int at = 0; at < 3 * LocalMeanThreshold.TILE; at++) {
+            GrayU8 image = new GrayU8(90, 70);
+            Arrays.fill(image.data, (byte) 200);
+            int y = 7 * at % 60;
+            image.set(at, y, 20);
+            image.set(at + 1, y, 20);
+            image.set(at, y + 1, 20);
+            image.set(at + 1, y + 1, 20);
+            threshold.process(image, found);
+            assertEquals(1, found.get(at, y), "at " + at + ", " + y);
+        }
+    }
+
+    /** Ground whose only bright pixels lie in the tile below or above; the dark ones near them are dark. */
+    @Test
+    void aTileIsSeenAgainstThoseAboutIt() {
+        LocalMeanThreshold threshold = new LocalMeanThreshold(10, 85, new SearchWindows());
+        GrayU8 found = new GrayU8(1, 1);
+        for (boolean below : new boolean[] {false, true}) {
+            GrayU8 image = new GrayU8(96, 96);
+            Arrays.fill(image.data, (byte) 60);
+            int border = below ? 4 * LocalMeanThreshold.TILE : 2 * LocalMeanThreshold.TILE;
+            Arrays.fill(image.data, below ? border * 96 : 0, below ? 96 * 96 : border * 96, (byte) 200);
+            threshold.process(image, found);
+            assertEquals(1, found.get(50, below ? border - 1 : border), "bright below: " + below);
+        }
+    }
 }
