@@ -3,8 +3,7 @@ package org.cellgauge.vision;
 import boofcv.abst.filter.binary.InputToBinary;
 import boofcv.struct.image.GrayU8;
 import boofcv.struct.image.ImageType;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
+import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 
@@ -32,9 +31,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private static final int SLACK = 2;
     /** More places than these are gone through as their window: each keeps its contours. */
     private static final int MOST_PLACES = 32;
-    /** Eight pixels in a number. */
-    private static final VarHandle EIGHT =
-            MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
+    private static final ByteBuffer NO_PIXELS = ByteBuffer.allocate(0);
     /** Every second one of eight pixels, in a number of 16 bits each. */
     private static final long EVERY_SECOND = 0x00FF_00FF_00FF_00FFL;
     private static final long BEYOND_EACH = 0x0100_0100_0100_0100L;
@@ -45,6 +42,8 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
 
     private final int radius;
     private final int percent;
+    /** Those of the image at hand, to be read eight at a time. */
+    private ByteBuffer pixels = NO_PIXELS;
     private final SearchWindows windows;
     private final Rectangles places = new Rectangles();
     private final Rectangles ofWindow = new Rectangles();
@@ -101,10 +100,12 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         reshape(input.width, input.height);
         output.reshape(width, height);
         places.clear();
+        pixels = ByteBuffer.wrap(input.data).order(ByteOrder.LITTLE_ENDIAN);
         for (int i = 0; i < windows.count(); i++) {
             process(input, output, windows.left(i) / TILE, windows.top(i) / TILE,
                     tiles(Math.min(width, windows.right(i))), tiles(Math.min(height, windows.bottom(i))));
         }
+        pixels = NO_PIXELS;
     }
 
     private static int tiles(int px) {
@@ -208,7 +209,6 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
      * one before, and whether all pixels are within limits is seen for four at a time.
      */
     private void lookForContrast(GrayU8 input, int left, int top, int right, int bottom) {
-        byte[] pixels = input.data;
         int low = 1;
         int high = 0;
         for (int down = top; down < bottom; down++) {
@@ -216,7 +216,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
                 int tile = down * tilesAcross + across;
                 boolean whole = TILE * (across + 1) <= width && TILE * (down + 1) <= height;
                 int at = input.startIndex + TILE * down * input.stride + TILE * across;
-                exact[tile] = !whole || !areWithin(pixels, at, STEP * input.stride, low, high);
+                exact[tile] = !whole || !areWithin(at, STEP * input.stride, low, high);
                 darkest[tile] = low;
                 brightest[tile] = high;
                 if (exact[tile]) {
@@ -232,15 +232,16 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     }
 
     /** Whether no pixel of a tile is darker or brighter than that. */
-    private static boolean areWithin(byte[] pixels, int first, int stride, int low, int high) {
+    private boolean areWithin(int first, int stride, int low, int high) {
         // the sign of a sum shows a pixel beyond
         long fromLow = IN_EACH * (LARGEST + low);
         long toHigh = IN_EACH * (LARGEST - high);
         long beyond = 0;
+        ByteBuffer in = pixels;
         int at = first;
         for (int row = 0; row < TILE; row += STEP) {
-            long left = (long) EIGHT.get(pixels, at) & EVERY_SECOND;
-            long right = (long) EIGHT.get(pixels, at + Long.BYTES) & EVERY_SECOND;
+            long left = in.getLong(at) & EVERY_SECOND;
+            long right = in.getLong(at + Long.BYTES) & EVERY_SECOND;
             beyond |= fromLow - left | left + toHigh | fromLow - right | right + toHigh;
             at += stride;
         }
@@ -258,13 +259,13 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     }
 
     private void measureWhole(GrayU8 input, int across, int down) {
-        byte[] pixels = input.data;
+        ByteBuffer in = pixels;
         int at = input.startIndex + TILE * down * input.stride + TILE * across;
         long low = EVERY_SECOND;
         long high = 0;
         for (int row = 0; row < TILE; row += STEP) {
-            long left = (long) EIGHT.get(pixels, at) & EVERY_SECOND;
-            long right = (long) EIGHT.get(pixels, at + Long.BYTES) & EVERY_SECOND;
+            long left = in.getLong(at) & EVERY_SECOND;
+            long right = in.getLong(at + Long.BYTES) & EVERY_SECOND;
             long over = excess(left, right);
             low -= excess(low, left - over);
             high += excess(right + over, high);
