@@ -35,7 +35,7 @@ import org.cellgauge.warning.Warning;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds markers with BoofCV's square detectors, sharpens their corners and judges what was found.
+ * Finds markers among BoofCV's quadrilaterals, sharpens their corners and judges what was found.
  *
  * <p>BoofCV finds the squares, and {@link SquareSearch} reads them. {@link MarkerEdges} then fits the sides to the
  * light behind the grey values, and {@link LightFit} the tone curve and the noise to all of them: BoofCV's own
@@ -443,12 +443,12 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
     }
 
-    /** Large grids have more ids than fit a family's numbers, and BoofCV reads the highest bits of them wrong. */
+    /** Large grids have more ids than fit a family's numbers. */
     private boolean isOfFamily(FoundFiducial found) {
         return found.id >= 0 && found.id < family.size();
     }
 
-    /** A square that BoofCV has read, with its sides fitted where that was possible. */
+    /** A square that was read once, with its sides fitted where that was possible. */
     private static final class Seen {
         int idRead;
         final double[] cornersPx;
@@ -542,7 +542,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /**
-     * Reads a square again that BoofCV took for no marker of the cell, as it does where blur is near the limit. Left
+     * Reads a square again that was first taken for no marker of the cell, as happens where blur is near the limit. Left
      * for later, such a marker would say nothing of the photo's light, and would stay as it was fitted with the cells
      * of another: off by 0.35 px at a blur of 2 px in the dark.
      */
@@ -643,7 +643,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         int id = square.id;
         MarkerEdges marker = square.edges;
         double[] corners = square.cornersPx;
-        // without its edges a reading rests on BoofCV's alone, and only a code with a checksum can stand on that
+        // without its edges there is the first reading alone, and only a code with a checksum can stand on that
         if (!patterns.containsKey(id) || marker == null && !hasChecksum) {
             if (patterns.containsKey(square.idRead)) {
                 warnings.add(Warning.of(marker != null ? DetectionWarning.CELLS_DO_NOT_MATCH
