@@ -31,35 +31,29 @@ public final class EarlyStart {
     /**
      * Begins, in a thread of its own, where there is a second processor.
      *
-     * @param paints whether overlays will be painted
-     * @param decodes whether photos may be of formats that ImageIO reads
+     * @param paints whether overlays will be painted, or photos read alone
      */
-    public static void begin(boolean paints, boolean decodes) {
+    public static void begin(boolean paints) {
         if (Runtime.getRuntime().availableProcessors() > 1) {
-            Thread thread = new Thread(() -> load(paints, decodes), "cellgauge-ahead");
+            Thread thread = new Thread(() -> load(paints), "cellgauge-ahead");
             thread.setDaemon(true);
             thread.start();
         }
     }
 
-    private static void load(boolean paints, boolean decodes) {
+    private static void load(boolean paints) {
         try {
             // in the order of their turn
             readCell();
             // the table of time zones
             LocalDate.now();
             new StopSignal();
-            byte[] photo = {0};
+            BufferedImage black = new BufferedImage(SIDE_PX, SIDE_PX, BufferedImage.TYPE_INT_RGB);
+            byte[] photo = Pictures.png(black);
             Sha256.of(photo);
-            if (decodes || paints) {
-                BufferedImage black = new BufferedImage(SIDE_PX, SIDE_PX, BufferedImage.TYPE_INT_RGB);
-                photo = Pictures.png(black);
-                if (decodes) {
-                    ImageFiles.decode(photo, "", (width, height) -> { });
-                }
-                if (paints) {
-                    paint(black);
-                }
+            ImageFiles.decode(photo, "", (width, height) -> { });
+            if (paints) {
+                paint(black);
             }
             // of chains, and of what is said of them
             Flowable.empty();
