@@ -542,9 +542,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /**
-     * Reads a square again that was first taken for no marker of the cell, as happens where blur is near the limit. Left
-     * for later, such a marker would say nothing of the photo's light, and would stay as it was fitted with the cells
-     * of another: off by 0.35 px at a blur of 2 px in the dark.
+     * Reads a square again that was first taken for no marker of the cell, as happens where blur is near the limit.
+     * Left for later, such a marker would say nothing of the photo's light, and would stay as it was fitted with the
+     * cells of another: off by 0.35 px at a blur of 2 px in the dark.
      */
     private void readAgain(GreyImage image, Seen square, MarkerEdges own) {
         own.corners(square.cornersPx);
