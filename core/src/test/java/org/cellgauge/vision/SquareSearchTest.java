@@ -130,15 +130,15 @@ class SquareSearchTest {
     void underALensCellsAreLookedAtWhereItShowsThem() {
         MarkerFamily family = MarkerFamily.of("square-binary-8x8");
         PinholeCamera camera = PinholeCamera.of(WIDTH, HEIGHT,
-                new double[] {200, 200, 159.5, 119.5, 0, -0.3, 0.08, 0, 0, 0});
+                new double[] {150, 150, 159.5, 119.5, 0, -0.3, 0.08, 0, 0, 0});
         GrayU8 straight = drawn(family, 123456789, 1);
         GrayU8 bent = new GrayU8(WIDTH, HEIGHT);
         double[] ray = new double[3];
         for (int y = 0; y < HEIGHT; y++) {
             for (int x = 0; x < WIDTH; x++) {
                 assertTrue(camera.toRay(x, y, ray));
-                int u = (int) Math.round(159.5 + 200 * ray[0] / ray[2]);
-                int v = (int) Math.round(119.5 + 200 * ray[1] / ray[2]);
+                int u = (int) Math.round(159.5 + 150 * ray[0] / ray[2]);
+                int v = (int) Math.round(119.5 + 150 * ray[1] / ray[2]);
                 bent.set(x, y, straight.isInBounds(u, v) ? straight.get(u, v) : 220);
             }
         }
