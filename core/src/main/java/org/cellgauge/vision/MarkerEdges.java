@@ -55,7 +55,6 @@ final class MarkerEdges {
     private static final int SURROUNDINGS_RADII = 5;
 
     private final StraightPlane plane;
-    private final boolean distorted;
     private final MarkerGrid grid;
     private final GreyScale scale;
     private final EdgeProfile profile = new EdgeProfile();
@@ -123,7 +122,6 @@ final class MarkerEdges {
     MarkerEdges(PinholeCamera camera, MarkerGrid grid, GreyScale scale, EdgeWork.Pool works) {
         this.scale = scale.another();
         this.plane = new StraightPlane(camera);
-        this.distorted = camera.isDistorting();
         this.grid = grid;
         this.works = works;
     }
@@ -746,9 +744,10 @@ final class MarkerEdges {
         BandPixels band = work.band;
         int count = band.count;
         double lightDark = scale.light(side.unknowns[SideFit.DARK]);
-        double contrast = scale.light(side.unknowns[SideFit.BRIGHT]) - lightDark;
-        double darkSlope = scale.lightByGrey(side.unknowns[SideFit.DARK]);
-        double brightSlope = scale.lightByGrey(side.unknowns[SideFit.BRIGHT]);
+        double lightBright = scale.light(side.unknowns[SideFit.BRIGHT]);
+        double contrast = lightBright - lightDark;
+        double darkSlope = scale.lightByGrey(side.unknowns[SideFit.DARK], lightDark);
+        double brightSlope = scale.lightByGrey(side.unknowns[SideFit.BRIGHT], lightBright);
         double lampAlong = side.lampAlong;
         double lampAcross = side.lampAcross;
         double[] along = band.along;
@@ -961,7 +960,7 @@ final class MarkerEdges {
         double y = ideal[2 * j + 1];
         double determinant = sides[i].normalX * sides[jSide].normalY - sides[jSide].normalX * sides[i].normalY;
         double[] lens = {1, 0, 0, 1};
-        if (distorted) {
+        if (plane.isDistorted()) {
             double h = 0.25;
             double[] there = new double[4];
             plane.toImage(x + h, y, there, 0);

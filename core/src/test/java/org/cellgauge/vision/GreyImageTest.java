@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Random;
 import org.cellgauge.light.ToneCurve;
 import org.junit.jupiter.api.Test;
 
@@ -52,5 +54,23 @@ class GreyImageTest {
         assertEquals(200, noted.get(1, 1));
         assertNull(image.toneCurve());
         assertNull(noted.withToneCurve(null).toneCurve());
+    }
+
+    @Test
+    void insideTheOutermostCentresItIsTheSameWithoutAskingForTheEnds() {
+        byte[] grey = new byte[5 + 9 * 12];
+        new Random(1).nextBytes(grey);
+        GreyImage image = GreyImage.wrap(grey, 5, 12, 10, 8);
+        int inside = 0;
+        for (double v = -0.5; v < 8.5; v += 0.19) {
+            for (double u = -0.5; u < 10.5; u += 0.23) {
+                if (image.hasNeighbours(u, v)) {
+                    assertEquals(image.interpolate(u, v), image.interpolateInside(u, v));
+                    inside++;
+                }
+            }
+        }
+        assertTrue(inside > 1000, inside + " places");
+        assertTrue(!image.hasNeighbours(9.5, 4) && !image.hasNeighbours(4, 7.5) && !image.hasNeighbours(0.4, 4));
     }
 }
