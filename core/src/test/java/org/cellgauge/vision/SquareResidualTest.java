@@ -57,6 +57,27 @@ class SquareResidualTest {
         assertEquals(0.04, sum / n, 4 * 0.032 * 0.04);
     }
 
+    /**
+     * Small squares far off have two poses that look nearly alike, and noise leads one of the two starts astray every
+     * twentieth time. The square root of half a chi-square of 2 exceeds 4 once in ten million times.
+     */
+    @Test
+    void noSmallSquareImpliesFarMoreThanItsNoise() {
+        PinholeCamera camera = distorted();
+        SquareResidual residual = new SquareResidual(camera);
+        RandomGenerator random = new Well19937c(3);
+        for (int i = 0; i < 5000; i++) {
+            double[] corners = DrawnMarkers.corners(camera, RigidTransform.ofEuler(200 * (random.nextDouble() - 0.5),
+                    150 * (random.nextDouble() - 0.5), 500 + 400 * random.nextDouble(),
+                    Math.PI + (random.nextDouble() - 0.5) * 2.2, (random.nextDouble() - 0.5) * 2.2,
+                    6.28 * random.nextDouble()), 30);
+            for (int k = 0; k < 8; k++) {
+                corners[k] += random.nextGaussian();
+            }
+            assertTrue(residual.impliedStdPx(corners) < 4, "square " + i);
+        }
+    }
+
     @Test
     void wedgeAndCornersInWrongOrderAreFarFromAnySquare() {
         SquareResidual residual = new SquareResidual(distorted());
