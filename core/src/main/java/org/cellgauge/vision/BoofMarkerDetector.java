@@ -497,7 +497,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         boolean[] fitted = new boolean[found.size()];
         loop.gather();
-        loop.each(found.size(), i -> fitted[i] = edges.get(i).fit(image, found.get(i).cornersPx, patternOf[i]));
+        loop.each(found.size(), i -> fitted[i] = edges.get(i).fit(image, found.get(i).cornersPx, patternOf[i],
+                light.expectedBlurPx()));
         edgesUsed = 0;
         for (int i = 0; i < fitted.length; i++) {
             if (fitted[i]) {
@@ -513,7 +514,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private Seen seen(GreyImage image, int idRead, Quadrilateral_F64 q) {
         double[] corners = corners(q);
         MarkerEdges own = edges(edgesUsed);
-        if (!own.fit(image, corners, pattern(idRead))) {
+        if (!own.fit(image, corners, pattern(idRead), light.expectedBlurPx())) {
             return new Seen(idRead, corners, null);
         }
         edgesUsed++;

@@ -26,8 +26,17 @@ final class MarkerEdges {
     /** A line that moved further than this has left the band it was fitted in: its pixels are chosen again. */
     private static final double BAND_STILL_GOOD_PX = 0.05;
     /** The same while the tone curve is not known yet. */
-    private static final double FIRST_BAND_STILL_GOOD_PX = 0.3;
-    private static final double FIRST_BLUR_PX = 0.6;
+    private static final double FIRST_BAND_STILL_GOOD_PX = 0.5;
+    /**
+     * How far the sides of BoofCV's squares lie inwards, px: 0.1 to 0.8, by blur, curve and contrast, where black is
+     * what is darker than most about it.
+     */
+    private static final double FIRST_OUTWARDS_PX = 0.3;
+    /** Blur of a photo of which nothing is known. */
+    static final double FIRST_BLUR_PX = 0.6;
+    /** A blur that has changed by more has made the band and the light from elsewhere others, px; and at first. */
+    private static final double BLUR_STILL_GOOD_PX = 0.02;
+    private static final double FIRST_BLUR_STILL_GOOD_PX = 0.15;
     private static final double FURTHEST_MOVE_PX = 3;
     private static final int SHORTEST_SIDE_PX = 8;
     private static final double LARGEST_SHIFT_PX = 1;
@@ -133,9 +142,10 @@ final class MarkerEdges {
      * @param cornersPx 8 values, distorted px, within about a pixel of the corners, in the order of the pattern's
      *     top-left, top-right, bottom-right, bottom-left
      * @param cells white cells, row by row; kept, not copied
+     * @param blurPx what the blur may be, px
      * @return whether all sides were found near where they were looked for
      */
-    boolean fit(GreyImage image, double[] cornersPx, boolean[] cells) {
+    boolean fit(GreyImage image, double[] cornersPx, boolean[] cells, double blurPx) {
         if (!plane.aim(cornersPx)) {
             return false;
         }
@@ -143,7 +153,7 @@ final class MarkerEdges {
             if (!plane.toPlane(cornersPx[2 * i], cornersPx[2 * i + 1], ideal, 2 * i)) {
                 return false;
             }
-            sides[i].restart();
+            sides[i].restart(blurPx);
         }
         System.arraycopy(ideal, 0, before, 0, 2 * CORNERS);
         white = cells;
@@ -151,7 +161,7 @@ final class MarkerEdges {
         unsharpened = false;
         clearLamp();
         settledPx = SideFit.SETTLED_PX;
-        return passes(image, MAX_PASSES, FIRST_BAND_STILL_GOOD_PX);
+        return startOutside() && passes(image, FIRST_BAND_STILL_GOOD_PX, FIRST_BLUR_STILL_GOOD_PX);
     }
 
     /**
@@ -164,7 +174,7 @@ final class MarkerEdges {
     boolean refit(GreyImage image, boolean[] cells) {
         white = cells;
         settledPx = SideFit.SETTLED_PX;
-        return passes(image, MAX_PASSES, BAND_STILL_GOOD_PX);
+        return passes(image, BAND_STILL_GOOD_PX, BLUR_STILL_GOOD_PX);
     }
 
     /**
@@ -177,7 +187,7 @@ final class MarkerEdges {
     boolean refitNearly(GreyImage image, boolean[] cells) {
         white = cells;
         settledPx = SideFit.NEARLY_SETTLED_PX;
-        return passes(image, MAX_PASSES, BAND_STILL_GOOD_PX);
+        return passes(image, BAND_STILL_GOOD_PX, BLUR_STILL_GOOD_PX);
     }
 
     /**
@@ -190,11 +200,11 @@ final class MarkerEdges {
     boolean fitAnew(GreyImage image, double shift) {
         System.arraycopy(before, 0, ideal, 0, 2 * CORNERS);
         for (SideFit side : sides) {
-            side.restart();
+            side.restart(FIRST_BLUR_PX);
         }
         shiftPx = shift;
         settledPx = SideFit.SETTLED_PX;
-        return passes(image, MAX_PASSES, BAND_STILL_GOOD_PX);
+        return passes(image, BAND_STILL_GOOD_PX, BLUR_STILL_GOOD_PX);
     }
 
     /**
@@ -206,17 +216,11 @@ final class MarkerEdges {
         settledPx = SideFit.NEARLY_SETTLED_PX;
         for (SideFit side : sides) {
             profile.turn(side.normalX, side.normalY);
-            if (!side.fit(scale, profile, FIRST_BLUR_PX, settledPx)) {
+            if (!side.fit(scale, profile, settledPx)) {
                 return false;
             }
         }
-        for (int i = 0; i < CORNERS; i++) {
-            if (!intersect((i + CORNERS - 1) % CORNERS, i)) {
-                return false;
-            }
-        }
-        System.arraycopy(refined, 0, ideal, 0, 2 * CORNERS);
-        return true;
+        return intersectAll();
     }
 
     /**
@@ -287,22 +291,51 @@ final class MarkerEdges {
         System.arraycopy(turnedSides, 0, sides, 0, CORNERS);
     }
 
-    private boolean passes(GreyImage image, int most, double stillGoodPx) {
+    /** Takes the sides from where squares are found to where edges mostly are. */
+    private boolean startOutside() {
+        double centreX = centre(0);
+        double centreY = centre(1);
+        for (int i = 0; i < CORNERS; i++) {
+            if (!setSide(i, centreX, centreY)) {
+                return false;
+            }
+            sides[i].unknowns[SideFit.OFFSET] = FIRST_OUTWARDS_PX;
+            sides[i].unknowns[SideFit.SLOPE] = 0;
+        }
+        return intersectAll();
+    }
+
+    private double centre(int axis) {
+        return (ideal[axis] + ideal[2 + axis] + ideal[4 + axis] + ideal[6 + axis]) / CORNERS;
+    }
+
+    /** Puts the corners where the sides meet. */
+    private boolean intersectAll() {
+        for (int i = 0; i < CORNERS; i++) {
+            if (!intersect((i + CORNERS - 1) % CORNERS, i)) {
+                return false;
+            }
+        }
+        System.arraycopy(refined, 0, ideal, 0, 2 * CORNERS);
+        return true;
+    }
+
+    private boolean passes(GreyImage image, double stillGoodPx, double blurStillGoodPx) {
         EdgeWork work = works.take();
         try {
-            return passes(image, most, stillGoodPx, work);
+            return passes(image, stillGoodPx, blurStillGoodPx, work);
         } finally {
             works.giveBack(work);
         }
     }
 
-    private boolean passes(GreyImage image, int most, double stillGoodPx, EdgeWork work) {
-        for (int pass = 0; pass < most; pass++) {
+    private boolean passes(GreyImage image, double stillGoodPx, double blurStillGoodPx, EdgeWork work) {
+        for (int pass = 0; pass < MAX_PASSES; pass++) {
             if (!setHomography()) {
                 return false;
             }
-            double centreX = (ideal[0] + ideal[2] + ideal[4] + ideal[6]) / CORNERS;
-            double centreY = (ideal[1] + ideal[3] + ideal[5] + ideal[7]) / CORNERS;
+            double centreX = centre(0);
+            double centreY = centre(1);
             double blurMoved = 0;
             for (int i = 0; i < CORNERS; i++) {
                 double blur = sides[i].unknowns[SideFit.BLUR];
@@ -325,7 +358,7 @@ final class MarkerEdges {
             }
             System.arraycopy(refined, 0, ideal, 0, 2 * CORNERS);
             setLamp();
-            if (moved < stillGoodPx && blurMoved < 0.4 * stillGoodPx) {
+            if (moved < stillGoodPx && blurMoved < blurStillGoodPx) {
                 return true;
             }
         }
@@ -467,8 +500,7 @@ final class MarkerEdges {
         side.middleX = x0 + side.tangentX * length / 2;
         side.middleY = y0 + side.tangentY * length / 2;
         side.lengthPx = length;
-        double blur = side.started() ? side.unknowns[SideFit.BLUR] : FIRST_BLUR_PX;
-        side.halfLengthPx = length / 2 - SideBand.cornerMarginPx(length, blur);
+        side.halfLengthPx = length / 2 - SideBand.cornerMarginPx(length, side.unknowns[SideFit.BLUR]);
         return true;
     }
 
@@ -483,7 +515,7 @@ final class MarkerEdges {
         PatternLight pattern = work.pattern;
         PaperEdge paper = work.paper;
         SideFit side = sides[i];
-        double blur = !side.started() ? FIRST_BLUR_PX : side.unknowns[SideFit.BLUR];
+        double blur = side.unknowns[SideFit.BLUR];
         double std = Math.sqrt(blur * blur + PIXEL_VARIANCE);
         profile.turn(side.normalX, side.normalY);
         pattern.turnTo(i, side, homography, white, shiftPx);
@@ -496,7 +528,7 @@ final class MarkerEdges {
         work.band.gather(image, levels(), plane, side, side.halfLengthPx, inner, outer);
         setLightFromElsewhere(work, blur, std);
         addPixels(side, work, inner, std);
-        return side.fit(scale, profile, FIRST_BLUR_PX, settledPx);
+        return side.fit(scale, profile, settledPx);
     }
 
     /** Grey values that fits go by where they are not the image's. */

@@ -209,12 +209,15 @@ final class SideFit {
         return noiseGrey * Math.sqrt(covariance(OFFSET, OFFSET));
     }
 
-    /** Forgets the last fit: the next one starts from the grey values alone. */
-    void restart() {
+    /**
+     * Forgets the last fit: the next one starts from the grey values alone.
+     *
+     * @param blurPx where the blur starts, px
+     */
+    void restart(double blurPx) {
         started = false;
         blurWeight = 0;
-        // what another marker left would decide when this one counts as settled
-        unknowns[BLUR] = 0;
+        unknowns[BLUR] = blurPx;
     }
 
     /** Whether there was a fit before. */
@@ -280,11 +283,10 @@ final class SideFit {
      *
      * @param scale tone curve and noise
      * @param profile turned to the side's normal
-     * @param firstBlurPx where the blur starts if there was no fit before
      * @param settled a step that moves the line by less is the last one, px
      * @return whether a dark and a bright side were found
      */
-    boolean fit(GreyScale scale, EdgeProfile profile, double firstBlurPx, double settled) {
+    boolean fit(GreyScale scale, EdgeProfile profile, double settled) {
         settledPx = settled;
         if (samples < 4 * UNKNOWNS) {
             return false;
@@ -300,7 +302,6 @@ final class SideFit {
                 high = Math.max(high, grey[i]);
                 clipped += grey[i] > CLIPPED ? 1 : 0;
             }
-            unknowns[BLUR] = firstBlurPx;
             unknowns[DARK] = low;
             unknowns[BRIGHT] = 10 * clipped > samples ? 1.1 * high : high;
             started = true;
