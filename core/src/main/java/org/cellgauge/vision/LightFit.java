@@ -96,6 +96,8 @@ final class LightFit {
     private static final int MAX_ROUNDS = 6;
     /** A change of the power that moves edges by less is none, px. */
     private static final double SETTLED_PX = 0.002;
+    /** After a step of the power that moves edges by less, the next would be no change, px. */
+    private static final double SETTLING_PX = 0.01;
     /**
      * How far edges may still lie from where a curve puts them, px: curves of cameras are no powers, lenses blur by no
      * Gaussian. Inner edges then tell how far.
@@ -381,12 +383,16 @@ final class LightFit {
             }
             double step = clamp(unbounded, LARGEST_STEP);
             double next = clamp(curve.power() + step, LEAST_POWER, LARGEST_POWER);
-            if (Math.abs((next - curve.power()) * offsetByPower) < SETTLED_PX) {
+            double moved = Math.abs((next - curve.power()) * offsetByPower);
+            if (moved < SETTLED_PX) {
                 break;
             }
-            stale += Math.abs((next - curve.power()) * offsetByPower);
+            stale += moved;
             curve = curve.withPower(next);
             scale.set(curve);
+            if (moved < SETTLING_PX) {
+                break;
+            }
             boolean anew = stale > STALE_PX;
             stale = anew ? 0 : stale;
             loop.each(some.size(), m -> {
