@@ -11,12 +11,15 @@ import boofcv.factory.shape.ConfigPolygonFromContour;
 import boofcv.factory.shape.FactoryPointsToPolyline;
 import boofcv.factory.shape.FactoryShapeDetector;
 import boofcv.struct.ConfigLength;
+import boofcv.struct.distort.PixelTransform;
 import boofcv.struct.image.GrayU8;
+import georegression.struct.point.Point2D_F32;
 import georegression.struct.point.Point2D_I32;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.ddogleg.struct.DogArray;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Follows contours in some windows of a binary image only, each by BoofCV's own algorithm: they are those of the whole
@@ -28,6 +31,9 @@ import org.ddogleg.struct.DogArray;
 final class WindowContours extends BinaryContourFinderLinearExternal {
     private static final Comparator<ContourPacked> BY_FIRST_PIXEL = (a, b) -> Integer.compare(a.id, b.id);
 
+    /** Of a square as long, as BoofCV has it, squared length and area are so many times apart. */
+    private static final double AREA_OF_CONTOUR = 16;
+
     private final SearchWindows windows;
     private final Rectangles places;
     /** One for each place, as each keeps the points it has found until the next image. */
@@ -36,30 +42,43 @@ final class WindowContours extends BinaryContourFinderLinearExternal {
     private final List<ContourPacked> inOrder = new ArrayList<>();
     private final DogArray<Point2D_I32> points = new DogArray<>(Point2D_I32::new);
     private final GrayU8 view = new GrayU8();
+    private final Specks specks;
 
     /**
      * Contours.
      *
      * @param windows where they are looked for
      * @param places parts of these windows that may have dark pixels, cut off at their borders only
+     * @param specks what is taken out first
      */
-    WindowContours(SearchWindows windows, Rectangles places) {
+    WindowContours(SearchWindows windows, Rectangles places, Specks specks) {
         this.windows = windows;
         this.places = places;
+        this.specks = specks;
     }
 
     /** BoofCV's detector of polygons, as its factory makes it, but for the contours of what a threshold marks. */
     static DetectPolygonBinaryGrayRefine<GrayU8> polygons(ConfigPolygonDetector config, LocalMeanThreshold threshold) {
         config.checkValidity();
         ConfigPolygonFromContour ofContour = config.detector;
-        WindowContours contours = new WindowContours(threshold.windows(), threshold.places());
+        int least = ofContour.minimumContour.computeI(0);
+        Specks specks = new Specks(least, least * least / AREA_OF_CONTOUR);
+        WindowContours contours = new WindowContours(threshold.windows(), threshold.places(), specks);
         contours.setConnectRule(ofContour.contourRule);
         contours.setMinContour(ofContour.minimumContour);
         contours.setMaxContour(ofContour.maximumContour);
         return new DetectPolygonBinaryGrayRefine<>(
                 new DetectPolygonFromContour<>(FactoryPointsToPolyline.create(ofContour.contourToPoly),
                         ofContour.clockwise, ofContour.canTouchBorder, ofContour.minimumEdgeIntensity,
-                        ofContour.tangentEdgeIntensity, contours, GrayU8.class),
+                        ofContour.tangentEdgeIntensity, contours, GrayU8.class) {
+                    @Override
+                    public void setLensDistortion(int width, int height,
+                            @Nullable PixelTransform<Point2D_F32> straighten,
+                            @Nullable PixelTransform<Point2D_F32> bend) {
+                        super.setLensDistortion(width, height, straighten, bend);
+                        specks.setPolygons(straighten == null);
+                    }
+                },
                 config.refineContour ? new RefinePolygonToContour() : null,
                 config.refineGray == null ? null : FactoryShapeDetector.refinePolygon(config.refineGray, GrayU8.class),
                 config.minimumRefineEdgeIntensity, config.adjustForThresholdBias);
@@ -94,6 +113,7 @@ final class WindowContours extends BinaryContourFinderLinearExternal {
             // with a pixel on each side, which the algorithm sets to zero
             binary.subimage(left, top, Math.min(width, places.right(i)) + 2, Math.min(height, places.bottom(i)) + 2,
                     view);
+            specks.takeOut(view);
             place.process(view, 1 - left, 1 - top);
             int window = windowAt(left, top);
             for (int k = 0; k < place.getExternalContours().size(); k++) {
