@@ -116,9 +116,9 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private void process(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
         lookForContrast(input, Math.max(0, left - 1), Math.max(0, top - 1), Math.min(tilesAcross, right + 1),
                 Math.min(tilesDown, bottom + 1));
-        findPlaces(input, output, left, top, right, bottom);
         Arrays.fill(summedAbout, NOWHERE);
         for (int down = top; down < bottom; down++) {
+            findContrast(input, down, left, right);
             int first = down * TILE;
             int end = Math.min(height, first + TILE);
             int count = findRuns(down, left, right);
@@ -135,20 +135,27 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
                 }
             }
         }
+        findPlaces(output, left, top, right, bottom);
     }
 
-    /** Finds the places of a window of tiles, and clears them in the output. */
-    private void findPlaces(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
+    /** Finds out which tiles of a row may have dark pixels. */
+    private void findContrast(GrayU8 input, int down, int left, int right) {
+        spanRows(down, left, right);
+        for (int across = left; across < right; across++) {
+            contrasting[down * tilesAcross + across] = mayHaveContrast(across) && hasContrast(input, across, down);
+        }
+    }
+
+    /** Finds the places of a window of tiles that was gone through, and clears what was not in the output. */
+    private void findPlaces(GrayU8 output, int left, int top, int right, int bottom) {
         ofWindow.clear();
+        ByteBuffer marked = ByteBuffer.wrap(output.data).order(ByteOrder.LITTLE_ENDIAN);
         for (int down = top; down < bottom; down++) {
-            spanRows(down, left, right);
             int from = left;
             for (int across = left; across <= right; across++) {
-                boolean found = across < right && mayHaveContrast(across) && hasContrast(input, across, down);
-                if (across < right) {
-                    contrasting[down * tilesAcross + across] = found;
-                }
-                if (!found) {
+                // mostly it is noise that may be dark, and is not
+                if (across == right || !contrasting[down * tilesAcross + across]
+                        || !isDark(output, marked, across, down)) {
                     ofWindow.add(TILE * from, TILE * down, Math.min(width, TILE * across),
                             Math.min(height, TILE * (down + 1)));
                     from = across + 1;
@@ -156,6 +163,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
             }
         }
         if (ofWindow.count() > MOST_PLACES) {
+            ofWindow.clear();
             ofWindow.add(TILE * left, TILE * top, Math.min(width, TILE * right), Math.min(height, TILE * bottom));
         }
         for (int i = 0; i < ofWindow.count(); i++) {
@@ -164,6 +172,26 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
             }
             places.add(ofWindow.left(i), ofWindow.top(i), ofWindow.right(i), ofWindow.bottom(i));
         }
+    }
+
+    /** Whether a tile that was gone through has dark pixels. */
+    private boolean isDark(GrayU8 output, ByteBuffer marked, int across, int down) {
+        int end = output.startIndex + Math.min(width, TILE * (across + 1));
+        for (int y = TILE * down; y < Math.min(height, TILE * (down + 1)); y++) {
+            int at = output.startIndex + y * output.stride + TILE * across;
+            int rowEnd = end + y * output.stride;
+            for (; at + Long.BYTES <= rowEnd; at += Long.BYTES) {
+                if (marked.getLong(at) != 0) {
+                    return true;
+                }
+            }
+            for (; at < rowEnd; at++) {
+                if (marked.get(at) != 0) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** Clears a row of tiles, but for those that are gone through: in these every pixel is marked or cleared. */
