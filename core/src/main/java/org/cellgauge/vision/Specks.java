@@ -22,8 +22,7 @@ final class Specks {
     private final double areaOfPolygon;
     private double leastArea;
     private int first;
-    private final int[] found = new int[MOST_PIXELS];
-    private int count;
+    private final int[] found = new int[MOST_PIXELS + 5];
     private byte[] pixels = new byte[0];
     private int stride;
 
@@ -94,36 +93,48 @@ final class Specks {
         }
     }
 
-    /** Takes out the blob of a pixel if it is a speck. */
+    /** Takes out the blob of a pixel if it is a speck; no other of its pixels lies on the left or above this one. */
     private void takeOutAt(int pixel) {
-        count = 0;
-        boolean whole = add(pixel);
-        for (int next = 0; whole && next < count; next++) {
-            int at = found[next];
-            whole = add(at + 1) && add(at - 1) && add(at + stride) && add(at - stride);
+        byte[] dark = pixels;
+        int down = stride;
+        if ((dark[pixel + 1] | dark[pixel + down]) == 0) {
+            // a pixel on its own, as a third of them are
+            dark[pixel] = 0;
+            return;
         }
-        if (!whole || count > mostOfShort && octagon() >= leastArea) {
-            for (int k = 0; k < count; k++) {
-                pixels[found[k]] = 1;
+        int[] blob = found;
+        dark[pixel] = 0;
+        blob[0] = pixel;
+        int size = 1;
+        // at most four for each, beside those that there are
+        for (int next = 0; next < size && size <= MOST_PIXELS; next++) {
+            int at = blob[next];
+            int right = dark[at + 1];
+            dark[at + 1] = 0;
+            blob[size] = at + 1;
+            size += right;
+            int below = dark[at + down];
+            dark[at + down] = 0;
+            blob[size] = at + down;
+            size += below;
+            int left = dark[at - 1];
+            dark[at - 1] = 0;
+            blob[size] = at - 1;
+            size += left;
+            int above = dark[at - down];
+            dark[at - down] = 0;
+            blob[size] = at - down;
+            size += above;
+        }
+        if (size > MOST_PIXELS || size > mostOfShort && octagon(size) >= leastArea) {
+            for (int k = 0; k < size; k++) {
+                dark[blob[k]] = 1;
             }
         }
     }
 
-    /** Takes out a pixel where it is dark; false where there are too many. */
-    private boolean add(int at) {
-        if (pixels[at] == 0) {
-            return true;
-        }
-        if (count == MOST_PIXELS) {
-            return false;
-        }
-        pixels[at] = 0;
-        found[count++] = at;
-        return true;
-    }
-
     /** Area of the octagon about the centres of the pixels found, px². */
-    private double octagon() {
+    private double octagon(int count) {
         int left = Integer.MAX_VALUE;
         int right = Integer.MIN_VALUE;
         int top = Integer.MAX_VALUE;
