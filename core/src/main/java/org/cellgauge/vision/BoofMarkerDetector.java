@@ -5,6 +5,8 @@ import boofcv.alg.fiducial.square.FoundFiducial;
 import boofcv.factory.distort.LensDistortionFactory;
 import boofcv.factory.fiducial.ConfigFiducialBinary;
 import boofcv.factory.fiducial.ConfigFiducialHammingDetector;
+import boofcv.factory.shape.ConfigPolygonDetector;
+import boofcv.struct.ConfigLength;
 import boofcv.struct.calib.CameraPinholeBrown;
 import boofcv.struct.image.GrayU8;
 import georegression.struct.point.Point2D_F64;
@@ -250,8 +252,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
         ConfigFiducialHammingDetector ofCodes = new ConfigFiducialHammingDetector();
         boolean grid = patterns.dictionary() == null;
         LocalMeanThreshold threshold = new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent, windows);
-        return new SquareSearch(threshold,
-                WindowContours.polygons(grid ? ofGrids.squareDetector : ofCodes.squareDetector, threshold),
+        ConfigPolygonDetector polygons = grid ? ofGrids.squareDetector : ofCodes.squareDetector;
+        polygons.detector.minimumContour = ConfigLength.fixed(SquareSearch.LEAST_OUTLINE_PX);
+        return new SquareSearch(threshold, WindowContours.polygons(polygons, threshold),
                 patterns.grid(), grid ? ofGrids.minimumBlackBorderFraction : ofCodes.minimumBlackBorderFraction,
                 new SquareCode(patterns));
     }

@@ -15,7 +15,7 @@ import java.nio.ByteOrder;
  */
 final class Specks {
     /** Of a blob of more no octagon is asked for: most are no specks. */
-    private static final int MOST_PIXELS = 40;
+    private static final int MOST_PIXELS = 80;
     private static final long FIRST_OF_EIGHT = 0x0101_0101_0101_0101L;
 
     private final int mostOfShort;

@@ -38,6 +38,8 @@ final class SquareSearch {
     private static final int BORDER_PLACES = 4;
     /** Shortest side that shows cells, px. */
     private static final double LEAST_SIDE_PX = 10;
+    /** Pixels about the smallest square with such sides: blur takes up to two of a side's dark ones. */
+    static final int LEAST_OUTLINE_PX = 30;
     /** Shortest side as a share of the longest: beyond it a square is too much tilted. */
     private static final double LEAST_SIDE_RATIO = 0.05;
     /** BoofCV's limit on how near a lens is to none, px at the image's corner. */
