@@ -254,6 +254,9 @@ public final class BoofMarkerDetector implements MarkerDetector {
         LocalMeanThreshold threshold = new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent, windows);
         ConfigPolygonDetector polygons = grid ? ofGrids.squareDetector : ofCodes.squareDetector;
         polygons.detector.minimumContour = ConfigLength.fixed(SquareSearch.LEAST_OUTLINE_PX);
+        // lines through the pixels of an outline tell cells, and where to fit sides, as well as the grey beside them
+        polygons.refineContour = true;
+        polygons.refineGray = null;
         return new SquareSearch(threshold, WindowContours.polygons(polygons, threshold),
                 patterns.grid(), grid ? ofGrids.minimumBlackBorderFraction : ofCodes.minimumBlackBorderFraction,
                 new SquareCode(patterns));

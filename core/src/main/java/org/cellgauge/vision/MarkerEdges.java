@@ -26,12 +26,12 @@ final class MarkerEdges {
     /** A line that moved further than this has left the band it was fitted in: its pixels are chosen again. */
     private static final double BAND_STILL_GOOD_PX = 0.05;
     /** The same while the tone curve is not known yet. */
-    private static final double FIRST_BAND_STILL_GOOD_PX = 0.5;
+    private static final double FIRST_BAND_STILL_GOOD_PX = 0.8;
     /**
-     * How far the sides of BoofCV's squares lie inwards, px: 0.1 to 0.8, by blur, curve and contrast, where black is
-     * what is darker than most about it.
+     * How far the sides of BoofCV's squares lie inwards, px, 0.3 more or less by blur, curve and contrast: they are
+     * lines through the middles of the outermost dark pixels.
      */
-    private static final double FIRST_OUTWARDS_PX = 0.3;
+    private static final double FIRST_OUTWARDS_PX = 0.5;
     /** Blur of a photo of which nothing is known. */
     static final double FIRST_BLUR_PX = 0.6;
     /** A blur that has changed by more has made the band and the light from elsewhere others, px; and at first. */
