@@ -254,9 +254,6 @@ public final class BoofMarkerDetector implements MarkerDetector {
         LocalMeanThreshold threshold = new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent, windows);
         ConfigPolygonDetector polygons = grid ? ofGrids.squareDetector : ofCodes.squareDetector;
         polygons.detector.minimumContour = ConfigLength.fixed(SquareSearch.LEAST_OUTLINE_PX);
-        // lines through the pixels of an outline tell cells, and where to fit sides, as well as the grey beside them
-        polygons.refineContour = true;
-        polygons.refineGray = null;
         return new SquareSearch(threshold, WindowContours.polygons(polygons, threshold),
                 patterns.grid(), grid ? ofGrids.minimumBlackBorderFraction : ofCodes.minimumBlackBorderFraction,
                 new SquareCode(patterns));
@@ -503,8 +500,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         }
         boolean[] fitted = new boolean[found.size()];
         loop.gather();
-        loop.each(found.size(), i -> fitted[i] = edges.get(i).fit(image, found.get(i).cornersPx, patternOf[i],
-                light.expectedBlurPx()));
+        loop.each(found.size(), i -> fitted[i] = edges.get(i).fit(image, found.get(i).cornersPx, patternOf[i]));
         edgesUsed = 0;
         for (int i = 0; i < fitted.length; i++) {
             if (fitted[i]) {
@@ -520,7 +516,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private Seen seen(GreyImage image, int idRead, Quadrilateral_F64 q) {
         double[] corners = corners(q);
         MarkerEdges own = edges(edgesUsed);
-        if (!own.fit(image, corners, pattern(idRead), light.expectedBlurPx())) {
+        if (!own.fit(image, corners, pattern(idRead))) {
             return new Seen(idRead, corners, null);
         }
         edgesUsed++;

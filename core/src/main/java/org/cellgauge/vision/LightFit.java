@@ -208,7 +208,6 @@ final class LightFit {
         final boolean inBlocks;
         final double blocksExcess;
         final double untouchedOvershoot;
-        final double blurPx;
 
         Found(LightFit of, double ofPowerPx) {
             this.curve = of.curve;
@@ -219,7 +218,6 @@ final class LightFit {
             this.inBlocks = of.inBlocks;
             this.blocksExcess = of.blocksExcess;
             this.untouchedOvershoot = of.untouchedOvershoot;
-            this.blurPx = of.blurPx;
         }
     }
 
@@ -308,6 +306,8 @@ final class LightFit {
         fitOutliersAnew(image, markers);
         setNoise(markers);
         expectBlurOfOthers(image, markers, patterns);
+        // one marker, or clipped whites, do not tell it well enough
+        before = markers.size() > 1 && !isFarTooBright(some) ? new Found(this, ofPower) : null;
         edgeShiftStdPx = Math.hypot(ofPower, estimated ? ESTIMATED_STD_PX : STATED_STD_PX);
         double[] blurs = new double[markers.size()];
         for (int m = 0; m < blurs.length; m++) {
@@ -318,8 +318,6 @@ final class LightFit {
             blurs[m] /= markers.get(m).cellPx();
         }
         blurInCells = blurs.length == 0 ? 0 : median(blurs);
-        // one marker, or clipped whites, do not tell it well enough
-        before = markers.size() > 1 && !isFarTooBright(some) ? new Found(this, ofPower) : null;
     }
 
     /**
@@ -404,11 +402,6 @@ final class LightFit {
             });
         }
         return offsetByPower / Math.sqrt(powerInformation);
-    }
-
-    /** Blur to start the first fits from, px: that of the frame before, if there was one of the same light. */
-    double expectedBlurPx() {
-        return kept == null ? MarkerEdges.FIRST_BLUR_PX : kept.blurPx;
     }
 
     /** Whether the photo at hand has the light of the one before, by its edges. */

@@ -26,14 +26,14 @@ final class MarkerEdges {
     /** A line that moved further than this has left the band it was fitted in: its pixels are chosen again. */
     private static final double BAND_STILL_GOOD_PX = 0.05;
     /** The same while the tone curve is not known yet. */
-    private static final double FIRST_BAND_STILL_GOOD_PX = 0.8;
+    private static final double FIRST_BAND_STILL_GOOD_PX = 0.5;
     /**
      * How far the sides of BoofCV's squares lie inwards, px, 0.3 more or less by blur, curve and contrast: they are
      * lines through the middles of the outermost dark pixels.
      */
-    private static final double FIRST_OUTWARDS_PX = 0.5;
+    private static final double FIRST_OUTWARDS_PX = 0.3;
     /** Blur of a photo of which nothing is known. */
-    static final double FIRST_BLUR_PX = 0.6;
+    private static final double FIRST_BLUR_PX = 0.6;
     /** A blur that has changed by more has made the band and the light from elsewhere others, px; and at first. */
     private static final double BLUR_STILL_GOOD_PX = 0.02;
     private static final double FIRST_BLUR_STILL_GOOD_PX = 0.15;
@@ -142,10 +142,9 @@ final class MarkerEdges {
      * @param cornersPx 8 values, distorted px, within about a pixel of the corners, in the order of the pattern's
      *     top-left, top-right, bottom-right, bottom-left
      * @param cells white cells, row by row; kept, not copied
-     * @param blurPx what the blur may be, px
      * @return whether all sides were found near where they were looked for
      */
-    boolean fit(GreyImage image, double[] cornersPx, boolean[] cells, double blurPx) {
+    boolean fit(GreyImage image, double[] cornersPx, boolean[] cells) {
         if (!plane.aim(cornersPx)) {
             return false;
         }
@@ -153,7 +152,7 @@ final class MarkerEdges {
             if (!plane.toPlane(cornersPx[2 * i], cornersPx[2 * i + 1], ideal, 2 * i)) {
                 return false;
             }
-            sides[i].restart(blurPx);
+            sides[i].restart(FIRST_BLUR_PX);
         }
         System.arraycopy(ideal, 0, before, 0, 2 * CORNERS);
         white = cells;

@@ -193,4 +193,27 @@ class LocalMeanThresholdTest {
             assertEquals(1, found.get(50, below ? border - 1 : border), "bright below: " + below);
         }
     }
+
+    /** Pixels of noise that are a little darker than what others about them allow, and no darker than their mean does. */
+    @Test
+    void noiseOnPlainGroundIsNoPlace() {
+        GrayU8 image = new GrayU8(640, 480);
+        Random random = new Random(8);
+        for (int i = 0; i < image.data.length; i++) {
+            image.data[i] = (byte) (random.nextInt(50) == 0 ? 114 : random.nextInt(50) == 0 ? 136 : 125);
+        }
+        for (int y = 200; y < 230; y++) {
+            Arrays.fill(image.data, 640 * y + 300, 640 * y + 330, (byte) 40);
+        }
+        LocalMeanThreshold threshold = new LocalMeanThreshold(10, 85, new SearchWindows());
+        GrayU8 found = new GrayU8(1, 1);
+        threshold.process(image, found);
+        assertEquals(1, threshold.places().count());
+        assertTrue(threshold.places().right(0) - threshold.places().left(0) <= 30 + 2 * LocalMeanThreshold.TILE);
+        for (int y = 200; y < 230; y++) {
+            for (int x = 300; x < 330; x++) {
+                assertTrue(isIn(threshold.places(), x, y) || found.get(x, y) == 0, x + ", " + y);
+            }
+        }
+    }
 }

@@ -24,6 +24,7 @@ class SideFitTest {
         seen.turn(0.28, 0.96);
         SideFit side = new SideFit(new SideFit.Work());
         side.halfLengthPx = 8;
+        side.restart(BLUR_PX);
         side.clear(BLUR_PX);
         for (int i = 0; i < 200; i++) {
             double t = 16 * random.nextDouble() - 8;
@@ -41,7 +42,7 @@ class SideFitTest {
         scale.set(ToneCurve.SRGB);
         scale.setNoise(1.5);
         SideFit side = side();
-        assertTrue(side.fit(scale, profile, BLUR_PX, SideFit.SETTLED_PX));
+        assertTrue(side.fit(scale, profile, SideFit.SETTLED_PX));
         assertTrue(side.conclude(scale, profile, true));
         double squares = side.squares;
         double score = side.powerScore;
@@ -81,7 +82,7 @@ class SideFitTest {
         profile.turn(0.28, 0.96);
         scale.set(ToneCurve.SRGB);
         SideFit side = side();
-        assertTrue(side.fit(scale, profile, BLUR_PX, SideFit.SETTLED_PX));
+        assertTrue(side.fit(scale, profile, SideFit.SETTLED_PX));
         assertTrue(side.conclude(scale, profile, false));
         double squares = side.squares;
         side.add(0, 0.2, 200, 0, 255, 1, 0, 0);

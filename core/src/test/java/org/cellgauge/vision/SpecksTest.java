@@ -1,0 +1,139 @@
+package org.cellgauge.vision;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import boofcv.alg.filter.binary.LinearExternalContours;
+import boofcv.struct.ConfigLength;
+import boofcv.struct.ConnectRule;
+import boofcv.struct.PackedSetsPoint2D_I32;
+import boofcv.struct.image.GrayU8;
+import georegression.fitting.polygon.ConvexHullAndrewMonotone_F64;
+import georegression.metric.Area2D_F64;
+import georegression.struct.point.Point2D_F64;
+import georegression.struct.point.Point2D_I32;
+import georegression.struct.shapes.Polygon2D_F64;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.ddogleg.struct.DogArray;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class SpecksTest {
+    /** Pixels that are dark by chance, in a part of a larger image whose width is no multiple of eight. */
+    private static GrayU8 noise(double darkShare, boolean coarse) {
+        Random random = new Random(3);
+        GrayU8 whole = new GrayU8(260, 150);
+        for (int y = 0; y < whole.height; y++) {
+            for (int x = 0; x < whole.width; x++) {
+                if (random.nextDouble() < darkShare) {
+                    whole.set(x, y, 1);
+                    if (coarse && x + 1 < whole.width && y + 1 < whole.height) {
+                        whole.set(x + 1, y, 1);
+                        whole.set(x, y + 1, 1);
+                    }
+                }
+            }
+        }
+        return whole.subimage(13, 9, 244, 142);
+    }
+
+    private static List<List<Point2D_I32>> contours(GrayU8 binary, int least) {
+        LinearExternalContours finder = new LinearExternalContours(ConnectRule.FOUR);
+        finder.setMinContourLength(ConfigLength.fixed(least));
+        finder.setMaxContourLength(ConfigLength.fixed(-1));
+        finder.process(binary.clone(), 0, 0);
+        PackedSetsPoint2D_I32 found = finder.getExternalContours();
+        DogArray<Point2D_I32> points = new DogArray<>(Point2D_I32::new);
+        List<List<Point2D_I32>> contours = new ArrayList<>();
+        for (int i = 0; i < found.size(); i++) {
+            found.getSet(i, points);
+            List<Point2D_I32> contour = new ArrayList<>();
+            points.forEach(p -> contour.add(p.copy()));
+            contours.add(contour);
+        }
+        return contours;
+    }
+
+    private static int dark(GrayU8 binary) {
+        int dark = 0;
+        for (int y = 1; y < binary.height - 1; y++) {
+            for (int x = 1; x < binary.width - 1; x++) {
+                dark += binary.get(x, y);
+            }
+        }
+        return dark;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.1, false, 20", "0.25, false, 20", "0.4, false, 30", "0.12, true, 30"})
+    void contoursThatAreLongEnoughStay(double darkShare, boolean coarse, int least) {
+        GrayU8 binary = noise(darkShare, coarse);
+        List<List<Point2D_I32>> before = contours(binary, least);
+        int darkBefore = dark(binary);
+        new Specks(least, 0).takeOut(binary);
+        assertEquals(before, contours(binary, least));
+        assertTrue(dark(binary) < 0.9 * darkBefore, dark(binary) + " of " + darkBefore);
+    }
+
+    /** What BoofCV would make of them has its corners among their pixels, and so no more area than their hull. */
+    @ParameterizedTest
+    @CsvSource({"0.25, false", "0.12, true", "0.2, true"})
+    void otherContoursThatGoAreTooSmallForAPolygon(double darkShare, boolean coarse) {
+        double leastArea = 40;
+        GrayU8 binary = noise(darkShare, coarse);
+        List<List<Point2D_I32>> before = contours(binary, 20);
+        new Specks(20, leastArea).takeOut(binary);
+        List<List<Point2D_I32>> after = contours(binary, 20);
+        int gone = 0;
+        for (List<Point2D_I32> contour : before) {
+            if (!after.contains(contour)) {
+                gone++;
+                assertTrue(hullArea(contour) < leastArea, contour.toString());
+            }
+        }
+        assertEquals(before.size() - gone, after.size());
+        assertTrue(gone > before.size() / 5, gone + " of " + before.size());
+    }
+
+    private static double hullArea(List<Point2D_I32> contour) {
+        DogArray<Point2D_F64> points = new DogArray<>(Point2D_F64::new);
+        contour.forEach(p -> points.grow().setTo(p.x, p.y));
+        Polygon2D_F64 hull = new Polygon2D_F64();
+        new ConvexHullAndrewMonotone_F64().process(points, hull);
+        return hull.size() < 3 ? 0 : Area2D_F64.polygonSimple(hull);
+    }
+
+    private static GrayU8 row(int length) {
+        GrayU8 binary = new GrayU8(40, 5);
+        for (int x = 0; x < length; x++) {
+            binary.set(3 + x, 2, 1);
+        }
+        return binary;
+    }
+
+    @Test
+    void ofPixelsInARowTheOutlineIsTheLongest() {
+        GrayU8 binary = row(10);
+        new Specks(20, 0).takeOut(binary);
+        assertEquals(0, dark(binary), "18 steps about");
+        binary = row(11);
+        new Specks(20, 0).takeOut(binary);
+        assertEquals(11, dark(binary), "20 steps about");
+        assertEquals(1, contours(binary, 20).size());
+    }
+
+    @Test
+    void underALensAreaIsNoReason() {
+        Specks specks = new Specks(20, 1000);
+        specks.setPolygons(false);
+        GrayU8 binary = row(11);
+        specks.takeOut(binary);
+        assertEquals(11, dark(binary));
+        specks.setPolygons(true);
+        specks.takeOut(binary);
+        assertEquals(0, dark(binary));
+    }
+}
