@@ -19,8 +19,8 @@ import java.util.Arrays;
  * in the window, and every loop does one thing: so nearly all of them run on several pixels at a time.
  *
  * <p>Outside of the {@link SearchWindows} of a frame nothing is looked at; inside, all is as in the whole image. What
- * is gone through lies in some {@linkplain #places() places}, and nothing is set outside of them. Not thread-safe: sums
- * and rows are kept.
+ * is dark lies in some {@linkplain #places() places}, outside of which pixels are cleared or left as they were. Not
+ * thread-safe: sums and rows are kept.
  */
 final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     /** Width and height of a tile, px; at least the radius, so that windows end in the tiles beside. */

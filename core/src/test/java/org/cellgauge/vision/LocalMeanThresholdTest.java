@@ -155,7 +155,9 @@ class LocalMeanThresholdTest {
             for (int x = 0; x < 640; x++) {
                 boolean set = isIn(threshold.places(), x, y);
                 assertTrue(!set || isIn(windows.rectangles(), x, y), x + ", " + y);
-                assertEquals(set ? whole.get(x, y) : 7, found.get(x, y), x + ", " + y);
+                // outside of places pixels are as they were, or were looked at and are not dark
+                assertTrue(found.get(x, y) == whole.get(x, y) || !set && found.get(x, y) == 7, x + ", " + y);
+                assertTrue(found.get(x, y) == 7 || isIn(windows.rectangles(), x, y), x + ", " + y);
                 assertTrue(set || !isIn(windows.rectangles(), x, y) || whole.get(x, y) == 0, x + ", " + y);
             }
         }
