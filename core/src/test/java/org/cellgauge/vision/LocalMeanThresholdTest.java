@@ -196,7 +196,7 @@ class LocalMeanThresholdTest {
         }
     }
 
-    /** Pixels of noise that are a little darker than what others about them allow, and no darker than their mean does. */
+    /** Pixels of noise that are darker than the brightest about them allow, and not than their mean does. */
     @Test
     void noiseOnPlainGroundIsNoPlace() {
         GrayU8 image = new GrayU8(640, 480);

@@ -74,7 +74,7 @@ public class ShippedApp {
         System.out.println("verdict " + this.<TextView>find("banner_headline").getText());
     }
 
-    /** The whole result: while the app writes one, its folder has a name that begins with a dot, and is then renamed. */
+    /** The whole result: while the app writes one, its folder has a name that begins with a dot. */
     private static File kept(File results) {
         File[] folders = results.listFiles(file -> file.isDirectory() && !file.getName().startsWith("."));
         return folders == null || folders.length == 0 ? null : folders[0];
