@@ -349,17 +349,13 @@ final class EdgeProfile {
     }
 
     /**
-     * The normal distribution function.
+     * The normal distribution function, by Abramowitz and Stegun, 26.2.17.
      *
      * @param z any value
      * @return its value, with an error below 7.5e-8
      */
     static double cumulative(double z) {
-        return cumulative(z, Math.exp(-0.5 * z * z) / ROOT_TWO_PI);
-    }
-
-    /** Normal distribution function by Abramowitz and Stegun, 26.2.17: the error is below 7.5e-8. */
-    private static double cumulative(double z, double density) {
+        double density = Math.exp(-0.5 * z * z) / ROOT_TWO_PI;
         double t = 1 / (1 + 0.2316419 * Math.abs(z));
         double tail = density * t * (0.319381530 + t * (-0.356563782 + t * (1.781477937
                 + t * (-1.821255978 + t * 1.330274429))));

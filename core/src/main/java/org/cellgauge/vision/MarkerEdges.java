@@ -28,11 +28,11 @@ final class MarkerEdges {
     /** The same while the tone curve is not known yet. */
     private static final double FIRST_BAND_STILL_GOOD_PX = 0.5;
     /**
-     * How far the sides of BoofCV's squares lie inwards, px, 0.3 more or less by blur, curve and contrast: they are
-     * lines through the middles of the outermost dark pixels.
+     * How far inwards the sides of BoofCV's squares lie, px: 0.1 to 0.4 at a blur of 0.3 to 0.7 px, by curve and
+     * contrast, up to 1.1 where photos are blurred.
      */
     private static final double FIRST_OUTWARDS_PX = 0.3;
-    /** Blur of a photo of which nothing is known. */
+    /** Blur of a photo of which nothing is known, px. */
     private static final double FIRST_BLUR_PX = 0.6;
     /** A blur that has changed by more has made the band and the light from elsewhere others, px; and at first. */
     private static final double BLUR_STILL_GOOD_PX = 0.02;

@@ -23,10 +23,10 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Follows contours in some windows of a binary image only, each by BoofCV's own algorithm: they are those of the whole
- * image that lie in a window, in the same order, to the last pixel. A contour at a window's border is left out, since
- * it may be that of a part: a window cuts straight sides into whatever is dark. Of a window only those places are gone
- * through that may have dark pixels: in a plain scene, looking at every pixel takes as long as all the rest of finding
- * quadrilaterals. Not thread-safe.
+ * image that lie in a window, in the same order, to the last pixel, but for {@link Specks}. A contour at a window's
+ * border is left out, since it may be that of a part: a window cuts straight sides into whatever is dark. Of a window
+ * only those places are gone through that have dark pixels: in a plain scene, looking at every pixel takes as long as
+ * all the rest of finding quadrilaterals. Not thread-safe.
  */
 final class WindowContours extends BinaryContourFinderLinearExternal {
     private static final Comparator<ContourPacked> BY_FIRST_PIXEL = (a, b) -> Integer.compare(a.id, b.id);
