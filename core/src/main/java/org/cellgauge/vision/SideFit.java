@@ -32,11 +32,6 @@ final class SideFit {
     static final double SETTLED_PX = 1e-3;
     static final double NEARLY_SETTLED_PX = 0.02;
     static final double SMALLEST_BLUR_PX = 0.1;
-    private static final double SMALLEST_FIRST_BLUR_PX = 0.2;
-    /** Light from elsewhere makes pixels half dark, too: only where they are few does their number tell the blur, px. */
-    private static final double SHARP_PX = 0.4;
-    /** Deviations about the middle of a normal distribution that half of it lies in. */
-    private static final double HALF_OF_NORMAL = 1.349;
     static final double LARGEST_BLUR_PX = 4;
     /** A bright side that is clipped may be as bright as this, in grey levels of the tone curve's continuation. */
     private static final double LARGEST_LEVEL = 400;
@@ -307,10 +302,6 @@ final class SideFit {
                 high = Math.max(high, grey[i]);
                 clipped += grey[i] > CLIPPED ? 1 : 0;
             }
-            double seen = firstBlurPx(low, high);
-            if (seen < SHARP_PX) {
-                unknowns[BLUR] = seen;
-            }
             unknowns[DARK] = low;
             unknowns[BRIGHT] = 10 * clipped > samples ? 1.1 * high : high;
             started = true;
@@ -325,22 +316,6 @@ final class SideFit {
         problem.evaluated = false;
         solver.minimise(problem);
         return !solver.isSingular() && unknowns[BRIGHT] > unknowns[DARK] + 1;
-    }
-
-    /** Blur by how many pixels are half dark: as large a part of the band as lies between these shares of the step. */
-    private double firstBlurPx(double low, double high) {
-        double most = Double.NEGATIVE_INFINITY;
-        double least = Double.POSITIVE_INFINITY;
-        int between = 0;
-        double from = low + (high - low) / 4;
-        double to = high - (high - low) / 4;
-        for (int i = 0; i < samples; i++) {
-            most = Math.max(most, across[i]);
-            least = Math.min(least, across[i]);
-            between += grey[i] > from && grey[i] < to ? 1 : 0;
-        }
-        double std = (most - least) * between / samples / HALF_OF_NORMAL;
-        return Math.sqrt(Math.max(SMALLEST_FIRST_BLUR_PX * SMALLEST_FIRST_BLUR_PX, std * std - 1.0 / 12));
     }
 
     /** The side as the solver sees it: a step is within what blur and grey levels can be. */
