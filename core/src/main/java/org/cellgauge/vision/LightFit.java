@@ -96,7 +96,7 @@ final class LightFit {
     private static final int MAX_ROUNDS = 6;
     /** A change of the power that moves edges by less is none, px. */
     private static final double SETTLED_PX = 0.002;
-    /** After a step of the power that moves edges by less, the next would be no change, px. */
+    /** After a step of the power that moves edges by less, the next would mostly be no change, px. */
     private static final double SETTLING_PX = 0.01;
     /**
      * How far edges may still lie from where a curve puts them, px: curves of cameras are no powers, lenses blur by no
