@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.check.CellCheck;
@@ -91,12 +92,8 @@ final class InputWork {
     private record Found(Cell cell, Detections detections, GreyImage photo) {
     }
 
-    /** The overlay as its own file, and smaller for the report. */
-    private record Picture(byte[] png, byte[] jpeg) {
-    }
-
-    /** A result, every how-manieth draw is in its files (0 where there are none), and its picture. */
-    private record Result(StoredResult stored, boolean isKept, int everyDraw, byte[] jpeg) {
+    /** A result, every how-manieth draw is in its files (0 where there are none), and what the report says of it. */
+    private record Result(StoredResult stored, boolean isKept, int everyDraw, PhotoSection section) {
     }
 
     /** The batch was stopped while an input was worked on. */
@@ -220,7 +217,7 @@ final class InputWork {
                 return withFiles(computed, found == null ? found(read) : found, null);
             }
             stage("files");
-            return new Result(computed, true, 0, jpeg);
+            return new Result(computed, true, 0, section(computed).withPicture(jpeg));
         }
 
         /** With what would meet a target that is missed, unless that is not wanted. */
@@ -245,9 +242,14 @@ final class InputWork {
             if (plan.folder() == null) {
                 return new Result(stored, sampled == null, 0, null);
             }
-            // painted while the chains are written, which takes about as long, unless one thread is all there may be
-            CompletableFuture<Picture> picture = CompletableFuture.supplyAsync(() -> picture(stored.view(), found),
-                    plan.settings().sampling().threads() == 1 || sampled == null ? Runnable::run : InputWork::besides);
+            // painted and encoded while the rest is written, unless one thread is all there may be
+            Executor besides = plan.settings().sampling().threads() == 1 ? Runnable::run : InputWork::besides;
+            CompletableFuture<BufferedImage> painted = CompletableFuture.supplyAsync(() -> OverlayPainter.paint(
+                    found.photo(), CellOverlay.of(found.cell(), found.detections(), stored.view(), OverlayStyle.PHOTO)),
+                    besides);
+            CompletableFuture<byte[]> png = painted.thenApply(Pictures::png);
+            CompletableFuture<byte[]> jpeg = painted.thenApplyAsync(this::jpeg, besides);
+            PhotoSection section = section(stored);
             Map<String, WholeFiles.Content> files = new LinkedHashMap<>();
             int chains = sampled == null || plan.draws() == DrawFiles.NONE ? 0 : sampled.draws().size();
             int most = chains == 0 ? 0 : plan.draws().most(sampled);
@@ -259,7 +261,7 @@ final class InputWork {
                     writer.flush();
                 });
             }
-            files.put(input.name() + ResultFolder.OVERLAY, bytes -> bytes.write(picture.join().png()));
+            files.put(input.name() + ResultFolder.OVERLAY, bytes -> bytes.write(png.join()));
             files.put(input.name() + ResultFolder.RESULT, text(ResultJson.of(stored)));
             plan.folder().writeHeld(files);
             if (sampled != null) {
@@ -267,7 +269,19 @@ final class InputWork {
             }
             stage("files");
             return new Result(stored, sampled == null, chains == 0 ? 0
-                    : StanCsv.thin(sampled.draws().get(0).count(), most), picture.join().jpeg());
+                    : StanCsv.thin(sampled.draws().get(0).count(), most), section.withPicture(jpeg.join()));
+        }
+
+        private byte[] jpeg(BufferedImage picture) {
+            try {
+                return Pictures.jpeg(picture, plan.reportWidthPx());
+            } catch (IOException e) {
+                throw new IllegalStateException("encoding in memory failed", e);
+            }
+        }
+
+        private PhotoSection section(StoredResult stored) {
+            return PhotoSection.of(number, input, stored);
         }
 
         private void failed(InputOutcome.Kind what, InputOutcome.Failure why) {
@@ -291,7 +305,7 @@ final class InputWork {
                     result == null ? 0 : result.everyDraw(), number, plan.count(), seconds);
             PhotoSection section = plan.folder() == null || unwritable != null ? null
                     : result == null ? PhotoSection.of(number, input, outcome.word(), failure.message())
-                    : PhotoSection.of(number, input, stored, result.jpeg());
+                    : result.section();
             return new Done(outcome, section, unwritable, new LinkedHashMap<>(stages));
         }
     }
@@ -352,16 +366,6 @@ final class InputWork {
         warnings.add(warning);
         return new Detections(detections.imageName(), detections.widthPx(), detections.heightPx(), detections.markers(),
                 warnings, detections.light());
-    }
-
-    private Picture picture(ResultView view, Found found) {
-        BufferedImage painted = OverlayPainter.paint(found.photo(), CellOverlay.of(found.cell(), found.detections(),
-                view, OverlayStyle.PHOTO));
-        try {
-            return new Picture(Pictures.png(painted), Pictures.jpeg(painted, plan.reportWidthPx()));
-        } catch (IOException e) {
-            throw new IllegalStateException("encoding in memory failed", e);
-        }
     }
 
     private static void besides(Runnable task) {

@@ -37,6 +37,8 @@ final class PhotoSection {
     private String worst = "";
     private String rHat = "";
     private String toDo = "";
+    private final String heading;
+    private String picture = "";
     private final Html out = new Html();
 
     private PhotoSection(int number, CheckInput input, String key, String word, String reason) {
@@ -45,23 +47,22 @@ final class PhotoSection {
         this.key = key;
         this.word = word;
         this.reason = reason;
-        out.append("<section id=\"" + id + "\">\n<h2>" + name + " &nbsp; " + Html.verdict(key, word) + "</h2>\n<p>"
-                + Html.escape(reason) + "</p>\n");
+        heading = "<section id=\"" + id + "\">\n<h2>" + name + " &nbsp; " + Html.verdict(key, word) + "</h2>\n<p>"
+                + Html.escape(reason) + "</p>\n";
     }
 
     /**
-     * A result.
+     * A result, without its picture.
      *
      * @param number of the input in its batch, from 1
      * @param input what was checked
      * @param result what was found
-     * @param jpeg picture of the result
      */
-    static PhotoSection of(int number, CheckInput input, StoredResult result, byte[] jpeg) {
+    static PhotoSection of(int number, CheckInput input, StoredResult result) {
         ResultView view = result.view();
         PhotoSection section = new PhotoSection(number, input, view.verdict().key(), CheckText.word(view.verdict()),
                 view.reason());
-        section.fill(result, jpeg);
+        section.fill(result);
         return section;
     }
 
@@ -79,7 +80,7 @@ final class PhotoSection {
         return section;
     }
 
-    private void fill(StoredResult result, byte[] jpeg) {
+    private void fill(StoredResult result) {
         ResultView view = result.view();
         double worstMm = view.objects().stream().filter(ResultRow::seen).mapToDouble(view::worstStdMm).max()
                 .orElse(Double.NaN);
@@ -87,8 +88,6 @@ final class PhotoSection {
         rHat = CheckText.fixed(view.chains().rHatMax(), 4);
         toDo = view.action() == null || reason.contains(view.action()) ? ""
                 : "<br><strong>First:</strong> " + Html.escape(view.action()) + ".";
-        out.append("<p><img alt=\"" + name + ": markers, frames and 95 % ellipses\" src=\"data:image/jpeg;base64,")
-                .append(Base64.getEncoder().encodeToString(jpeg)).append("\"></p>\n");
         if (!view.warnings().isEmpty()) {
             out.append("<h3>Warnings</h3>\n<ul>");
             view.warnings().forEach(w -> out.append("<li>").append(Html.escape(w.text())).append("</li>"));
@@ -114,6 +113,18 @@ final class PhotoSection {
         out.append("</section>\n");
     }
 
+    /**
+     * Puts in the picture of the result.
+     *
+     * @param jpeg the file
+     * @return this
+     */
+    PhotoSection withPicture(byte[] jpeg) {
+        picture = "<p><img alt=\"" + name + ": markers, frames and 95 % ellipses\" src=\"data:image/jpeg;base64,"
+                + Base64.getEncoder().encodeToString(jpeg) + "\"></p>\n";
+        return this;
+    }
+
     /** Whether someone should look at it: there is no figure that meets its target, or needs none. */
     boolean isNotable() {
         return !key.equals(Verdict.PASS.key()) && !key.equals(Verdict.NO_TARGET.key());
@@ -134,7 +145,7 @@ final class PhotoSection {
 
     /** The section. */
     String html() {
-        return out.toString();
+        return heading + picture + out;
     }
 
     private static String caution(ResultView view) {

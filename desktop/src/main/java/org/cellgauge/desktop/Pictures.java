@@ -2,7 +2,14 @@ package org.cellgauge.desktop;
 
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferByte;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
@@ -72,17 +79,11 @@ public final class Pictures {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream(width * picture.getHeight());
         Deflater deflater = new Deflater(DEFLATE_LEVEL);
         try (DeflaterOutputStream out = new DeflaterOutputStream(bytes, deflater, 1 << 14)) {
-            int[] rgb = new int[width];
-            // the first byte says that no filter was applied
-            byte[] row = new byte[1 + 3 * width];
+            byte[] rgb = rgb(picture);
             for (int y = 0; y < picture.getHeight(); y++) {
-                rgb = row(picture, y, rgb);
-                for (int x = 0; x < width; x++) {
-                    row[3 * x + 1] = (byte) (rgb[x] >> 16);
-                    row[3 * x + 2] = (byte) (rgb[x] >> 8);
-                    row[3 * x + 3] = (byte) rgb[x];
-                }
-                out.write(row);
+                // no filter was applied
+                out.write(0);
+                out.write(rgb, 3 * width * y, 3 * width);
             }
         } finally {
             deflater.end();
@@ -90,11 +91,33 @@ public final class Pictures {
         return bytes.toByteArray();
     }
 
-    /** A row of colours; of pictures that keep them so, without a look at every pixel's colour model. */
-    private static int[] row(BufferedImage picture, int y, int[] into) {
-        return picture.getType() == BufferedImage.TYPE_INT_RGB
-                ? (int[]) picture.getRaster().getDataElements(0, y, picture.getWidth(), 1, into)
-                : picture.getRGB(0, y, picture.getWidth(), 1, into, 0, picture.getWidth());
+    /** Red, green and blue of all pixels, row by row. */
+    private static byte[] rgb(BufferedImage picture) {
+        int width = picture.getWidth();
+        byte[] all = new byte[3 * width * picture.getHeight()];
+        int[] row = new int[width];
+        for (int y = 0; y < picture.getHeight(); y++) {
+            // of pictures that keep them so, without a look at every pixel's colour model
+            row = picture.getType() == BufferedImage.TYPE_INT_RGB
+                    ? (int[]) picture.getRaster().getDataElements(0, y, width, 1, row)
+                    : picture.getRGB(0, y, width, 1, row, 0, width);
+            for (int x = 0, at = 3 * width * y; x < width; x++, at += 3) {
+                all[at] = (byte) (row[x] >> 16);
+                all[at + 1] = (byte) (row[x] >> 8);
+                all[at + 2] = (byte) row[x];
+            }
+        }
+        return all;
+    }
+
+    /** The same picture as bytes, which ImageIO's JPEG takes by the row; others pixel by pixel. */
+    private static BufferedImage ofBytes(BufferedImage picture) {
+        byte[] rgb = rgb(picture);
+        int width = picture.getWidth();
+        WritableRaster raster = Raster.createInterleavedRaster(new DataBufferByte(rgb, rgb.length), width,
+                picture.getHeight(), 3 * width, 3, new int[] {0, 1, 2}, null);
+        return new BufferedImage(new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false,
+                Transparency.OPAQUE, DataBuffer.TYPE_BYTE), raster, false, null);
     }
 
     /**
@@ -129,7 +152,7 @@ public final class Pictures {
             ImageWriteParam param = writer.getDefaultWriteParam();
             param.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
             param.setCompressionQuality(JPEG_QUALITY);
-            writer.write(null, new IIOImage(scaled, null, null), param);
+            writer.write(null, new IIOImage(ofBytes(scaled), null, null), param);
         } finally {
             writer.dispose();
         }
