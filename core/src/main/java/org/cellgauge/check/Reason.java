@@ -3,13 +3,13 @@ package org.cellgauge.check;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.cellgauge.cell.Target;
 import org.cellgauge.estimate.VarianceSource;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
 import org.cellgauge.placement.Misfit;
 import org.cellgauge.placement.Misplacement;
@@ -384,7 +384,7 @@ public final class Reason {
     public String english() {
         switch (p.kind) {
             case NOT_CONVERGED:
-                return notConverged(String.format(Locale.ROOT, "worst: %s, R-hat %s, effective draws %s",
+                return notConverged(String.format(Decimal.POINT, "worst: %s, R-hat %s, effective draws %s",
                         p.worstParameter, number(p.rHat, 3), number(p.effectiveDraws, 0)));
             case NEVER_MOVED:
                 return notConverged(p.worstParameter + " never moved in at least one of them");
@@ -395,10 +395,10 @@ public final class Reason {
             case CONTRADICTED:
                 return "No figure: " + Objects.requireNonNull(p.misfit, "contradicted by it").contradiction();
             case TWO_CAMERA_POSES:
-                return String.format(Locale.ROOT, "Two camera poses explain the references (the second holds %.0f %%): "
+                return String.format(Decimal.POINT, "Two camera poses explain the references (the second holds %.0f %%): "
                         + "add a reference out of their plane.", 100 * p.share.getAsDouble());
             case TWO_OBJECT_POSES:
-                return String.format(Locale.ROOT, "Two poses explain the corners of object %d (the second holds %.0f "
+                return String.format(Decimal.POINT, "Two poses explain the corners of object %d (the second holds %.0f "
                         + "%%): use a larger marker, come closer or look at it from the side.", p.objectId.getAsInt(),
                         100 * p.share.getAsDouble());
             case OBJECT_NOT_SEEN:
@@ -414,7 +414,7 @@ public final class Reason {
     }
 
     private String besides() {
-        return tolerance() + (p.undecidedMm.isPresent() ? String.format(Locale.ROOT,
+        return tolerance() + (p.undecidedMm.isPresent() ? String.format(Decimal.POINT,
                 " Undecided: the target lies within twice the Monte Carlo error of a deviation (%.3f mm), so that a "
                         + "longer run might say otherwise.",
                 p.undecidedMm.getAsDouble()) : "") + (p.misfit == null ? "" : p.misfit.english())
@@ -431,7 +431,7 @@ public final class Reason {
         String where = c.of() == Conformity.Of.TURN ? "turned by at most " + plain(c.tolerance()) + " degrees"
                 : "within " + plain(c.tolerance()) + " mm " + (c.of() == Conformity.Of.DISTANCE ? "of where it is said "
                         + "to be" : "in " + c.of().key());
-        return String.format(Locale.ROOT, " Least sure tolerance: %s is %s with probability %.4f, asked for is %s, "
+        return String.format(Decimal.POINT, " Least sure tolerance: %s is %s with probability %.4f, asked for is %s, "
                 + "with a guard band of twice the Monte Carlo error (%.4f)%s.", what, where, c.probability(),
                 plain(c.asked()), c.mcse(), c.isDecided() ? "" : ", within which it is undecided");
     }
@@ -441,19 +441,19 @@ public final class Reason {
             return "There is nothing to judge: no object is in the photo.";
         }
         String target = targetMm().isPresent()
-                ? String.format(Locale.ROOT, " against a target of %s mm", plain(targetMm().getAsDouble())) : "";
-        return String.format(Locale.ROOT, "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance "
+                ? String.format(Decimal.POINT, " against a target of %s mm", plain(targetMm().getAsDouble())) : "";
+        return String.format(Decimal.POINT, "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance "
                 + "comes from %s.", p.stdMm.getAsDouble(), "xyz".charAt(p.axis.getAsInt()),
                 p.grip ? "the gripping point of " : "", p.objectId.getAsInt(), target, 100 * p.share.getAsDouble(),
                 Objects.requireNonNull(p.source, "every deviation has a source").phrase());
     }
 
     private static String plain(double value) {
-        return value == Math.rint(value) ? String.format(Locale.ROOT, "%.0f", value) : Double.toString(value);
+        return value == Math.rint(value) ? String.format(Decimal.POINT, "%.0f", value) : Double.toString(value);
     }
 
     private static String number(double value, int digits) {
-        return Double.isNaN(value) ? "undefined" : String.format(Locale.ROOT, "%." + digits + "f", value);
+        return Double.isNaN(value) ? "undefined" : String.format(Decimal.POINT, "%." + digits + "f", value);
     }
 
     @Override

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.geometry.RigidTransform;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.plan.CellPlanner;
 import org.cellgauge.plan.Change;
 import org.cellgauge.plan.Forecast;
@@ -207,7 +207,7 @@ public final class AdviceView extends Value {
      * @return such as {@code raise reference 22 by 165 mm: z of object 5 2.41 -> 1.10 mm}
      */
     public String line() {
-        return String.format(Locale.ROOT, "%s: %s of %sobject %d %.2f -> %.2f mm (cost %.0f)",
+        return String.format(Decimal.POINT, "%s: %s of %sobject %d %.2f -> %.2f mm (cost %.0f)",
                 String.join("; ", sentences), "xyz".charAt(axis), grip ? "the gripping point of " : "", objectId,
                 nowStdMm, thenStdMm, cost);
     }

@@ -1,7 +1,7 @@
 package org.cellgauge.placement;
 
-import java.util.Locale;
 import java.util.OptionalInt;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.warning.CheckWarning;
 import org.cellgauge.warning.Warning;
 import org.jspecify.annotations.Nullable;
@@ -190,31 +190,31 @@ public final class Misfit {
     public String english() {
         switch (kind) {
             case NOISE:
-                return String.format(Locale.ROOT, " But corners are %.1f times noisier than the stated %.3f px: "
+                return String.format(Decimal.POINT, " But corners are %.1f times noisier than the stated %.3f px: "
                         + "figures promise too much; state pixel_std_px: %.3f, or leave pixel_std_px out.", times,
                         statedStdPx, shownStdPx);
             case MARKER:
-                return String.format(Locale.ROOT, " But the corners of marker %d are %.1f times noisier than the "
+                return String.format(Decimal.POINT, " But the corners of marker %d are %.1f times noisier than the "
                         + "stated %.3f px: see whether it is covered, smudged or bent.", markerId.getAsInt(),
                         times, statedStdPx);
             case CAUSE:
             case CONTRADICTION:
                 return " But " + contradiction();
             case NO_SQUARE:
-                return String.format(Locale.ROOT, " But the corners of marker %d fit no square, %.1f times worse than "
+                return String.format(Decimal.POINT, " But the corners of marker %d fit no square, %.1f times worse than "
                         + "those of the others: see whether it is covered, smudged or bent.", markerId.getAsInt(),
                         times);
             case ONE_PLACE_IN_PHOTO:
-                return String.format(Locale.ROOT, " But markers %d and %d are seen in one place: one of the two is "
+                return String.format(Decimal.POINT, " But markers %d and %d are seen in one place: one of the two is "
                         + "misread.", markerId.getAsInt(), otherId.getAsInt());
             case CHAINS_APART:
                 return " But chains and Laplace's approximation are far apart: state smaller placement deviations, or "
                         + "add references.";
             case ONE_PLACE_IN_CELL:
-                return String.format(Locale.ROOT, " But the cell file has references %d and %d in one place: correct "
+                return String.format(Decimal.POINT, " But the cell file has references %d and %d in one place: correct "
                         + "the position of one.", markerId.getAsInt(), otherId.getAsInt());
             default:
-                return String.format(Locale.ROOT, " But the references together fit %.1f times worse than stated: "
+                return String.format(Decimal.POINT, " But the references together fit %.1f times worse than stated: "
                         + "measure their positions again.", times);
         }
     }
@@ -225,7 +225,7 @@ public final class Misfit {
             case CAUSE:
                 return "references do not fit together: " + causeText + ".";
             case REFERENCES:
-                return String.format(Locale.ROOT, "the references together fit %.1f times worse than stated, and no "
+                return String.format(Decimal.POINT, "the references together fit %.1f times worse than stated, and no "
                         + "single cause explains it: measure their positions again.", times);
             default:
                 return Warning.of(CheckWarning.REFERENCES_CONTRADICT) + ".";

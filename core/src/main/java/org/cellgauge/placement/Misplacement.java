@@ -3,8 +3,8 @@ package org.cellgauge.placement;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalInt;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
 
 /**
@@ -102,7 +102,7 @@ public final class Misplacement {
             return start + who + (errorMm == 0 ? "."
                     : ", and without " + (references.size() == 1 ? "it" : "them") + " there is no camera pose.");
         }
-        return start + String.format(Locale.ROOT, "%s: if so, the largest error is %.2f mm in %s of %sobject "
+        return start + String.format(Decimal.POINT, "%s: if so, the largest error is %.2f mm in %s of %sobject "
                 + "%d.", who, errorMm, "xyz".charAt(axis), grip ? "the gripping point of " : "",
                 objectId.getAsInt());
     }

@@ -5,7 +5,6 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
@@ -434,7 +433,7 @@ public final class ReferenceCheck {
             if (Double.isInfinite(worstMm[axis])) {
                 never.add(name);
             } else {
-                sizes.add(String.format(Locale.ROOT, worstMm[axis] < 100 ? "%.1f mm in %s" : "%.0f mm in %s",
+                sizes.add(String.format(Decimal.POINT, worstMm[axis] < 100 ? "%.1f mm in %s" : "%.0f mm in %s",
                         worstMm[axis], name));
             }
         }
@@ -444,7 +443,7 @@ public final class ReferenceCheck {
         text += never.isEmpty() ? "" : (text.isEmpty() ? "" : " ") + "A reference that is off in "
                 + Listing.or(never) + " would not be noticed.";
         if (most > DirectionScore.LOOKED_FOR) {
-            text += String.format(Locale.ROOT, never.isEmpty() ? " That is more than %.0f times what is stated: more "
+            text += String.format(Decimal.POINT, never.isEmpty() ? " That is more than %.0f times what is stated: more "
                     + "references would show less."
                     : " More references would show less than %.0f times what is stated.", DirectionScore.LOOKED_FOR);
         } else if (!never.isEmpty()) {

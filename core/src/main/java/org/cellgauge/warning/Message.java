@@ -3,7 +3,6 @@ package org.cellgauge.warning;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Listing;
@@ -109,7 +108,7 @@ public abstract class Message {
         for (int i = 0; i < words.length; i++) {
             words[i] = english(arguments.get(i), patterns);
         }
-        return String.format(Locale.ROOT, patterns.apply(kind), words);
+        return String.format(Decimal.POINT, patterns.apply(kind), words);
     }
 
     /**

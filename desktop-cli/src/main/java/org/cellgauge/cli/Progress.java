@@ -1,9 +1,9 @@
 package org.cellgauge.cli;
 
 import java.io.PrintWriter;
-import java.util.Locale;
 import java.util.function.LongSupplier;
 import org.cellgauge.desktop.InputOutcome;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.internal.warning.Printable;
 
 /** How far a batch is: on a terminal one line that is rewritten, with the time left; elsewhere a line of each input. */
@@ -59,7 +59,7 @@ final class Progress {
             show();
         } else {
             err.println(count + name + ": " + words + (outcome.isKept() ? " (kept)"
-                    : String.format(Locale.ROOT, " (%.2f s)", outcome.seconds())));
+                    : String.format(Decimal.POINT, " (%.2f s)", outcome.seconds())));
             err.flush();
         }
     }
@@ -83,7 +83,7 @@ final class Progress {
     static String text(long seconds) {
         long minutes = seconds / SECONDS_A_MINUTE;
         return minutes < SECONDS_A_MINUTE
-                ? String.format(Locale.ROOT, "%d:%02d min", minutes, seconds % SECONDS_A_MINUTE)
-                : String.format(Locale.ROOT, "%d:%02d h", minutes / SECONDS_A_MINUTE, minutes % SECONDS_A_MINUTE);
+                ? String.format(Decimal.POINT, "%d:%02d min", minutes, seconds % SECONDS_A_MINUTE)
+                : String.format(Decimal.POINT, "%d:%02d h", minutes / SECONDS_A_MINUTE, minutes % SECONDS_A_MINUTE);
     }
 }

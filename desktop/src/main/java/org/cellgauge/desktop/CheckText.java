@@ -10,6 +10,7 @@ import org.cellgauge.cell.Target;
 import org.cellgauge.check.Conformity;
 import org.cellgauge.check.Verdict;
 import org.cellgauge.estimate.VarianceSource;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.light.ToneCurve;
 import org.cellgauge.output.BudgetShare;
 import org.cellgauge.output.ChainsView;
@@ -133,17 +134,17 @@ public final class CheckText {
     public static String noiseLines(ResultView view) {
         NoiseView noise = view.noise();
         StringBuilder text = new StringBuilder();
-        text.append(String.format(Locale.ROOT, "Corners: %.3f px", noise.usualStdPx()));
+        text.append(String.format(Decimal.POINT, "Corners: %.3f px", noise.usualStdPx()));
         double[] added = noise.addedQuantilesStdPx();
         if (noise.stated()) {
             text.append(" as stated");
             if (noise.holds() != null) {
-                text.append(String.format(Locale.ROOT, "; markers are square to %.3f px (chi-square %.1f of %d, p "
+                text.append(String.format(Decimal.POINT, "; markers are square to %.3f px (chi-square %.1f of %d, p "
                         + "%s)%s", noise.shownStdPx(), noise.chiSquare(), noise.degreesOfFreedom(), p(noise.pValue()),
                         noise.holds() ? "" : ": NOT AS STATED"));
             }
         } else if (added != null) {
-            text.append(String.format(Locale.ROOT, ", of which not told by the detector %.3f px (95 %%: %.3f to %.3f)",
+            text.append(String.format(Decimal.POINT, ", of which not told by the detector %.3f px (95 %%: %.3f to %.3f)",
                     added[1], added[0], added[2]));
         } else {
             text.append(" as this photo tells");
@@ -151,13 +152,13 @@ public final class CheckText {
         text.append('\n');
         ReferencesView references = view.references();
         if (references.fitTogether() != null) {
-            text.append(String.format(Locale.ROOT, "References together: chi-square %.1f of %d, p %s%s\n",
+            text.append(String.format(Decimal.POINT, "References together: chi-square %.1f of %d, p %s%s\n",
                     references.chiSquare(), references.degreesOfFreedom(), p(references.pValue()),
                     references.fitTogether() ? "" : ": NOT AS STATED"));
         }
         double[] edges = noise.edgeShiftPx();
         if (edges != null) {
-            text.append(String.format(Locale.ROOT, "Edges: %s px into the dark, std %.3f px; by inner edges alone %s "
+            text.append(String.format(Decimal.POINT, "Edges: %s px into the dark, std %.3f px; by inner edges alone %s "
                     + "px, std %.3f px\n", signed3(edges[3]), edges[4], signed3(edges[1]), edges[2]));
         }
         return text.toString();
@@ -168,7 +169,7 @@ public final class CheckText {
     }
 
     private static String signed3(double value) {
-        return String.format(Locale.ROOT, "%+.3f", value);
+        return String.format(Decimal.POINT, "%+.3f", value);
     }
 
     private static void camera(ResultView view, String beside, StringBuilder text) {
@@ -398,7 +399,7 @@ public final class CheckText {
 
     /** A change, with its sign. */
     public static String signed(double value) {
-        return Double.isFinite(value) ? String.format(Locale.ROOT, "%+.2f", value) : "-";
+        return Double.isFinite(value) ? String.format(Decimal.POINT, "%+.2f", value) : "-";
     }
 
     /** How the chains went, in one line. */
@@ -406,7 +407,7 @@ public final class CheckText {
         ChainsView chains = view.chains();
         RunView run = view.run();
         String word = chains.converged() ? "converged" : "not converged";
-        return wrap(String.format(Locale.ROOT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective "
+        return wrap(String.format(Decimal.POINT, "Chains: %s; %d x %d iterations (%d warm-up), R-hat %s, effective "
                 + "draws %s (bulk), %s (tail), Monte Carlo error of any std %s %%", word,
                 run.settings().sampling().chains(), run.iterationsPerChain(), run.warmup(),
                 fixed(chains.rHatMax(), 4), fixed(chains.essBulkMin(), 0), fixed(chains.essTailMin(), 0),
@@ -494,7 +495,7 @@ public final class CheckText {
         }
 
         String words() {
-            return String.format(Locale.ROOT, "Chains against Laplace's approximation: std %.2f (%s) to %.2f (%s) "
+            return String.format(Decimal.POINT, "Chains against Laplace's approximation: std %.2f (%s) to %.2f (%s) "
                     + "times as large, means up to %.2f std apart (%s)", least, whereLeast, most, whereMost, farthest,
                     whereFarthest);
         }
@@ -502,7 +503,7 @@ public final class CheckText {
 
     /** A number with fixed decimals; a dash where there is none. */
     public static String fixed(double value, int decimals) {
-        return Double.isFinite(value) ? String.format(Locale.ROOT, "%." + decimals + "f", value) : "-";
+        return Double.isFinite(value) ? String.format(Decimal.POINT, "%." + decimals + "f", value) : "-";
     }
 
     static String significant(double value, int digits) {
@@ -515,7 +516,7 @@ public final class CheckText {
 
     /** A number without needless decimals. */
     public static String plain(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e9 ? String.format(Locale.ROOT, "%.0f", value)
+        return value == Math.rint(value) && Math.abs(value) < 1e9 ? String.format(Decimal.POINT, "%.0f", value)
                 : Double.toString(value);
     }
 

@@ -5,13 +5,14 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.time.LocalDate;
 import java.util.List;
-import java.util.Locale;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.geometry.PinholeCamera;
 import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.internal.overlay.Polyline;
 import org.cellgauge.internal.overlay.Role;
 import org.cellgauge.internal.overlay.Status;
+import org.cellgauge.internal.statistics.CoverageRegion;
+import org.cellgauge.internal.warning.Decimal;
 
 /**
  * Loads what reads cell files and pictures, paints pictures, and sums up while options are read: to begin takes all of
@@ -57,7 +58,8 @@ public final class EarlyStart {
             }
             // of chains, and of what is said of them
             Flowable.empty();
-            String.format(Locale.ROOT, "%.1f", 1.0);
+            String.format(Decimal.POINT, "%.1f", 1.0);
+            CoverageRegion.chiSquareQuantile(0.5, 2);
         } catch (IOException | RuntimeException e) {
             // whoever needs it will come upon it again, and tell
         }

@@ -3,8 +3,8 @@ package org.cellgauge.desktop;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.output.ResultRow;
 import org.cellgauge.output.ResultView;
 
@@ -185,7 +185,7 @@ final class PhotoTrend {
         double first = line.first;
         double last = line.last;
         StringBuilder svg = new StringBuilder();
-        svg.append(String.format(Locale.ROOT, "<svg class=\"plot\" role=\"img\" width=\"%d\" height=\"%d\" "
+        svg.append(String.format(Decimal.POINT, "<svg class=\"plot\" role=\"img\" width=\"%d\" height=\"%d\" "
                 + "viewBox=\"0 0 %d %d\"><title>%s</title>", WIDTH, HEIGHT, WIDTH, HEIGHT, Html.escape(title)));
         text(svg, LEFT, TOP - 6, "start", title);
         text(svg, LEFT - 4, TOP + 8, "end", CheckText.fixed(high, 1));
@@ -200,7 +200,7 @@ final class PhotoTrend {
             double y = p[1 + axis];
             double std = p[4 + axis];
             line(svg, "mark", x, y(y - std, low, high), x, y(y + std, low, high));
-            svg.append(String.format(Locale.ROOT, "<circle class=\"mark\" cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\"/>", x,
+            svg.append(String.format(Decimal.POINT, "<circle class=\"mark\" cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\"/>", x,
                     y(y, low, high)));
         }
         return svg.append("</svg>\n").toString();
@@ -211,12 +211,12 @@ final class PhotoTrend {
     }
 
     private static void line(StringBuilder svg, String kind, double x1, double y1, double x2, double y2) {
-        svg.append(String.format(Locale.ROOT, "<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>",
+        svg.append(String.format(Decimal.POINT, "<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>",
                 kind, x1, y1, x2, y2));
     }
 
     private static void text(StringBuilder svg, double x, double y, String anchor, String text) {
-        svg.append(String.format(Locale.ROOT, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor))
+        svg.append(String.format(Decimal.POINT, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor))
                 .append(Html.escape(text)).append("</text>");
     }
 }

@@ -7,10 +7,10 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
-import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.output.ResultView;
 
 /**
@@ -89,7 +89,7 @@ final class ReportPages implements Closeable {
     }
 
     private static String file(int page) {
-        return String.format(Locale.ROOT, "report-%03d.html", page);
+        return String.format(Decimal.POINT, "report-%03d.html", page);
     }
 
     /** Makes a page of what has grown. */

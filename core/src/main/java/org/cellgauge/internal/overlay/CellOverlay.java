@@ -1,12 +1,12 @@
 package org.cellgauge.internal.overlay;
 
-import java.util.Locale;
 import java.util.Objects;
 import org.cellgauge.cell.Cell;
 import org.cellgauge.check.CellEstimate;
 import org.cellgauge.check.CheckResult;
 import org.cellgauge.check.CheckUpdate;
 import org.cellgauge.check.Verdict;
+import org.cellgauge.internal.warning.Decimal;
 import org.cellgauge.output.ResultView;
 import org.cellgauge.vision.Detections;
 
@@ -145,7 +145,7 @@ public final class CellOverlay {
             return of(update.result(), style);
         }
         String headline = update.phase() == CheckUpdate.Phase.QUICK_LOOK ? "QUICK LOOK"
-                : String.format(Locale.ROOT, "SAMPLING \u2013 %d iterations per chain", update.iterationsPerChain());
+                : String.format(Decimal.POINT, "SAMPLING \u2013 %d iterations per chain", update.iterationsPerChain());
         return preliminary(cell, detections, update.estimate(), headline, style);
     }
 

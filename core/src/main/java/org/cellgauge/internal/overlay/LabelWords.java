@@ -9,7 +9,7 @@ import java.util.Locale;
 /** What the labels beside the markers say, in the language of whoever looks at them; immutable. */
 public final class LabelWords {
     /** English words, numbers with a point. */
-    public static final LabelWords ENGLISH = new LabelWords(Locale.ROOT, "left out", "seems off", "not seen",
+    public static final LabelWords ENGLISH = new LabelWords('.', '0', "left out", "seems off", "not seen",
             "not in the cell file", "not converged", "not converged yet", "ambiguous", "grip");
 
     private final char decimalSeparator;
@@ -38,9 +38,20 @@ public final class LabelWords {
      */
     public LabelWords(Locale locale, String leftOut, String misplaced, String notSeen, String notInCell,
             String notConverged, String notConvergedYet, String ambiguous, String grip) {
-        DecimalFormatSymbols symbols = DecimalFormatSymbols.getInstance(locale);
-        decimalSeparator = symbols.getDecimalSeparator();
-        zero = symbols.getZeroDigit();
+        this(DecimalFormatSymbols.getInstance(locale), leftOut, misplaced, notSeen, notInCell, notConverged,
+                notConvergedYet, ambiguous, grip);
+    }
+
+    private LabelWords(DecimalFormatSymbols symbols, String leftOut, String misplaced, String notSeen,
+            String notInCell, String notConverged, String notConvergedYet, String ambiguous, String grip) {
+        this(symbols.getDecimalSeparator(), symbols.getZeroDigit(), leftOut, misplaced, notSeen, notInCell,
+                notConverged, notConvergedYet, ambiguous, grip);
+    }
+
+    private LabelWords(char decimalSeparator, char zero, String leftOut, String misplaced, String notSeen,
+            String notInCell, String notConverged, String notConvergedYet, String ambiguous, String grip) {
+        this.decimalSeparator = decimalSeparator;
+        this.zero = zero;
         this.leftOut = leftOut;
         this.misplaced = misplaced;
         this.notSeen = notSeen;

@@ -2,11 +2,12 @@ package org.cellgauge.internal.overlay;
 
 import java.math.BigDecimal;
 import java.util.Locale;
+import org.cellgauge.internal.warning.Decimal;
 
 /** What the legend of a picture says, in the language of whoever looks at it; immutable. */
 public final class LegendWords {
     /** English words, numbers with a point. */
-    public static final LegendWords ENGLISH = new LegendWords(Locale.ROOT, "reference",
+    public static final LegendWords ENGLISH = new LegendWords(Decimal.POINT, "reference",
             "where the camera pose puts it", "95 % of positions, true size", "95 %% of positions, magnified %s\u00d7",
             "not converged", "gripping point", "second pose", "\u03c3 = standard deviation in x, y, z",
             "grid %s mm on z = 0", "grid %1$s mm on z = 0, axes %1$s mm", "no marker was found");

@@ -6,6 +6,12 @@ import org.jspecify.annotations.Nullable;
 
 /** A number as it is written, with so many decimals; immutable. Numbers are equal that are written alike. */
 public final class Decimal {
+    /**
+     * For numbers with a point in {@link String#format}: written as of the root locale, but of this one alone Java knows
+     * the signs by heart. Of others it loads tables of all languages, and asks them for every number.
+     */
+    public static final Locale POINT = Locale.US;
+
     private final double exact;
     private final int decimals;
     /** Written when it is first asked for, on whatever thread: all would write the same. */
@@ -21,7 +27,7 @@ public final class Decimal {
         if (written == null) {
             // rounds halves up; all that is told is the rounded number, so that no other way of writing can round it
             // otherwise
-            written = String.format(Locale.ROOT, "%." + decimals + "f", exact);
+            written = String.format(POINT, "%." + decimals + "f", exact);
             text = written;
         }
         return written;
