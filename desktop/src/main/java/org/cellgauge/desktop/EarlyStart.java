@@ -5,14 +5,15 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.time.LocalDate;
 import java.util.List;
+import org.cellgauge.cell.Cell;
 import org.cellgauge.cell.CellReader;
 import org.cellgauge.geometry.PinholeCamera;
+import org.cellgauge.internal.overlay.CellOverlay;
 import org.cellgauge.internal.overlay.Overlay;
-import org.cellgauge.internal.overlay.Polyline;
-import org.cellgauge.internal.overlay.Role;
 import org.cellgauge.internal.overlay.Status;
 import org.cellgauge.internal.statistics.CoverageRegion;
 import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.vision.Detections;
 
 /**
  * Loads what reads cell files and pictures, paints pictures, and sums up while options are read: to begin takes all of
@@ -20,7 +21,7 @@ import org.cellgauge.internal.warning.Decimal;
  * Markers are not looked for ahead: options are read by then, and the two would wait for each other.
  */
 public final class EarlyStart {
-    private static final int SIDE_PX = 16;
+    private static final int SIDE_PX = 64;
     private static final String CELL = "cellgauge: 1\nmarkers: {family: square-binary, size_mm: 50}\n"
             + "placement: {std_mm: [1, 1, 1], std_deg: 0.2}\n"
             + "references:\n  1: {position_mm: [0, 0, 0], rotation_deg: [0, 0, 0]}\nobjects:\n  2: {}\n"
@@ -36,43 +37,37 @@ public final class EarlyStart {
      */
     public static void begin(boolean paints) {
         if (Runtime.getRuntime().availableProcessors() > 1) {
-            Thread thread = new Thread(() -> load(paints), "cellgauge-ahead");
+            Thread thread = new Thread(() -> {
+                try {
+                    load(paints);
+                } catch (IOException | RuntimeException e) {
+                    // whoever needs it will come upon it again, and tell
+                }
+            }, "cellgauge-ahead");
             thread.setDaemon(true);
             thread.start();
         }
     }
 
-    private static void load(boolean paints) {
-        try {
-            // in the order of their turn
-            readCell();
-            // the table of time zones
-            LocalDate.now();
-            new StopSignal();
-            BufferedImage black = new BufferedImage(SIDE_PX, SIDE_PX, BufferedImage.TYPE_INT_RGB);
-            byte[] photo = Pictures.png(black);
-            Sha256.of(photo);
-            ImageFiles.decode(photo, "", (width, height) -> { });
-            if (paints) {
-                paint(black);
-            }
-            // of chains, and of what is said of them
-            Flowable.empty();
-            String.format(Decimal.POINT, "%.1f", 1.0);
-            CoverageRegion.chiSquareQuantile(0.5, 2);
-        } catch (IOException | RuntimeException e) {
-            // whoever needs it will come upon it again, and tell
-        }
-    }
-
-    private static void readCell() {
-        CellReader.read(CELL, "", PinholeCamera.of(SIDE_PX, SIDE_PX,
+    /** Loads all of it, in the order of its turn. */
+    static void load(boolean paints) throws IOException {
+        Cell cell = CellReader.read(CELL, "", PinholeCamera.of(SIDE_PX, SIDE_PX,
                 new double[] {SIDE_PX, SIDE_PX, SIDE_PX / 2.0, SIDE_PX / 2.0, 0, 0, 0, 0, 0, 0}));
-    }
-
-    private static void paint(BufferedImage black) throws IOException {
-        Polyline line = new Polyline(Role.OBJECT_OUTLINE, Status.PASS, 0, false, 1, 1.5, SIDE_PX - 1, 9);
-        Overlay overlay = new Overlay(SIDE_PX, SIDE_PX, Status.PASS, 1, 1, List.of(line));
-        Pictures.jpeg(OverlayPainter.paint(black, overlay), SIDE_PX);
+        // the table of time zones
+        LocalDate.now();
+        new StopSignal();
+        BufferedImage black = new BufferedImage(SIDE_PX, SIDE_PX, BufferedImage.TYPE_INT_RGB);
+        byte[] photo = Pictures.png(black);
+        Sha256.of(photo);
+        ImageFiles.decode(photo, "", (width, height) -> { });
+        // of the pose, of chains, and of what is said of them
+        CoverageRegion.chiSquareQuantile(0.5, 2);
+        Flowable.empty();
+        String.format(Decimal.POINT, "%.1f", 1.0);
+        if (paints) {
+            Overlay overlay = CellOverlay.ofDetections(cell, new Detections("", SIDE_PX, SIDE_PX, List.of()),
+                    Status.PASS, "PASS", "");
+            Pictures.jpeg(OverlayPainter.paint(black, overlay), SIDE_PX);
+        }
     }
 }
