@@ -61,7 +61,7 @@ public final class EarlyStart {
         Sha256.of(photo);
         ImageFiles.decode(photo, "", (width, height) -> { });
         // of the pose, of chains, and of what is said of them
-        CoverageRegion.chiSquareQuantile(0.5, 2);
+        CoverageRegion.chiSquareQuantile(0.5, 8);
         Flowable.empty();
         String.format(Decimal.POINT, "%.1f", 1.0);
         if (paints) {
