@@ -13,6 +13,7 @@ import org.cellgauge.internal.overlay.Overlay;
 import org.cellgauge.internal.overlay.Status;
 import org.cellgauge.internal.statistics.CoverageRegion;
 import org.cellgauge.internal.warning.Decimal;
+import org.cellgauge.vision.BoofMarkerDetector;
 import org.cellgauge.vision.Detections;
 
 /**
@@ -57,9 +58,10 @@ public final class EarlyStart {
         LocalDate.now();
         new StopSignal();
         BufferedImage black = new BufferedImage(SIDE_PX, SIDE_PX, BufferedImage.TYPE_INT_RGB);
-        byte[] photo = Pictures.png(black);
+        byte[] photo = Pictures.png(black, Runnable::run);
         Sha256.of(photo);
         ImageFiles.decode(photo, "", (width, height) -> { });
+        BoofMarkerDetector.forCell(cell);
         // of the pose, of chains, and of what is said of them
         CoverageRegion.chiSquareQuantile(0.5, 8);
         Flowable.empty();

@@ -247,7 +247,7 @@ final class InputWork {
             CompletableFuture<BufferedImage> painted = CompletableFuture.supplyAsync(() -> OverlayPainter.paint(
                     found.photo(), CellOverlay.of(found.cell(), found.detections(), stored.view(), OverlayStyle.PHOTO)),
                     besides);
-            CompletableFuture<byte[]> png = painted.thenApply(Pictures::png);
+            CompletableFuture<byte[]> png = painted.thenApply(picture -> Pictures.png(picture, besides));
             CompletableFuture<byte[]> jpeg = painted.thenApplyAsync(this::jpeg, besides);
             PhotoSection section = section(stored);
             Map<String, WholeFiles.Content> files = new LinkedHashMap<>();

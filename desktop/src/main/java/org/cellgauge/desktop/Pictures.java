@@ -18,9 +18,8 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import java.util.zip.CRC32;
-import java.util.zip.Deflater;
-import java.util.zip.DeflaterOutputStream;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -46,16 +45,18 @@ public final class Pictures {
      * tries five filters for each row, which takes longer and, for a photo with drawings on it, saves nothing.
      *
      * @param picture an opaque picture
+     * @param besides runs what can be done beside the rest; the file is the same on whatever thread
      * @return the file
      */
-    public static byte[] png(BufferedImage picture) {
+    public static byte[] png(BufferedImage picture, Executor besides) {
         int width = picture.getWidth();
         int height = picture.getHeight();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream(width * height);
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeLong(PNG_SIGNATURE);
             chunk(out, "IHDR", ByteBuffer.allocate(13).putInt(width).putInt(height).put(RGB_OF_8_BITS).array());
-            chunk(out, "IDAT", deflatedRows(picture));
+            // a zero before each row says that no filter was applied
+            chunk(out, "IDAT", TwoPartDeflate.zlib(rgb(picture, 1), DEFLATE_LEVEL, besides));
             chunk(out, "IEND", new byte[0]);
         } catch (IOException e) {
             throw new UncheckedIOException("writing into memory failed", e);
@@ -74,34 +75,18 @@ public final class Pictures {
         out.writeInt((int) check.getValue());
     }
 
-    private static byte[] deflatedRows(BufferedImage picture) throws IOException {
+    /** Red, green and blue of all pixels, row by row, with as many zeros before each row. */
+    private static byte[] rgb(BufferedImage picture, int zeros) {
         int width = picture.getWidth();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream(width * picture.getHeight());
-        Deflater deflater = new Deflater(DEFLATE_LEVEL);
-        try (DeflaterOutputStream out = new DeflaterOutputStream(bytes, deflater, 1 << 14)) {
-            byte[] rgb = rgb(picture);
-            for (int y = 0; y < picture.getHeight(); y++) {
-                // no filter was applied
-                out.write(0);
-                out.write(rgb, 3 * width * y, 3 * width);
-            }
-        } finally {
-            deflater.end();
-        }
-        return bytes.toByteArray();
-    }
-
-    /** Red, green and blue of all pixels, row by row. */
-    private static byte[] rgb(BufferedImage picture) {
-        int width = picture.getWidth();
-        byte[] all = new byte[3 * width * picture.getHeight()];
+        int stride = zeros + 3 * width;
+        byte[] all = new byte[stride * picture.getHeight()];
         int[] row = new int[width];
         for (int y = 0; y < picture.getHeight(); y++) {
             // of pictures that keep them so, without a look at every pixel's colour model
             row = picture.getType() == BufferedImage.TYPE_INT_RGB
                     ? (int[]) picture.getRaster().getDataElements(0, y, width, 1, row)
                     : picture.getRGB(0, y, width, 1, row, 0, width);
-            for (int x = 0, at = 3 * width * y; x < width; x++, at += 3) {
+            for (int x = 0, at = stride * y + zeros; x < width; x++, at += 3) {
                 all[at] = (byte) (row[x] >> 16);
                 all[at + 1] = (byte) (row[x] >> 8);
                 all[at + 2] = (byte) row[x];
@@ -112,7 +97,7 @@ public final class Pictures {
 
     /** The same picture as bytes, which ImageIO's JPEG takes by the row; others pixel by pixel. */
     private static BufferedImage ofBytes(BufferedImage picture) {
-        byte[] rgb = rgb(picture);
+        byte[] rgb = rgb(picture, 0);
         int width = picture.getWidth();
         WritableRaster raster = Raster.createInterleavedRaster(new DataBufferByte(rgb, rgb.length), width,
                 picture.getHeight(), 3 * width, 3, new int[] {0, 1, 2}, null);

@@ -23,7 +23,7 @@ class PicturesTest {
             }
         }
 
-        BufferedImage read = ImageIO.read(new ByteArrayInputStream(Pictures.png(picture)));
+        BufferedImage read = ImageIO.read(new ByteArrayInputStream(Pictures.png(picture, Runnable::run)));
 
         assertEquals(picture.getWidth(), read.getWidth());
         assertEquals(picture.getHeight(), read.getHeight());
