@@ -1,9 +1,13 @@
 package org.cellgauge.vision;
 
+import boofcv.alg.filter.blur.BlurImageOps;
+import boofcv.struct.image.GrayF32;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferByte;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Random;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
@@ -42,6 +46,10 @@ public class FixtureDetectionBenchmark {
     @Param({"lifted-4", "raised-4", "plane-4", "raised-3", "distorted-4", "apriltag-4", "plane-3"})
     public String fixture;
 
+    /** Deviation of noise on the ground, blurred by 0.7 px as texture is, in grey levels; 0 for the photo as it is. */
+    @Param("0")
+    public int texture;
+
     private BoofMarkerDetector detector;
     private BoofMarkerDetector ofFrames;
     private BoofMarkerDetector spread;
@@ -62,16 +70,60 @@ public class FixtureDetectionBenchmark {
         BufferedImage photo = ImageIO.read(folder.resolve("photo.png").toFile());
         image = GreyImage.packed(((DataBufferByte) photo.getRaster().getDataBuffer()).getData(), photo.getWidth(),
                 photo.getHeight());
+        Cell cell = CellReader.read(folder.resolve("cell.yaml"));
+        if (texture > 0) {
+            image = textured(image, BoofMarkerDetector.forCell(cell).detect(image, fixture).markers(), texture);
+        }
         if (!fixture.equals("plane-3")) {
             image = image.withToneCurve(ToneCurve.SRGB);
         }
-        Cell cell = CellReader.read(folder.resolve("cell.yaml"));
         helpers = Executors.newFixedThreadPool(PROCESSORS);
         detector = BoofMarkerDetector.forCell(cell);
         ofFrames = BoofMarkerDetector.forFrames(cell);
         spread = BoofMarkerDetector.forCell(cell).spread(helpers, PROCESSORS);
         spreadOfFrames = BoofMarkerDetector.forFrames(cell).spread(helpers, PROCESSORS);
         frame = image.withToneCurve(null);
+    }
+
+    /** The photo with noise on its ground, but not on markers and the margins about them. */
+    private static GreyImage textured(GreyImage photo, List<MarkerObservation> markers, int std) {
+        int width = photo.widthPx();
+        int height = photo.heightPx();
+        GrayF32 noise = new GrayF32(width, height);
+        Random random = new Random(1);
+        for (int i = 0; i < noise.data.length; i++) {
+            noise.data[i] = (float) random.nextGaussian();
+        }
+        noise = BlurImageOps.gaussian(noise, null, 0.7, 4, null);
+        double square = 0;
+        for (float n : noise.data) {
+            square += n * n / noise.data.length;
+        }
+        byte[] grey = new byte[width * height];
+        for (int y = 0, at = 0; y < height; y++) {
+            for (int x = 0; x < width; x++, at++) {
+                double added = isNear(markers, x, y) ? 0 : std * noise.data[at] / Math.sqrt(square);
+                grey[at] = (byte) Math.max(0, Math.min(255, Math.round(photo.get(x, y) + added)));
+            }
+        }
+        return GreyImage.packed(grey, width, height);
+    }
+
+    /** Whether a place lies on a marker or its margin, which reaches some three cells about it. */
+    private static boolean isNear(List<MarkerObservation> markers, int x, int y) {
+        for (MarkerObservation marker : markers) {
+            double[] c = marker.cornersPx();
+            double u = (c[0] + c[2] + c[4] + c[6]) / 4;
+            double v = (c[1] + c[3] + c[5] + c[7]) / 4;
+            double reach = 0;
+            for (int i = 0; i < 8; i += 2) {
+                reach = Math.max(reach, 1.45 * Math.hypot(c[i] - u, c[i + 1] - v));
+            }
+            if (Math.hypot(x - u, y - v) < reach) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Ends the threads. */
