@@ -53,7 +53,6 @@ import org.jspecify.annotations.Nullable;
 public final class BoofMarkerDetector implements MarkerDetector {
     private static final int NONE = -1;
     private static final byte[] NO_PIXELS = new byte[0];
-    private static final int THRESHOLD_RADIUS_PX = 10;
     /**
      * Beyond it the margin is no white to measure edges by: with margins of a fifth and a tenth of sides of 24 px it is
      * at most 1.01, with 0.05 at least 1.07.
@@ -251,7 +250,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
         ConfigFiducialBinary ofGrids = new ConfigFiducialBinary(1);
         ConfigFiducialHammingDetector ofCodes = new ConfigFiducialHammingDetector();
         boolean grid = patterns.dictionary() == null;
-        LocalMeanThreshold threshold = new LocalMeanThreshold(THRESHOLD_RADIUS_PX, percent, windows);
+        LocalMeanThreshold threshold = new LocalMeanThreshold(percent, windows);
         ConfigPolygonDetector polygons = grid ? ofGrids.squareDetector : ofCodes.squareDetector;
         polygons.detector.minimumContour = ConfigLength.fixed(SquareSearch.LEAST_OUTLINE_PX);
         return new SquareSearch(threshold, WindowContours.polygons(polygons, threshold),
@@ -261,7 +260,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     /** Local mean with a margin: plain grounds and weak textures then give no contours to follow. */
     static LocalMeanThreshold threshold() {
-        return new LocalMeanThreshold(THRESHOLD_RADIUS_PX, USUAL_PERCENT, new SearchWindows());
+        return new LocalMeanThreshold(USUAL_PERCENT, new SearchWindows());
     }
 
     static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {

@@ -8,25 +8,31 @@ import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /**
- * Marks pixels that are darker than a share of the mean about them, as BoofCV's local mean does, in one pass: sums of
- * columns slide down the image, and differences of their running sum give the mean along each row. BoofCV's own blurs
- * the whole image twice first, which takes half of the time to find markers in a plain scene.
+ * Marks pixels that are darker than a share of the mean about them, as BoofCV's local mean does. Cells of 4 x 4 pixels
+ * share a mean, that of 5 x 5 cells with theirs in the middle: so there is a limit for 16 pixels, and eight pixels at a
+ * time are compared with theirs. BoofCV's own blurs the whole image twice first, which takes half of the time to find
+ * markers in a plain scene.
  *
  * <p>Most of an image is plain: where the darkest pixel is brighter than that share of the brightest, no pixel about it
  * can be dark. So the image is first looked at in tiles, in every second pixel of every second row, and only tiles with
  * such a contrast in them or beside them are gone through. A dark speck of a single pixel may then be missed on plain
- * ground, which is nobody's marker; about anything larger all is found. Rows are unpacked once and kept while they are
- * in the window, and every loop does one thing: so nearly all of them run on several pixels at a time.
+ * ground, which is nobody's marker; about anything larger all is found.
  *
  * <p>Outside of the {@link SearchWindows} of a frame nothing is looked at; inside, all is as in the whole image. What
  * is dark lies in some {@linkplain #places() places}, outside of which pixels are cleared or left as they were. Not
- * thread-safe: sums and rows are kept.
+ * thread-safe: sums are kept.
  */
 final class LocalMeanThreshold implements InputToBinary<GrayU8> {
-    /** Width and height of a tile, px; at least the radius, so that windows end in the tiles beside. */
+    /** Width and height of a tile, px. */
     static final int TILE = 16;
+    /** Width and height of a cell, px. */
+    static final int CELL = 4;
+    /** Cells on each side of a cell that its mean is over; at the border, those that there are. In the tiles beside. */
+    static final int REACH = 2;
+    private static final int CELLS = TILE / CELL;
     private static final int STEP = 2;
-    private static final int NOWHERE = -2;
+    /** Limits reached to this are reached: they are shares of whole numbers. */
+    private static final double ROUNDING = 1e-9;
     /** How far tiles of one surface may differ, grey levels: noise takes its darkest pixel now here, now there. */
     private static final int SLACK = 2;
     /** More places than these are gone through as their window: each keeps its contours. */
@@ -40,7 +46,6 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private static final long SIGN_OF_EACH = 0x8000_8000_8000_8000L;
     private static final int LARGEST = 0x7FFF;
 
-    private final int radius;
     private final int percent;
     /** Those of the image at hand, to be read eight at a time. */
     private ByteBuffer pixels = NO_PIXELS;
@@ -51,12 +56,17 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private int height;
     private int tilesAcross;
     private int tilesDown;
+    private int cellsAcross;
+    private int cellsDown;
+    /** Of the pixels of each cell, in tiles of which they are known. */
+    private int[] sums = new int[0];
+    private boolean[] summed = new boolean[0];
+    /** Sums of cells below each other, about a row of cells. */
     private int[] columns = new int[0];
-    /** Sums of columns from the start of a run up to, not with, each column. */
-    private int[] before = new int[0];
-    private int[] dark = new int[0];
-    /** The rows in the window, and one more, by row number modulo their count. */
-    private int[][] unpacked = new int[0][];
+    /** The brightest grey that is dark in each cell of a row. */
+    private int[] limits = new int[0];
+    /** The same of two cells each, in numbers of 16 bits with another bit above the grey. */
+    private long[] limitsOfTwo = new long[0];
     /** Of each tile, the darkest and the brightest pixel that was looked at. */
     private int[] darkest = new int[0];
     private int[] brightest = new int[0];
@@ -66,21 +76,16 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     /** The same of each tile of a row, with the two above and below it. */
     private int[] darkestOfThree = new int[0];
     private int[] brightestOfThree = new int[0];
-    /** The row about which each tile's columns are summed. */
-    private int[] summedAbout = new int[0];
-    /** Tiles from and to which columns are summed, and those of them that are gone through, of each run of a row. */
+    /** Tiles from and to which cells are summed, and those of them that are gone through, of each run of a row. */
     private int[] runs = new int[0];
 
     /**
      * A threshold.
      *
-     * @param radius pixels on each side of a pixel that its mean is over, up to {@value #TILE}; at the border, those
-     *     that there are
-     * @param percent of the mean at which black begins
+     * @param percent of the mean at which black begins, below 100
      * @param windows where pixels are asked for
      */
-    LocalMeanThreshold(int radius, int percent, SearchWindows windows) {
-        this.radius = radius;
+    LocalMeanThreshold(int percent, SearchWindows windows) {
         this.percent = percent;
         this.windows = windows;
     }
@@ -100,6 +105,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         reshape(input.width, input.height);
         output.reshape(width, height);
         places.clear();
+        Arrays.fill(summed, false);
         pixels = ByteBuffer.wrap(input.data).order(ByteOrder.LITTLE_ENDIAN);
         for (int i = 0; i < windows.count(); i++) {
             process(input, output, windows.left(i) / TILE, windows.top(i) / TILE,
@@ -116,26 +122,22 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private void process(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
         lookForContrast(input, Math.max(0, left - 1), Math.max(0, top - 1), Math.min(tilesAcross, right + 1),
                 Math.min(tilesDown, bottom + 1));
-        Arrays.fill(summedAbout, NOWHERE);
+        ByteBuffer marked = ByteBuffer.wrap(output.data).order(ByteOrder.LITTLE_ENDIAN);
         for (int down = top; down < bottom; down++) {
             findContrast(input, down, left, right);
-            int first = down * TILE;
-            int end = Math.min(height, first + TILE);
             int count = findRuns(down, left, right);
             for (int r = 0; r < 4 * count; r += 4) {
-                for (int across = runs[r]; across < runs[r + 1]; across++) {
-                    if (summedAbout[across] != first - 1) {
-                        sumAbout(first - 1, across, input);
+                sumCells(input, runs[r], Math.max(0, down - 1), runs[r + 1], Math.min(tilesDown, down + 2));
+                int end = Math.min(width, TILE * runs[r + 3]);
+                for (int cells = CELLS * down; cells < Math.min(cellsDown, CELLS * (down + 1)); cells++) {
+                    findLimits(cells, runs[r], runs[r + 1], runs[r + 2], runs[r + 3]);
+                    for (int y = CELL * cells; y < Math.min(height, CELL * (cells + 1)); y++) {
+                        mark(input, y, TILE * runs[r + 2], end, output, marked);
                     }
-                    summedAbout[across] = end - 1;
-                }
-                for (int y = first; y < end; y++) {
-                    slideTo(y, TILE * runs[r], Math.min(width, TILE * runs[r + 1]), input);
-                    mark(y, TILE * runs[r + 2], Math.min(width, TILE * runs[r + 3]), output);
                 }
             }
         }
-        findPlaces(output, left, top, right, bottom);
+        findPlaces(output, marked, left, top, right, bottom);
     }
 
     /** Finds out which tiles of a row may have dark pixels. */
@@ -147,9 +149,8 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     }
 
     /** Finds the places of a window of tiles that was gone through, and clears what was not in the output. */
-    private void findPlaces(GrayU8 output, int left, int top, int right, int bottom) {
+    private void findPlaces(GrayU8 output, ByteBuffer marked, int left, int top, int right, int bottom) {
         ofWindow.clear();
-        ByteBuffer marked = ByteBuffer.wrap(output.data).order(ByteOrder.LITTLE_ENDIAN);
         for (int down = top; down < bottom; down++) {
             int from = left;
             for (int across = left; across <= right; across++) {
@@ -218,17 +219,19 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         height = toHeight;
         tilesAcross = tiles(width);
         tilesDown = tiles(height);
-        columns = new int[width];
-        before = new int[width + 1];
-        dark = new int[width];
-        unpacked = new int[2 * radius + 2][width];
+        cellsAcross = (width + CELL - 1) / CELL;
+        cellsDown = (height + CELL - 1) / CELL;
+        sums = new int[cellsAcross * cellsDown];
+        summed = new boolean[tilesAcross * tilesDown];
+        columns = new int[cellsAcross];
+        limits = new int[cellsAcross];
+        limitsOfTwo = new long[(cellsAcross + 1) / 2];
         darkest = new int[tilesAcross * tilesDown];
         brightest = new int[tilesAcross * tilesDown];
         exact = new boolean[tilesAcross * tilesDown];
         contrasting = new boolean[tilesAcross * tilesDown];
         darkestOfThree = new int[tilesAcross];
         brightestOfThree = new int[tilesAcross];
-        summedAbout = new int[tilesAcross];
         runs = new int[4 * (tilesAcross / 2 + 1)];
     }
 
@@ -400,106 +403,131 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         return 100 * low <= percent * high;
     }
 
-    /** Sums the columns of a tile anew, over the rows about one, which may lie just above the image. */
-    private void sumAbout(int y, int across, GrayU8 input) {
-        int from = TILE * across;
-        int to = Math.min(width, from + TILE);
-        Arrays.fill(columns, from, to, 0);
-        for (int v = Math.max(0, y - radius); v <= Math.min(height - 1, y + radius); v++) {
-            add(unpack(input, v, from, to), from, to);
+    /** Sums the pixels of cells in those of some tiles where that is yet to be done. */
+    private void sumCells(GrayU8 input, int left, int top, int right, int bottom) {
+        for (int down = top; down < bottom; down++) {
+            for (int across = left; across < right; across++) {
+                int tile = down * tilesAcross + across;
+                if (summed[tile]) {
+                    continue;
+                }
+                summed[tile] = true;
+                if (TILE * (across + 1) <= width && TILE * (down + 1) <= height) {
+                    sumWhole(input, across, down);
+                } else {
+                    sumPart(input, across, down);
+                }
+            }
         }
     }
 
-    /** Moves the sums of columns down by one row, and sums them up along it. */
-    private void slideTo(int y, int from, int to, GrayU8 input) {
-        boolean enters = y + radius < height;
-        boolean leaves = y - radius - 1 >= 0;
-        if (enters && leaves) {
-            exchange(unpack(input, y + radius, from, to), row(y - radius - 1), from, to);
-        } else if (enters) {
-            add(unpack(input, y + radius, from, to), from, to);
-        } else if (leaves) {
-            subtract(row(y - radius - 1), from, to);
+    private void sumWhole(GrayU8 input, int across, int down) {
+        ByteBuffer in = pixels;
+        int stride = input.stride;
+        int at = input.startIndex + TILE * down * stride + TILE * across;
+        int cell = CELLS * down * cellsAcross + CELLS * across;
+        for (int row = 0; row < CELLS; row++) {
+            for (int half = 0; half < CELLS; half += 2) {
+                // four sums of two columns each
+                long sum = 0;
+                for (int y = 0, from = at + CELL * half; y < CELL; y++, from += stride) {
+                    long eight = in.getLong(from);
+                    sum += (eight & EVERY_SECOND) + (eight >>> Byte.SIZE & EVERY_SECOND);
+                }
+                sum += sum >>> BITS;
+                sums[cell + half] = (int) sum & 0xFFFF;
+                sums[cell + half + 1] = (int) (sum >>> 2 * BITS) & 0xFFFF;
+            }
+            at += CELL * stride;
+            cell += cellsAcross;
         }
-        int[] sums = columns;
-        int[] upTo = before;
-        int sum = 0;
-        upTo[from] = 0;
+    }
+
+    private void sumPart(GrayU8 input, int across, int down) {
+        for (int v = CELLS * down; v < Math.min(cellsDown, CELLS * (down + 1)); v++) {
+            for (int u = CELLS * across; u < Math.min(cellsAcross, CELLS * (across + 1)); u++) {
+                int sum = 0;
+                for (int y = CELL * v; y < Math.min(height, CELL * (v + 1)); y++) {
+                    for (int x = CELL * u; x < Math.min(width, CELL * (u + 1)); x++) {
+                        sum += input.data[input.startIndex + y * input.stride + x] & 0xFF;
+                    }
+                }
+                sums[v * cellsAcross + u] = sum;
+            }
+        }
+    }
+
+    /** Finds the limits of a row of cells, in tiles of which those beside are summed as well. */
+    private void findLimits(int row, int leftBeside, int rightBeside, int left, int right) {
+        int top = Math.max(0, row - REACH);
+        int bottom = Math.min(cellsDown, row + REACH + 1);
+        int from = CELLS * leftBeside;
+        int to = Math.min(cellsAcross, CELLS * rightBeside);
+        sumColumns(top, bottom, from, to);
+        int rows = Math.min(height, CELL * bottom) - CELL * top;
+        int first = CELLS * left;
+        int end = Math.min(cellsAcross, CELLS * right);
+        int whole = Math.max(first, REACH);
+        int endOfWhole = Math.max(whole, Math.min(end, width / CELL - REACH));
+        limitBorder(rows, first, Math.min(end, whole));
+        limitWhole(percent / (100.0 * rows * CELL * (2 * REACH + 1)), whole, Math.min(end, endOfWhole));
+        limitBorder(rows, Math.min(end, endOfWhole), end);
+        for (int cell = first; cell < end; cell += 2) {
+            long second = cell + 1 < end ? limits[cell + 1] : 0;
+            limitsOfTwo[cell / 2] = (limits[cell] | second << 2 * BITS) * (1 | 1 << BITS) | BEYOND_EACH;
+        }
+    }
+
+    private void sumColumns(int top, int bottom, int from, int to) {
+        int[] ofColumns = columns;
+        Arrays.fill(ofColumns, from, to, 0);
+        for (int row = top; row < bottom; row++) {
+            int at = row * cellsAcross;
+            for (int x = from; x < to; x++) {
+                ofColumns[x] += sums[at + x];
+            }
+        }
+    }
+
+    private void limitWhole(double share, int from, int to) {
+        int[] ofColumns = columns;
+        int[] found = limits;
         for (int x = from; x < to; x++) {
-            sum += sums[x];
-            upTo[x + 1] = sum;
+            int sum = ofColumns[x - 2] + ofColumns[x - 1] + ofColumns[x] + ofColumns[x + 1] + ofColumns[x + 2];
+            found[x] = (int) (share * sum + ROUNDING);
         }
     }
 
-    private void mark(int y, int from, int to, GrayU8 output) {
-        int rows = Math.min(height - 1, y + radius) - Math.max(0, y - radius) + 1;
-        int at = output.startIndex + y * output.stride;
-        byte[] out = output.data;
-        int[] found = dark;
-        int[] in = row(y);
-        int first = Math.min(to, Math.max(from, radius));
-        int last = Math.max(first, Math.min(to, width - radius));
-        border(from, first, rows, in, out, at);
-        compare(in, first, last, rows * (2 * radius + 1) * 100);
-        for (int x = first; x < last; x++) {
-            out[at + x] = (byte) found[x];
-        }
-        border(last, to, rows, in, out, at);
-    }
-
-    private void compare(int[] in, int first, int last, int whole) {
-        int[] upTo = before;
-        int[] found = dark;
-        int share = percent;
-        int left = -radius;
-        int right = radius + 1;
-        for (int x = first; x < last; x++) {
-            found[x] = (share * (upTo[x + right] - upTo[x + left]) - in[x] * whole >>> 31) ^ 1;
+    /** Cells of which some that the mean is over would lie outside, or in part. */
+    private void limitBorder(int rows, int from, int to) {
+        for (int x = from; x < to; x++) {
+            int left = Math.max(0, x - REACH);
+            int right = Math.min(cellsAcross, x + REACH + 1);
+            int sum = 0;
+            for (int u = left; u < right; u++) {
+                sum += columns[u];
+            }
+            int across = Math.min(width, CELL * right) - CELL * left;
+            limits[x] = (int) (percent / (100.0 * rows * across) * sum + ROUNDING);
         }
     }
 
-    /** Pixels whose window is cut off on the left or right. */
-    private void border(int first, int last, int rows, int[] in, byte[] out, int to) {
-        for (int x = first; x < last; x++) {
-            int left = Math.max(0, x - radius);
-            int right = Math.min(width, x + radius + 1);
-            int count = rows * (right - left);
-            out[to + x] = (byte) (in[x] * count * 100 <= percent * (before[right] - before[left]) ? 1 : 0);
-        }
-    }
-
-    private int[] row(int y) {
-        return unpacked[y % unpacked.length];
-    }
-
-    private int[] unpack(GrayU8 input, int y, int from, int to) {
-        byte[] in = input.data;
+    private void mark(GrayU8 input, int y, int from, int to, GrayU8 output, ByteBuffer marked) {
+        ByteBuffer in = pixels;
+        long[] beyond = limitsOfTwo;
         int at = input.startIndex + y * input.stride;
-        int[] row = row(y);
-        for (int x = from; x < to; x++) {
-            row[x] = in[at + x] & 0xFF;
+        int out = output.startIndex + y * output.stride;
+        int x = from;
+        for (; x + Long.BYTES <= to; x += Long.BYTES) {
+            long eight = in.getLong(at + x);
+            long most = beyond[x / Long.BYTES];
+            // the bit above a grey is left where the limit is not below it
+            long even = most - (eight & EVERY_SECOND) >>> Byte.SIZE & IN_EACH;
+            long odd = most - (eight >>> Byte.SIZE & EVERY_SECOND) & BEYOND_EACH;
+            marked.putLong(out + x, even | odd);
         }
-        return row;
-    }
-
-    private void add(int[] row, int from, int to) {
-        int[] sums = columns;
-        for (int x = from; x < to; x++) {
-            sums[x] += row[x];
-        }
-    }
-
-    private void subtract(int[] row, int from, int to) {
-        int[] sums = columns;
-        for (int x = from; x < to; x++) {
-            sums[x] -= row[x];
-        }
-    }
-
-    private void exchange(int[] enters, int[] leaves, int from, int to) {
-        int[] sums = columns;
-        for (int x = from; x < to; x++) {
-            sums[x] += enters[x] - leaves[x];
+        for (; x < to; x++) {
+            output.data[out + x] = (byte) ((input.data[at + x] & 0xFF) <= limits[x / CELL] ? 1 : 0);
         }
     }
 
