@@ -6,12 +6,14 @@ import boofcv.struct.image.ImageType;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Marks pixels that are darker than a share of the mean about them, as BoofCV's local mean does. Cells of 4 x 4 pixels
- * share a mean, that of 5 x 5 cells with theirs in the middle: so there is a limit for 16 pixels, and eight pixels at a
- * time are compared with theirs. BoofCV's own blurs the whole image twice first, which takes half of the time to find
- * markers in a plain scene.
+ * Marks pixels that are darker than a share of the mean about them, as BoofCV's local mean does. The mean is that of the
+ * 20 x 20 pixels about the middles of cells of 4 x 4, and between these interpolated, down to rows and pairs of pixels:
+ * so eight pixels at a time are compared with theirs. (One mean for a whole cell gives steps in blurred edges, and
+ * squares are lost.) BoofCV's own blurs the whole image twice first, which takes half of the time to find markers in a
+ * plain scene.
  *
  * <p>Most of an image is plain: where the darkest pixel is brighter than that share of the brightest, no pixel about it
  * can be dark. So the image is first looked at in tiles, in every second pixel of every second row, and only tiles with
@@ -30,9 +32,19 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     /** Cells on each side of a cell that its mean is over; at the border, those that there are. In the tiles beside. */
     static final int REACH = 2;
     private static final int CELLS = TILE / CELL;
+    /** Rows of cells of a tile, and one more on each side. */
+    private static final int ROWS = CELLS + 2;
+    /** Limits of cells are in parts of a grey level. */
+    private static final int PARTS = 8;
+    /** How much the limit of a cell counts in each of its rows, and how much that of the nearest other one, in eighths. */
+    private static final int[] OWN = {5, 7, 7, 5};
+    private static final int[] OTHER = {3, 1, 1, 3};
     private static final int STEP = 2;
-    /** Limits reached to this are reached: they are shares of whole numbers. */
-    private static final double ROUNDING = 1e-9;
+    /** Pixels that a mean is over. */
+    private static final int WHOLE = (2 * REACH + 1) * CELL * (2 * REACH + 1) * CELL;
+    private static final int RECIPROCAL_BITS = 40;
+    /** To divide a number of 27 bits by a hundred means' pixels, to less than a part (Hacker's Delight, 10-9). */
+    private static final long RECIPROCAL = (1L << RECIPROCAL_BITS) / (100 * WHOLE) + 1;
     /** How far tiles of one surface may differ, grey levels: noise takes its darkest pixel now here, now there. */
     private static final int SLACK = 2;
     /** More places than these are gone through as their window: each keeps its contours. */
@@ -50,6 +62,8 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     /** Those of the image at hand, to be read eight at a time. */
     private ByteBuffer pixels = NO_PIXELS;
     private final SearchWindows windows;
+    private @Nullable Specks specks;
+    private final DarkBits dark = new DarkBits();
     private final Rectangles places = new Rectangles();
     private final Rectangles ofWindow = new Rectangles();
     private int width;
@@ -63,10 +77,10 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private boolean[] summed = new boolean[0];
     /** Sums of cells below each other, about a row of cells. */
     private int[] columns = new int[0];
-    /** The brightest grey that is dark in each cell of a row. */
+    /** The brightest grey that is dark in the middle of each cell of a row, in parts. */
     private int[] limits = new int[0];
-    /** The same of two cells each, in numbers of 16 bits with another bit above the grey. */
-    private long[] limitsOfTwo = new long[0];
+    /** The same between the middles, of four pairs of pixels in a number, by rows of cells; in quarters of parts. */
+    private final long[][] ofPairs = new long[ROWS][0];
     /** Of each tile, the darkest and the brightest pixel that was looked at. */
     private int[] darkest = new int[0];
     private int[] brightest = new int[0];
@@ -95,6 +109,11 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         return windows;
     }
 
+    /** Has specks taken out of what is dark. */
+    void takeOut(Specks ofContours) {
+        specks = ofContours;
+    }
+
     /** Parts of the last image that have all dark pixels in them. */
     Rectangles places() {
         return places;
@@ -104,6 +123,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     public void process(GrayU8 input, GrayU8 output) {
         reshape(input.width, input.height);
         output.reshape(width, height);
+        dark.reshape(width, height);
         places.clear();
         Arrays.fill(summed, false);
         pixels = ByteBuffer.wrap(input.data).order(ByteOrder.LITTLE_ENDIAN);
@@ -122,22 +142,31 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private void process(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
         lookForContrast(input, Math.max(0, left - 1), Math.max(0, top - 1), Math.min(tilesAcross, right + 1),
                 Math.min(tilesDown, bottom + 1));
-        ByteBuffer marked = ByteBuffer.wrap(output.data).order(ByteOrder.LITTLE_ENDIAN);
         for (int down = top; down < bottom; down++) {
             findContrast(input, down, left, right);
             int count = findRuns(down, left, right);
             for (int r = 0; r < 4 * count; r += 4) {
                 sumCells(input, runs[r], Math.max(0, down - 1), runs[r + 1], Math.min(tilesDown, down + 2));
                 int end = Math.min(width, TILE * runs[r + 3]);
-                for (int cells = CELLS * down; cells < Math.min(cellsDown, CELLS * (down + 1)); cells++) {
-                    findLimits(cells, runs[r], runs[r + 1], runs[r + 2], runs[r + 3]);
-                    for (int y = CELL * cells; y < Math.min(height, CELL * (cells + 1)); y++) {
-                        mark(input, y, TILE * runs[r + 2], end, output, marked);
+                for (int row = 0; row < ROWS; row++) {
+                    int cells = CELLS * down - 1 + row;
+                    if (cells >= 0 && cells < cellsDown) {
+                        findLimits(cells, runs[r], runs[r + 1], runs[r + 2], runs[r + 3], ofPairs[row]);
                     }
+                }
+                for (int y = TILE * down; y < Math.min(height, TILE * (down + 1)); y++) {
+                    int cells = y / CELL;
+                    int other = y % CELL < CELL / 2 ? Math.max(0, cells - 1) : Math.min(cellsDown - 1, cells + 1);
+                    mark(input, y, TILE * runs[r + 2], end, ofPairs[cells - CELLS * down + 1], OWN[y % CELL],
+                            ofPairs[other - CELLS * down + 1], OTHER[y % CELL]);
                 }
             }
         }
-        findPlaces(output, marked, left, top, right, bottom);
+        if (specks != null) {
+            specks.takeOut(dark, TILE * left, TILE * top, Math.min(width, TILE * right),
+                    Math.min(height, TILE * bottom));
+        }
+        findPlaces(output, left, top, right, bottom);
     }
 
     /** Finds out which tiles of a row may have dark pixels. */
@@ -148,15 +177,15 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         }
     }
 
-    /** Finds the places of a window of tiles that was gone through, and clears what was not in the output. */
-    private void findPlaces(GrayU8 output, ByteBuffer marked, int left, int top, int right, int bottom) {
+    /** Finds the places of a window of tiles that was gone through, and writes them. */
+    private void findPlaces(GrayU8 output, int left, int top, int right, int bottom) {
         ofWindow.clear();
         for (int down = top; down < bottom; down++) {
             int from = left;
             for (int across = left; across <= right; across++) {
                 // mostly it is noise that may be dark, and is not
                 if (across == right || !contrasting[down * tilesAcross + across]
-                        || !isDark(output, marked, across, down)) {
+                        || !dark.isAnyDark(TILE * across, TILE * down, TILE)) {
                     ofWindow.add(TILE * from, TILE * down, Math.min(width, TILE * across),
                             Math.min(height, TILE * (down + 1)));
                     from = across + 1;
@@ -168,46 +197,8 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
             ofWindow.add(TILE * left, TILE * top, Math.min(width, TILE * right), Math.min(height, TILE * bottom));
         }
         for (int i = 0; i < ofWindow.count(); i++) {
-            for (int down = ofWindow.top(i) / TILE; down < tiles(ofWindow.bottom(i)); down++) {
-                clearPlain(output, down, ofWindow.left(i) / TILE, tiles(ofWindow.right(i)));
-            }
+            dark.write(ofWindow.left(i), ofWindow.top(i), ofWindow.right(i), ofWindow.bottom(i), output);
             places.add(ofWindow.left(i), ofWindow.top(i), ofWindow.right(i), ofWindow.bottom(i));
-        }
-    }
-
-    /** Whether a tile that was gone through has dark pixels. */
-    private boolean isDark(GrayU8 output, ByteBuffer marked, int across, int down) {
-        int end = output.startIndex + Math.min(width, TILE * (across + 1));
-        for (int y = TILE * down; y < Math.min(height, TILE * (down + 1)); y++) {
-            int at = output.startIndex + y * output.stride + TILE * across;
-            int rowEnd = end + y * output.stride;
-            for (; at + Long.BYTES <= rowEnd; at += Long.BYTES) {
-                if (marked.getLong(at) != 0) {
-                    return true;
-                }
-            }
-            for (; at < rowEnd; at++) {
-                if (marked.get(at) != 0) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    /** Clears a row of tiles, but for those that are gone through: in these every pixel is marked or cleared. */
-    private void clearPlain(GrayU8 output, int down, int left, int right) {
-        int across = left;
-        while (across < right) {
-            int from = across;
-            while (across < right && !contrasting[down * tilesAcross + across]) {
-                across++;
-            }
-            for (int y = TILE * down; from < across && y < Math.min(height, TILE * (down + 1)); y++) {
-                int at = output.startIndex + y * output.stride;
-                Arrays.fill(output.data, at + TILE * from, at + Math.min(width, TILE * across), (byte) 0);
-            }
-            across++;
         }
     }
 
@@ -225,7 +216,9 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         summed = new boolean[tilesAcross * tilesDown];
         columns = new int[cellsAcross];
         limits = new int[cellsAcross];
-        limitsOfTwo = new long[(cellsAcross + 1) / 2];
+        for (int row = 0; row < ROWS; row++) {
+            ofPairs[row] = new long[(cellsAcross + 1) / 2];
+        }
         darkest = new int[tilesAcross * tilesDown];
         brightest = new int[tilesAcross * tilesDown];
         exact = new boolean[tilesAcross * tilesDown];
@@ -458,23 +451,27 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     }
 
     /** Finds the limits of a row of cells, in tiles of which those beside are summed as well. */
-    private void findLimits(int row, int leftBeside, int rightBeside, int left, int right) {
+    private void findLimits(int row, int leftBeside, int rightBeside, int left, int right, long[] pairs) {
         int top = Math.max(0, row - REACH);
         int bottom = Math.min(cellsDown, row + REACH + 1);
-        int from = CELLS * leftBeside;
-        int to = Math.min(cellsAcross, CELLS * rightBeside);
-        sumColumns(top, bottom, from, to);
+        sumColumns(top, bottom, CELLS * leftBeside, Math.min(cellsAcross, CELLS * rightBeside));
         int rows = Math.min(height, CELL * bottom) - CELL * top;
-        int first = CELLS * left;
-        int end = Math.min(cellsAcross, CELLS * right);
-        int whole = Math.max(first, REACH);
-        int endOfWhole = Math.max(whole, Math.min(end, width / CELL - REACH));
-        limitBorder(rows, first, Math.min(end, whole));
-        limitWhole(percent / (100.0 * rows * CELL * (2 * REACH + 1)), whole, Math.min(end, endOfWhole));
-        limitBorder(rows, Math.min(end, endOfWhole), end);
-        for (int cell = first; cell < end; cell += 2) {
-            long second = cell + 1 < end ? limits[cell + 1] : 0;
-            limitsOfTwo[cell / 2] = (limits[cell] | second << 2 * BITS) * (1 | 1 << BITS) | BEYOND_EACH;
+        // those on each side are interpolated with
+        int first = Math.max(0, CELLS * left - 1);
+        int end = Math.min(cellsAcross, CELLS * right + 1);
+        int whole = Math.min(end, Math.max(first, REACH));
+        int endOfWhole = rows * CELL * (2 * REACH + 1) < WHOLE ? whole
+                : Math.max(whole, Math.min(end, width / CELL - REACH));
+        limitBorder(rows, first, whole);
+        limitWhole(whole, endOfWhole);
+        limitBorder(rows, endOfWhole, end);
+        for (int cell = CELLS * left; cell < Math.min(cellsAcross, CELLS * right); cell += 2) {
+            long one = limits[cell];
+            long two = limits[Math.min(cellsAcross - 1, cell + 1)];
+            long before = limits[Math.max(0, cell - 1)];
+            long after = limits[Math.min(cellsAcross - 1, cell + 2)];
+            pairs[cell / 2] = 3 * one + before | 3 * one + two << BITS | one + 3 * two << 2 * BITS
+                    | 3 * two + after << 3 * BITS;
         }
     }
 
@@ -489,12 +486,13 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         }
     }
 
-    private void limitWhole(double share, int from, int to) {
+    private void limitWhole(int from, int to) {
         int[] ofColumns = columns;
         int[] found = limits;
+        long share = PARTS * percent * RECIPROCAL;
         for (int x = from; x < to; x++) {
             int sum = ofColumns[x - 2] + ofColumns[x - 1] + ofColumns[x] + ofColumns[x + 1] + ofColumns[x + 2];
-            found[x] = (int) (share * sum + ROUNDING);
+            found[x] = (int) (sum * share >>> RECIPROCAL_BITS);
         }
     }
 
@@ -508,27 +506,38 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
                 sum += columns[u];
             }
             int across = Math.min(width, CELL * right) - CELL * left;
-            limits[x] = (int) (percent / (100.0 * rows * across) * sum + ROUNDING);
+            limits[x] = PARTS * percent * sum / (100 * rows * across);
         }
     }
 
-    private void mark(GrayU8 input, int y, int from, int to, GrayU8 output, ByteBuffer marked) {
+    private void mark(GrayU8 input, int y, int from, int to, long[] own, int ofOwn, long[] other, int ofOther) {
         ByteBuffer in = pixels;
-        long[] beyond = limitsOfTwo;
         int at = input.startIndex + y * input.stride;
-        int out = output.startIndex + y * output.stride;
         int x = from;
-        for (; x + Long.BYTES <= to; x += Long.BYTES) {
-            long eight = in.getLong(at + x);
-            long most = beyond[x / Long.BYTES];
-            // the bit above a grey is left where the limit is not below it
-            long even = most - (eight & EVERY_SECOND) >>> Byte.SIZE & IN_EACH;
-            long odd = most - (eight >>> Byte.SIZE & EVERY_SECOND) & BEYOND_EACH;
-            marked.putLong(out + x, even | odd);
+        while (x < to) {
+            int word = dark.indexOf(x, y);
+            int end = Math.min(to, dark.endOf(x));
+            long bits = 0;
+            for (; x + Long.BYTES <= end; x += Long.BYTES) {
+                long eight = in.getLong(at + x);
+                long limit = limit(own[x / Long.BYTES] * ofOwn + other[x / Long.BYTES] * ofOther);
+                // the bit above a grey is left where the limit is not below it
+                long even = limit - (eight & EVERY_SECOND) >>> Byte.SIZE & IN_EACH;
+                long odd = limit - (eight >>> Byte.SIZE & EVERY_SECOND) & BEYOND_EACH;
+                bits |= DarkBits.ofEight(even | odd) << x;
+            }
+            for (; x < end; x++) {
+                long limit = limit(own[x / Long.BYTES] * ofOwn + other[x / Long.BYTES] * ofOther)
+                        >>> x % Long.BYTES / 2 * BITS & 0xFF;
+                bits |= (input.data[at + x] & 0xFF) <= limit ? 1L << x : 0;
+            }
+            dark.words()[word] |= bits;
         }
-        for (; x < to; x++) {
-            output.data[out + x] = (byte) ((input.data[at + x] & 0xFF) <= limits[x / CELL] ? 1 : 0);
-        }
+    }
+
+    /** Limits of four pairs of pixels, with another bit above, of eighths of quarters of parts. */
+    private static long limit(long pairs) {
+        return pairs >>> Byte.SIZE & EVERY_SECOND | BEYOND_EACH;
     }
 
     @Override

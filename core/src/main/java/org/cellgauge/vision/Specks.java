@@ -1,9 +1,5 @@
 package org.cellgauge.vision;
 
-import boofcv.struct.image.GrayU8;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-
 /**
  * Takes specks out of a binary image whose contours no polygon would come from: on textured ground there are tens of
  * thousands of them, and to follow each takes as long as all the rest of finding squares.
@@ -11,19 +7,29 @@ import java.nio.ByteOrder;
  * <p>What is left has the contours that it had. A blob of n pixels that touch each other at their sides is walked about
  * in at most 2 (n - 1) steps from pixel to pixel, as a tree of them is, which has the longest way about it. And a
  * polygon whose corners are pixels of a blob lies within the octagon about their centres. So what is taken out is below
- * the least length of a contour, or below the least area of a polygon. Not thread-safe.
+ * the least length of a contour, or below the least area of a polygon. Pixels on their own go 64 at a time; most other
+ * blobs are seen whole in a window of 8 x 8 pixels, as the bits of a number. Not thread-safe.
  */
 final class Specks {
+    /** Rows of a window, as many as columns: a byte each, the first one lowest. */
+    static final int WINDOW = 8;
     /** Of a blob of more no octagon is asked for: most are no specks. */
     private static final int MOST_PIXELS = 80;
-    private static final long FIRST_OF_EIGHT = 0x0101_0101_0101_0101L;
+    private static final int FIRST_COLUMN_OF_BLOB = 3;
+    private static final long FIRST_BLOB_PIXEL = 1L << FIRST_COLUMN_OF_BLOB;
+    private static final long ROW = 0xFF;
+    private static final long LEFT_COLUMN = 0x0101_0101_0101_0101L;
+    private static final long RIGHT_COLUMN = LEFT_COLUMN << WINDOW - 1;
+    /** Where a blob may go on outside of the window, to the left, to the right and below. */
+    private static final long BORDER = LEFT_COLUMN | RIGHT_COLUMN | ROW << WINDOW * (WINDOW - 1);
+    /** What a polygon within that border has at most, px². */
+    private static final double AREA_IN_WINDOW = (WINDOW - 3) * (WINDOW - 2);
 
     private final int mostOfShort;
     private final double areaOfPolygon;
     private double leastArea;
-    private int first;
     private final int[] found = new int[MOST_PIXELS + 5];
-    private byte[] pixels = new byte[0];
+    private long[] words = new long[0];
     private int stride;
 
     /**
@@ -48,89 +54,112 @@ final class Specks {
     }
 
     /**
-     * Takes them out.
+     * Takes them out of a part of an image, in which all blobs lie that lie in it in part.
      *
-     * @param binary pixels of 0 and 1, the outermost of which are set to 0
+     * @param dark the image
+     * @param left of the part
+     * @param top of the part
+     * @param right where it ends
+     * @param bottom where it ends
      */
-    void takeOut(GrayU8 binary) {
-        pixels = binary.data;
-        stride = binary.stride;
-        first = binary.startIndex;
-        clearBorder(binary.width, binary.height);
-        ByteBuffer eight = ByteBuffer.wrap(pixels).order(ByteOrder.LITTLE_ENDIAN);
-        for (int y = 1; y < binary.height - 1; y++) {
-            int from = first + y * stride + 1;
-            int end = from + binary.width - 2;
-            int at = from;
-            for (; at + Long.BYTES <= end; at += Long.BYTES) {
-                long here = eight.getLong(at);
+    void takeOut(DarkBits dark, int left, int top, int right, int bottom) {
+        words = dark.words();
+        stride = dark.stride();
+        for (int y = top; y < bottom; y++) {
+            int end = dark.indexOf(right - 1, y);
+            for (int at = dark.indexOf(left, y); at <= end; at++) {
+                long here = words[at];
                 if (here == 0) {
                     continue;
                 }
+                long above = words[at - stride];
+                long before = here << 1 | words[at - 1] >>> Long.SIZE - 1;
+                long after = here >>> 1 | words[at + 1] << Long.SIZE - 1;
+                long alone = here & ~(before | after | above | words[at + stride]);
+                words[at] = here ^ alone;
                 // dark, and neither on the left of it nor above
-                long starts = here & ~(here << Byte.SIZE | pixels[at - 1]) & ~eight.getLong(at - stride)
-                        & FIRST_OF_EIGHT;
+                long starts = here & ~(alone | before | above);
                 for (; starts != 0; starts &= starts - 1) {
-                    takeOutAt(at + (Long.numberOfTrailingZeros(starts) >> 3));
-                }
-            }
-            for (; at < end; at++) {
-                if (pixels[at] != 0 && pixels[at - 1] == 0 && pixels[at - stride] == 0) {
-                    takeOutAt(at);
+                    takeOutAt(at * Long.SIZE + Long.numberOfTrailingZeros(starts));
                 }
             }
         }
     }
 
-    private void clearBorder(int width, int height) {
-        for (int x = 0; x < width; x++) {
-            pixels[first + x] = 0;
-            pixels[first + (height - 1) * stride + x] = 0;
-        }
-        for (int y = 0; y < height; y++) {
-            pixels[first + y * stride] = 0;
-            pixels[first + y * stride + width - 1] = 0;
-        }
-    }
-
-    /** Takes out the blob of a pixel if it is a speck; no other of its pixels lies on the left or above this one. */
+    /**
+     * Takes out the blob of a pixel if it is a speck. None of its pixels lies on the left or above this one; where one
+     * lies further up, the blob was there when that was looked at, and stays.
+     *
+     * @param pixel its place in all bits
+     */
     private void takeOutAt(int pixel) {
-        byte[] dark = pixels;
-        int down = stride;
-        if ((dark[pixel + 1] | dark[pixel + down]) == 0) {
-            // a pixel on its own, as a third of them are
-            dark[pixel] = 0;
+        int window = pixel - FIRST_COLUMN_OF_BLOB;
+        long seen = 0;
+        for (int row = 0; row < WINDOW; row++) {
+            seen |= rowAt(window + row * stride * Long.SIZE) << WINDOW * row;
+        }
+        long blob = FIRST_BLOB_PIXEL;
+        long smaller;
+        do {
+            smaller = blob;
+            blob |= (blob << 1 & ~LEFT_COLUMN | blob >>> 1 & ~RIGHT_COLUMN | blob << WINDOW | blob >>> WINDOW) & seen;
+        } while (blob != smaller);
+        if ((blob & rowAt(window - stride * Long.SIZE)) != 0) {
             return;
         }
+        if ((blob & BORDER) != 0) {
+            followFrom(pixel);
+        } else if (AREA_IN_WINDOW < leastArea || Long.bitCount(blob) <= mostOfShort) {
+            for (int row = window; blob != 0; row += stride * Long.SIZE, blob >>>= WINDOW) {
+                long bits = blob & ROW;
+                words[row >> 6] &= ~(bits << row);
+                // what the shift lost; of none, where it lost nothing
+                words[(row >> 6) + 1] &= ~(bits >>> 1 >>> Long.SIZE - 1 - (row & Long.SIZE - 1));
+            }
+        }
+    }
+
+    /** Eight pixels of a row from a place on. */
+    private long rowAt(int from) {
+        int at = from >> 6;
+        return (words[at] >>> from | words[at + 1] << 1 << Long.SIZE - 1 - (from & Long.SIZE - 1)) & ROW;
+    }
+
+    /** The same, pixel by pixel. */
+    private void followFrom(int pixel) {
+        int down = stride * Long.SIZE;
+        int firstOfRow = pixel / down * down;
         int[] blob = found;
-        dark[pixel] = 0;
         blob[0] = pixel;
         int size = 1;
+        take(pixel);
+        boolean stays = false;
         // at most four for each, beside those that there are
         for (int next = 0; next < size && size <= MOST_PIXELS; next++) {
             int at = blob[next];
-            int right = dark[at + 1];
-            dark[at + 1] = 0;
             blob[size] = at + 1;
-            size += right;
-            int below = dark[at + down];
-            dark[at + down] = 0;
+            size += take(at + 1);
             blob[size] = at + down;
-            size += below;
-            int left = dark[at - 1];
-            dark[at - 1] = 0;
+            size += take(at + down);
             blob[size] = at - 1;
-            size += left;
-            int above = dark[at - down];
-            dark[at - down] = 0;
+            size += take(at - 1);
             blob[size] = at - down;
-            size += above;
+            size += take(at - down);
+            stays |= at < firstOfRow;
         }
-        if (size > MOST_PIXELS || size > mostOfShort && octagon(size) >= leastArea) {
+        if (stays || size > MOST_PIXELS || size > mostOfShort && octagon(size) >= leastArea) {
             for (int k = 0; k < size; k++) {
-                dark[blob[k]] = 1;
+                words[blob[k] >> 6] |= 1L << blob[k];
             }
         }
+    }
+
+    /** Takes out a pixel; 1 if it was dark, else 0. */
+    private int take(int pixel) {
+        int at = pixel >> 6;
+        long word = words[at];
+        words[at] = word & ~(1L << pixel);
+        return (int) (word >>> pixel & 1);
     }
 
     /** Area of the octagon about the centres of the pixels found, px². */
@@ -143,9 +172,10 @@ final class Specks {
         int mostSum = Integer.MIN_VALUE;
         int leastDifference = Integer.MAX_VALUE;
         int mostDifference = Integer.MIN_VALUE;
+        int down = stride * Long.SIZE;
         for (int k = 0; k < count; k++) {
-            int x = (found[k] - first) % stride;
-            int y = (found[k] - first) / stride;
+            int x = found[k] % down;
+            int y = found[k] / down;
             left = Math.min(left, x);
             right = Math.max(right, x);
             top = Math.min(top, y);

@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Follows contours in some windows of a binary image only, each by BoofCV's own algorithm: they are those of the whole
- * image that lie in a window, in the same order, to the last pixel, but for {@link Specks}. A contour at a window's
+ * image that lie in a window, in the same order, to the last pixel. A contour at a window's
  * border is left out, since it may be that of a part: a window cuts straight sides into whatever is dark. Of a window
  * only those places are gone through that have dark pixels: in a plain scene, looking at every pixel takes as long as
  * all the rest of finding quadrilaterals. Not thread-safe.
@@ -42,28 +42,29 @@ final class WindowContours extends BinaryContourFinderLinearExternal {
     private final List<ContourPacked> inOrder = new ArrayList<>();
     private final DogArray<Point2D_I32> points = new DogArray<>(Point2D_I32::new);
     private final GrayU8 view = new GrayU8();
-    private final Specks specks;
 
     /**
      * Contours.
      *
      * @param windows where they are looked for
      * @param places parts of these windows that may have dark pixels, cut off at their borders only
-     * @param specks what is taken out first
      */
-    WindowContours(SearchWindows windows, Rectangles places, Specks specks) {
+    WindowContours(SearchWindows windows, Rectangles places) {
         this.windows = windows;
         this.places = places;
-        this.specks = specks;
     }
 
-    /** BoofCV's detector of polygons, as its factory makes it, but for the contours of what a threshold marks. */
+    /**
+     * BoofCV's detector of polygons, as its factory makes it, but for the contours of what a threshold marks, which has
+     * {@link Specks} taken out.
+     */
     static DetectPolygonBinaryGrayRefine<GrayU8> polygons(ConfigPolygonDetector config, LocalMeanThreshold threshold) {
         config.checkValidity();
         ConfigPolygonFromContour ofContour = config.detector;
         int least = ofContour.minimumContour.computeI(0);
         Specks specks = new Specks(least, least * least / AREA_OF_CONTOUR);
-        WindowContours contours = new WindowContours(threshold.windows(), threshold.places(), specks);
+        threshold.takeOut(specks);
+        WindowContours contours = new WindowContours(threshold.windows(), threshold.places());
         contours.setConnectRule(ofContour.contourRule);
         contours.setMinContour(ofContour.minimumContour);
         contours.setMaxContour(ofContour.maximumContour);
@@ -113,7 +114,6 @@ final class WindowContours extends BinaryContourFinderLinearExternal {
             // with a pixel on each side, which the algorithm sets to zero
             binary.subimage(left, top, Math.min(width, places.right(i)) + 2, Math.min(height, places.bottom(i)) + 2,
                     view);
-            specks.takeOut(view);
             place.process(view, 1 - left, 1 - top);
             int window = windowAt(left, top);
             for (int k = 0; k < place.getExternalContours().size(); k++) {

@@ -22,20 +22,34 @@ class LocalMeanThresholdTest {
         return image;
     }
 
-    /** By the mean of the 20 x 20 px about its cell of 4 x 4 px, as far as they lie in the image, pixel by pixel. */
-    private static boolean isDark(GrayU8 image, int x, int y) {
-        long sum = 0;
+    /** 85 % of the mean of the 20 x 20 px about the cell of 4 x 4 px with a place, as far as they lie in the image. */
+    private static double ofCell(GrayU8 image, int x, int y) {
+        int left = Math.max(0, Math.min((image.width - 1) / 4, x)) * 4;
+        int top = Math.max(0, Math.min((image.height - 1) / 4, y)) * 4;
+        double sum = 0;
         int count = 0;
-        for (int v = Math.max(0, y / 4 * 4 - 8); v < Math.min(image.height, y / 4 * 4 + 12); v++) {
-            for (int u = Math.max(0, x / 4 * 4 - 8); u < Math.min(image.width, x / 4 * 4 + 12); u++) {
+        for (int v = Math.max(0, top - 8); v < Math.min(image.height, top + 12); v++) {
+            for (int u = Math.max(0, left - 8); u < Math.min(image.width, left + 12); u++) {
                 sum += image.get(u, v);
                 count++;
             }
         }
-        return 100L * count * image.get(x, y) <= 85 * sum;
+        return 0.85 * sum / count;
     }
 
-    /** In images smaller than the window too, and of sizes that no cell or tile divides. */
+    /** The same between the middles of cells, in the middle of a pair of pixels beside each other. */
+    private static double limit(GrayU8 image, int x, int y) {
+        double u = (x / 2 * 2 + 1 - 2) / 4.0;
+        double v = (y + 0.5 - 2) / 4.0;
+        int left = (int) Math.floor(u);
+        int top = (int) Math.floor(v);
+        double right = u - left;
+        double bottom = v - top;
+        return (1 - bottom) * ((1 - right) * ofCell(image, left, top) + right * ofCell(image, left + 1, top))
+                + bottom * ((1 - right) * ofCell(image, left, top + 1) + right * ofCell(image, left + 1, top + 1));
+    }
+
+    /** In images smaller than the window too, and of sizes that no cell or tile divides; limits by parts of 1/8. */
     @ParameterizedTest
     @CsvSource({"60, 40", "64, 48", "61, 50", "25, 7", "3, 50", "1, 1", "200, 150"})
     void darkIsWhatIsBelowTheShareOfTheMean(int width, int height) {
@@ -44,29 +58,34 @@ class LocalMeanThresholdTest {
         new LocalMeanThreshold(85, new SearchWindows()).process(image, found);
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
-                assertEquals(isDark(image, x, y) ? 1 : 0, found.get(x, y), x + ", " + y);
+                double above = image.get(x, y) - limit(image, x, y);
+                if (above > 0 || above < -0.126) {
+                    assertEquals(above < 0 ? 1 : 0, found.get(x, y), x + ", " + y);
+                }
             }
         }
     }
 
-    /** As a share of the mean says to the last bit: 85 % of 100 are 85. */
+    /** A share of a plain ground is that share of it: 85 % of 100 are 85. */
     @Test
     void whatIsAtTheLimitIsDark() {
-        GrayU8 image = new GrayU8(48, 48);
-        Arrays.fill(image.data, (byte) 100);
-        // about the cell at 20, 20 four pixels make up for the dark one
-        image.set(21, 22, 85);
-        image.set(18, 18, 115);
-        image.set(26, 18, 70);
-        image.set(27, 18, 130);
+        GrayU8 image = new GrayU8(64, 64);
+        for (int y = 0; y < 64; y++) {
+            for (int x = 0; x < 64; x++) {
+                // every cell has one each of these
+                int inCell = 4 * (y % 4) + x % 4;
+                image.set(x, y, inCell == 9 ? 85 : inCell == 6 ? 115 : inCell == 0 ? 60 : inCell == 10 ? 140 : 100);
+            }
+        }
         GrayU8 found = new GrayU8(1, 1);
         new LocalMeanThreshold(85, new SearchWindows()).process(image, found);
-        assertEquals(1, found.get(21, 22));
+        assertEquals(1, found.get(33, 34));
 
-        image.set(21, 22, 86);
-        image.set(18, 18, 114);
+        for (int i = 0; i < image.data.length; i++) {
+            image.data[i] += image.data[i] == 85 ? 1 : image.data[i] == 115 ? -1 : 0;
+        }
         new LocalMeanThreshold(85, new SearchWindows()).process(image, found);
-        assertEquals(0, found.get(21, 22));
+        assertEquals(0, found.get(33, 34));
     }
 
     /** Where the light changes slowly, as BoofCV's own mean about each pixel has it but for those near the limit. */
@@ -138,7 +157,7 @@ class LocalMeanThresholdTest {
         assertTrue(area < 640 * 480 / 2, area + " px");
         for (int y = 0; y < 480; y++) {
             for (int x = 0; x < 640; x++) {
-                assertTrue(!isDark(image, x, y) || isIn(threshold.places(), x, y), x + ", " + y);
+                assertTrue(image.get(x, y) > limit(image, x, y) || isIn(threshold.places(), x, y), x + ", " + y);
             }
         }
     }

@@ -78,7 +78,7 @@ class WindowContoursTest {
     }
 
     private static List<List<Point2D_I32>> own(SearchWindows windows, ConfigLength least) {
-        WindowContours own = new WindowContours(windows, windows.rectangles(), new Specks(3, 0));
+        WindowContours own = new WindowContours(windows, windows.rectangles());
         own.setCreatePaddedCopy(false);
         return contours(own, least);
     }
