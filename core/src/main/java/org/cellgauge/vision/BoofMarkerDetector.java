@@ -104,6 +104,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     /** Whether markers that are missing are looked for again, and their reasons, at several times the cost. */
     private final boolean looksTwice;
     /** Where each image is searched; all of it where it looks twice. */
+    private final DarkBits dark = new DarkBits();
     private final SearchWindows windows = new SearchWindows();
     /** Finds faint markers; null until one is missing. */
     private @Nullable SquareSearch faintSquares;
@@ -180,8 +181,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.familyPatterns = new FamilyPatterns(family);
         this.hasChecksum = familyPatterns.correctable() > 0;
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
-        this.squares = squares(familyPatterns, USUAL_PERCENT, windows);
-        this.bentSquares = camera.lens().isWide() ? squares(familyPatterns, USUAL_PERCENT, windows) : null;
+        this.squares = squares(familyPatterns, USUAL_PERCENT, windows, dark);
+        this.bentSquares = camera.lens().isWide() ? squares(familyPatterns, USUAL_PERCENT, windows, dark) : null;
         configure(squares, camera.isDistorting());
         if (bentSquares != null) {
             configure(bentSquares, false);
@@ -243,14 +244,15 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     /** The usual search for squares, not yet prepared for a camera. */
     static SquareSearch squares(MarkerFamily family) {
-        return squares(new FamilyPatterns(family), USUAL_PERCENT, new SearchWindows());
+        return squares(new FamilyPatterns(family), USUAL_PERCENT, new SearchWindows(), new DarkBits());
     }
 
-    private static SquareSearch squares(FamilyPatterns patterns, int percent, SearchWindows windows) {
+    private static SquareSearch squares(FamilyPatterns patterns, int percent, SearchWindows windows,
+            DarkBits dark) {
         ConfigFiducialBinary ofGrids = new ConfigFiducialBinary(1);
         ConfigFiducialHammingDetector ofCodes = new ConfigFiducialHammingDetector();
         boolean grid = patterns.dictionary() == null;
-        LocalMeanThreshold threshold = new LocalMeanThreshold(percent, windows);
+        LocalMeanThreshold threshold = new LocalMeanThreshold(percent, windows, dark);
         ConfigPolygonDetector polygons = grid ? ofGrids.squareDetector : ofCodes.squareDetector;
         polygons.detector.minimumContour = ConfigLength.fixed(SquareSearch.LEAST_OUTLINE_PX);
         return new SquareSearch(threshold, WindowContours.polygons(polygons, threshold),
@@ -259,8 +261,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /** Local mean with a margin: plain grounds and weak textures then give no contours to follow. */
-    static LocalMeanThreshold threshold() {
-        return new LocalMeanThreshold(USUAL_PERCENT, new SearchWindows());
+    static LocalMeanThreshold threshold(DarkBits dark) {
+        return new LocalMeanThreshold(USUAL_PERCENT, new SearchWindows(), dark);
     }
 
     static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {
@@ -389,7 +391,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     private SquareSearch faintSquares() {
         if (faintSquares == null) {
-            faintSquares = squares(familyPatterns, FAINT_PERCENT, windows);
+            faintSquares = squares(familyPatterns, FAINT_PERCENT, windows, dark);
             configure(faintSquares, straightensOnePlane());
         }
         return faintSquares;
@@ -410,7 +412,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     private void survey(GreyImage image, Set<Integer> found, List<Warning> warnings) {
         if (survey == null) {
-            survey = new MarkerSurvey(family, patterns.keySet(), new ConfigFiducialBinary(1).squareDetector);
+            survey = new MarkerSurvey(family, patterns.keySet(), new ConfigFiducialBinary(1).squareDetector, dark);
             survey.squares().configure(straightensOnePlane() ? boofLens(camera) : null, camera.widthPx(),
                     camera.heightPx(), false);
         }

@@ -20,29 +20,20 @@ final class DarkBits {
     private static final long ANOTHER_BIT_OF_EACH = 0x8040_2010_0804_0201L;
     private static final long UP_TO_SIGN = 0x7F7F_7F7F_7F7F_7F7FL;
 
-    private int width;
     private int height;
     private int stride;
     private long[] words = new long[0];
 
     /** Takes the size of an image, no pixel of which is dark yet. */
     void reshape(int toWidth, int toHeight) {
-        if (toWidth != width || toHeight != height) {
-            width = toWidth;
-            height = toHeight;
-            stride = (width + IN_WORD - 1) / IN_WORD + 2;
-            words = new long[stride * (height + 1 + BELOW)];
+        height = toHeight;
+        stride = (toWidth + IN_WORD - 1) / IN_WORD + 2;
+        int count = stride * (height + 1 + BELOW);
+        if (words.length < count) {
+            words = new long[count];
         } else {
-            Arrays.fill(words, 0);
+            Arrays.fill(words, 0, count, 0);
         }
-    }
-
-    int width() {
-        return width;
-    }
-
-    int height() {
-        return height;
     }
 
     /** Numbers from a pixel to the one below it. */

@@ -40,6 +40,9 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private static final int[] OWN = {5, 7, 7, 5};
     private static final int[] OTHER = {3, 1, 1, 3};
     private static final int STEP = 2;
+    /** Rows of tiles whose cells' sums are kept. */
+    private static final int KEPT = 3;
+    private static final int NONE = -1;
     /** Pixels that a mean is over. */
     private static final int WHOLE = (2 * REACH + 1) * CELL * (2 * REACH + 1) * CELL;
     private static final int RECIPROCAL_BITS = 40;
@@ -63,7 +66,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private ByteBuffer pixels = NO_PIXELS;
     private final SearchWindows windows;
     private @Nullable Specks specks;
-    private final DarkBits dark = new DarkBits();
+    private final DarkBits dark;
     private final Rectangles places = new Rectangles();
     private final Rectangles ofWindow = new Rectangles();
     private int width;
@@ -72,9 +75,10 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private int tilesDown;
     private int cellsAcross;
     private int cellsDown;
-    /** Of the pixels of each cell, in tiles of which they are known. */
+    /** Of the pixels of each cell, in three rows of tiles, by row number modulo their count. */
     private int[] sums = new int[0];
-    private boolean[] summed = new boolean[0];
+    /** Which row of tiles these are of, in each tile of those rows. */
+    private int[] summed = new int[0];
     /** Sums of cells below each other, about a row of cells. */
     private int[] columns = new int[0];
     /** The brightest grey that is dark in the middle of each cell of a row, in parts. */
@@ -98,10 +102,12 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
      *
      * @param percent of the mean at which black begins, below 100
      * @param windows where pixels are asked for
+     * @param dark work space, which those may share that are not used at a time
      */
-    LocalMeanThreshold(int percent, SearchWindows windows) {
+    LocalMeanThreshold(int percent, SearchWindows windows, DarkBits dark) {
         this.percent = percent;
         this.windows = windows;
+        this.dark = dark;
     }
 
     /** Where pixels are asked for. */
@@ -125,7 +131,6 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         output.reshape(width, height);
         dark.reshape(width, height);
         places.clear();
-        Arrays.fill(summed, false);
         pixels = ByteBuffer.wrap(input.data).order(ByteOrder.LITTLE_ENDIAN);
         for (int i = 0; i < windows.count(); i++) {
             process(input, output, windows.left(i) / TILE, windows.top(i) / TILE,
@@ -142,6 +147,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private void process(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
         lookForContrast(input, Math.max(0, left - 1), Math.max(0, top - 1), Math.min(tilesAcross, right + 1),
                 Math.min(tilesDown, bottom + 1));
+        Arrays.fill(summed, NONE);
         for (int down = top; down < bottom; down++) {
             findContrast(input, down, left, right);
             int count = findRuns(down, left, right);
@@ -212,8 +218,8 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         tilesDown = tiles(height);
         cellsAcross = (width + CELL - 1) / CELL;
         cellsDown = (height + CELL - 1) / CELL;
-        sums = new int[cellsAcross * cellsDown];
-        summed = new boolean[tilesAcross * tilesDown];
+        sums = new int[cellsAcross * CELLS * KEPT];
+        summed = new int[tilesAcross * KEPT];
         columns = new int[cellsAcross];
         limits = new int[cellsAcross];
         for (int row = 0; row < ROWS; row++) {
@@ -400,11 +406,11 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private void sumCells(GrayU8 input, int left, int top, int right, int bottom) {
         for (int down = top; down < bottom; down++) {
             for (int across = left; across < right; across++) {
-                int tile = down * tilesAcross + across;
-                if (summed[tile]) {
+                int tile = down % KEPT * tilesAcross + across;
+                if (summed[tile] == down) {
                     continue;
                 }
-                summed[tile] = true;
+                summed[tile] = down;
                 if (TILE * (across + 1) <= width && TILE * (down + 1) <= height) {
                     sumWhole(input, across, down);
                 } else {
@@ -418,7 +424,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         ByteBuffer in = pixels;
         int stride = input.stride;
         int at = input.startIndex + TILE * down * stride + TILE * across;
-        int cell = CELLS * down * cellsAcross + CELLS * across;
+        int cell = CELLS * (down % KEPT) * cellsAcross + CELLS * across;
         for (int row = 0; row < CELLS; row++) {
             for (int half = 0; half < CELLS; half += 2) {
                 // four sums of two columns each
@@ -445,7 +451,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
                         sum += input.data[input.startIndex + y * input.stride + x] & 0xFF;
                     }
                 }
-                sums[v * cellsAcross + u] = sum;
+                sums[v % (CELLS * KEPT) * cellsAcross + u] = sum;
             }
         }
     }
@@ -479,7 +485,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         int[] ofColumns = columns;
         Arrays.fill(ofColumns, from, to, 0);
         for (int row = top; row < bottom; row++) {
-            int at = row * cellsAcross;
+            int at = row % (CELLS * KEPT) * cellsAcross;
             for (int x = from; x < to; x++) {
                 ofColumns[x] += sums[at + x];
             }

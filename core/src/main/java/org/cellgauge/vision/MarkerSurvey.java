@@ -65,11 +65,12 @@ final class MarkerSurvey {
      * @param family family of the cell
      * @param ids ids of the cell
      * @param polygons what finds quadrilaterals
+     * @param dark work space
      */
-    MarkerSurvey(MarkerFamily family, Set<Integer> ids, ConfigPolygonDetector polygons) {
+    MarkerSurvey(MarkerFamily family, Set<Integer> ids, ConfigPolygonDetector polygons, DarkBits dark) {
         this.family = family;
         this.ids = ids;
-        LocalMeanThreshold threshold = BoofMarkerDetector.threshold();
+        LocalMeanThreshold threshold = BoofMarkerDetector.threshold(dark);
         this.squares = new Squares(threshold, WindowContours.polygons(polygons, threshold));
     }
 

@@ -108,7 +108,7 @@ class DetectorMemoryTest {
         List<Detections> found = new ArrayList<>();
         long bytes = Allocated.bytes(() -> found.add(BoofMarkerDetector.forCell(cell).detect(photo, "photo")));
         assertEquals(7, found.get(0).markers().size());
-        // with tables of the lens 690
-        assertTrue(bytes < 40 * MB, bytes + " bytes");
+        // with tables of the lens 690; dark pixels are kept as bits as well as bytes
+        assertTrue(bytes < 45 * MB, bytes + " bytes");
     }
 }
