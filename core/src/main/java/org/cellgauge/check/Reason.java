@@ -395,7 +395,8 @@ public final class Reason {
             case CONTRADICTED:
                 return "No figure: " + Objects.requireNonNull(p.misfit, "contradicted by it").contradiction();
             case TWO_CAMERA_POSES:
-                return String.format(Decimal.POINT, "Two camera poses explain the references (the second holds %.0f %%): "
+                return String.format(Decimal.POINT,
+                        "Two camera poses explain the references (the second holds %.0f %%): "
                         + "add a reference out of their plane.", 100 * p.share.getAsDouble());
             case TWO_OBJECT_POSES:
                 return String.format(Decimal.POINT, "Two poses explain the corners of object %d (the second holds %.0f "
@@ -442,7 +443,8 @@ public final class Reason {
         }
         String target = targetMm().isPresent()
                 ? String.format(Decimal.POINT, " against a target of %s mm", plain(targetMm().getAsDouble())) : "";
-        return String.format(Decimal.POINT, "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance "
+        return String.format(Decimal.POINT,
+                "Largest deviation: %.2f mm in %s of %sobject %d%s; %.0f %% of this variance "
                 + "comes from %s.", p.stdMm.getAsDouble(), "xyz".charAt(p.axis.getAsInt()),
                 p.grip ? "the gripping point of " : "", p.objectId.getAsInt(), target, 100 * p.share.getAsDouble(),
                 Objects.requireNonNull(p.source, "every deviation has a source").phrase());

@@ -201,7 +201,8 @@ public final class Misfit {
             case CONTRADICTION:
                 return " But " + contradiction();
             case NO_SQUARE:
-                return String.format(Decimal.POINT, " But the corners of marker %d fit no square, %.1f times worse than "
+                return String.format(Decimal.POINT,
+                        " But the corners of marker %d fit no square, %.1f times worse than "
                         + "those of the others: see whether it is covered, smudged or bent.", markerId.getAsInt(),
                         times);
             case ONE_PLACE_IN_PHOTO:

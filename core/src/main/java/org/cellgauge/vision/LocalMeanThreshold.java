@@ -9,11 +9,11 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Marks pixels that are darker than a share of the mean about them, as BoofCV's local mean does. The mean is that of the
- * 20 x 20 pixels about the middles of cells of 4 x 4, and between these interpolated, down to rows and pairs of pixels:
- * so eight pixels at a time are compared with theirs. (One mean for a whole cell gives steps in blurred edges, and
- * squares are lost.) BoofCV's own blurs the whole image twice first, which takes half of the time to find markers in a
- * plain scene.
+ * Marks pixels that are darker than a share of the mean about them, as BoofCV's local mean does. The mean is that of
+ * the 20 x 20 pixels about the middles of cells of 4 x 4, and between these interpolated, down to rows and pairs of
+ * pixels: so eight pixels at a time are compared with theirs. (One mean for a whole cell gives steps in blurred edges,
+ * and squares are lost.) BoofCV's own blurs the whole image twice first, which takes half of the time to find markers
+ * in a plain scene.
  *
  * <p>Most of an image is plain: where the darkest pixel is brighter than that share of the brightest, no pixel about it
  * can be dark. So the image is first looked at in tiles, in every second pixel of every second row, and only tiles with
@@ -36,7 +36,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private static final int ROWS = CELLS + 2;
     /** Limits of cells are in parts of a grey level. */
     private static final int PARTS = 8;
-    /** How much the limit of a cell counts in each of its rows, and how much that of the nearest other one, in eighths. */
+    /** How much the limit of a cell counts in each of its rows, and how much that of the nearest other, in eighths. */
     private static final int[] OWN = {5, 7, 7, 5};
     private static final int[] OTHER = {3, 1, 1, 3};
     private static final int STEP = 2;

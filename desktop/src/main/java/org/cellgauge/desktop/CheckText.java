@@ -144,7 +144,8 @@ public final class CheckText {
                         noise.holds() ? "" : ": NOT AS STATED"));
             }
         } else if (added != null) {
-            text.append(String.format(Decimal.POINT, ", of which not told by the detector %.3f px (95 %%: %.3f to %.3f)",
+            text.append(String.format(Decimal.POINT,
+                    ", of which not told by the detector %.3f px (95 %%: %.3f to %.3f)",
                     added[1], added[0], added[2]));
         } else {
             text.append(" as this photo tells");

@@ -8,8 +8,8 @@ import java.util.zip.Adler32;
 import java.util.zip.Deflater;
 
 /**
- * Bytes in the zlib format (RFC 1950), deflated (RFC 1951) in two halves at a time. The second half knows the end of the
- * first, so that next to nothing is lost; where the two meet lies an empty block, which ends on a byte.
+ * Bytes in the zlib format (RFC 1950), deflated (RFC 1951) in two halves at a time. The second half knows the end of
+ * the first, so that next to nothing is lost; where the two meet lies an empty block, which ends on a byte.
  */
 final class TwoPartDeflate {
     /** Deflate, with a window of 32 kB. */

@@ -7,8 +7,8 @@ import org.jspecify.annotations.Nullable;
 /** A number as it is written, with so many decimals; immutable. Numbers are equal that are written alike. */
 public final class Decimal {
     /**
-     * For numbers with a point in {@link String#format}: written as of the root locale, but of this one alone Java knows
-     * the signs by heart. Of others it loads tables of all languages, and asks them for every number.
+     * For numbers with a point in {@link String#format}: written as of the root locale, but of this one alone Java
+     * knows the signs by heart. Of others it loads tables of all languages, and asks them for every number.
      */
     public static final Locale POINT = Locale.US;
 
