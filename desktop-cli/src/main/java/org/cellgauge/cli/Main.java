@@ -12,6 +12,7 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
@@ -78,7 +79,9 @@ public final class Main implements Callable<Integer> {
         System.setProperty("picocli.converters.excludes", "java[.](time|sql)[.].*");
         List<String> words = Arrays.asList(args);
         if (words.contains("check")) {
-            EarlyStart.begin(!words.contains("--json") || words.contains("--out"));
+            // names without this ending may be those of folders
+            boolean decodes = words.stream().noneMatch(word -> word.toLowerCase(Locale.ROOT).endsWith(".png"));
+            EarlyStart.begin(!words.contains("--json") || words.contains("--out"), decodes);
         }
         System.exit(run(commandLine(args), args));
     }

@@ -34,13 +34,14 @@ public final class EarlyStart {
     /**
      * Begins, in a thread of its own, where there is a second processor.
      *
-     * @param paints whether overlays will be painted, or photos read alone
+     * @param paints whether overlays will be painted
+     * @param decodes whether photos may be of formats that ImageIO reads
      */
-    public static void begin(boolean paints) {
+    public static void begin(boolean paints, boolean decodes) {
         if (Runtime.getRuntime().availableProcessors() > 1) {
             Thread thread = new Thread(() -> {
                 try {
-                    load(paints);
+                    load(paints, decodes);
                 } catch (IOException | RuntimeException e) {
                     // whoever needs it will come upon it again, and tell
                 }
@@ -51,16 +52,16 @@ public final class EarlyStart {
     }
 
     /** Loads all of it, in the order of its turn. */
-    static void load(boolean paints) throws IOException {
+    static void load(boolean paints, boolean decodes) throws IOException {
         Cell cell = CellReader.read(CELL, "", PinholeCamera.of(SIDE_PX, SIDE_PX,
                 new double[] {SIDE_PX, SIDE_PX, SIDE_PX / 2.0, SIDE_PX / 2.0, 0, 0, 0, 0, 0, 0}));
         // the table of time zones
         LocalDate.now();
         new StopSignal();
-        BufferedImage black = new BufferedImage(SIDE_PX, SIDE_PX, BufferedImage.TYPE_INT_RGB);
-        byte[] photo = Pictures.png(black, Runnable::run);
-        Sha256.of(photo);
-        ImageFiles.decode(photo, "", (width, height) -> { });
+        Sha256.of(new byte[1]);
+        if (decodes) {
+            ImageFiles.decode(Pictures.jpeg(black(), SIDE_PX), "", (width, height) -> { });
+        }
         BoofMarkerDetector.forCell(cell);
         // of the pose, of chains, and of what is said of them
         CoverageRegion.chiSquareQuantile(0.5, 8);
@@ -69,7 +70,13 @@ public final class EarlyStart {
         if (paints) {
             Overlay overlay = CellOverlay.ofDetections(cell, new Detections("", SIDE_PX, SIDE_PX, List.of()),
                     Status.PASS, "PASS", "");
-            Pictures.jpeg(OverlayPainter.paint(black, overlay), SIDE_PX);
+            BufferedImage painted = OverlayPainter.paint(black(), overlay);
+            Pictures.jpeg(painted, SIDE_PX);
+            Pictures.png(painted, Runnable::run);
         }
+    }
+
+    private static BufferedImage black() {
+        return new BufferedImage(SIDE_PX, SIDE_PX, BufferedImage.TYPE_INT_RGB);
     }
 }

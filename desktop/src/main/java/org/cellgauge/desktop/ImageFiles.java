@@ -17,6 +17,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.zip.DataFormatException;
 import javax.imageio.ImageReader;
 import javax.imageio.ImageTypeSpecifier;
@@ -154,11 +155,26 @@ public final class ImageFiles {
                 }
                 System.arraycopy(bytes, (int) position, into, 0, into.length);
             });
+            Optional<GreyImage> plain = format == ImageFormat.PNG ? plain(bytes, name, size) : Optional.empty();
             GreyImage image = format == ImageFormat.PNM ? netpbm(bytes, name, size)
-                    : pixels(bytes, format, name, size);
+                    : plain.isPresent() ? plain.get() : pixels(bytes, format, name, size);
             return image.withToneCurve(toneCurve);
         } catch (IOException e) {
             throw refused(e, name, ImageRefusal.NOT_READABLE, said(e));
+        }
+    }
+
+    /** The pixels of a PNG file that needs no reader of ImageIO. */
+    private static Optional<GreyImage> plain(byte[] bytes, String name, SizeJudge size) {
+        Optional<PlainPng> file = PlainPng.of(bytes);
+        if (file.isEmpty()) {
+            return Optional.empty();
+        }
+        judge(file.get().widthPx(), file.get().heightPx(), name, size);
+        try {
+            return file.get().grey();
+        } catch (OutOfMemoryError e) {
+            throw refused(e, name, ImageRefusal.DAMAGED, said(e));
         }
     }
 

@@ -8,6 +8,6 @@ class EarlyStartTest {
     /** In its own thread nobody would see that it came to an end before its time. */
     @Test
     void comesToItsEnd() {
-        assertDoesNotThrow(() -> EarlyStart.load(true));
+        assertDoesNotThrow(() -> EarlyStart.load(true, true));
     }
 }
