@@ -56,7 +56,8 @@ public final class Pictures {
             out.writeLong(PNG_SIGNATURE);
             chunk(out, "IHDR", ByteBuffer.allocate(13).putInt(width).putInt(height).put(RGB_OF_8_BITS).array());
             // a zero before each row says that no filter was applied
-            chunk(out, "IDAT", TwoPartDeflate.zlib(rgb(picture, 1), DEFLATE_LEVEL, besides));
+            chunk(out, "IDAT", TwoPartDeflate.zlib(height, 1 + 3 * width, (y, into) -> rgb(picture, y, into, 1),
+                    DEFLATE_LEVEL, besides));
             chunk(out, "IEND", new byte[0]);
         } catch (IOException e) {
             throw new UncheckedIOException("writing into memory failed", e);
@@ -75,30 +76,27 @@ public final class Pictures {
         out.writeInt((int) check.getValue());
     }
 
-    /** Red, green and blue of all pixels, row by row, with as many zeros before each row. */
-    private static byte[] rgb(BufferedImage picture, int zeros) {
+    /** Puts red, green and blue of a row of pixels into an array, from a place on. */
+    private static void rgb(BufferedImage picture, int y, byte[] into, int from) {
         int width = picture.getWidth();
-        int stride = zeros + 3 * width;
-        byte[] all = new byte[stride * picture.getHeight()];
-        int[] row = new int[width];
-        for (int y = 0; y < picture.getHeight(); y++) {
-            // of pictures that keep them so, without a look at every pixel's colour model
-            row = picture.getType() == BufferedImage.TYPE_INT_RGB
-                    ? (int[]) picture.getRaster().getDataElements(0, y, width, 1, row)
-                    : picture.getRGB(0, y, width, 1, row, 0, width);
-            for (int x = 0, at = stride * y + zeros; x < width; x++, at += 3) {
-                all[at] = (byte) (row[x] >> 16);
-                all[at + 1] = (byte) (row[x] >> 8);
-                all[at + 2] = (byte) row[x];
-            }
+        // of pictures that keep them so, without a look at every pixel's colour model
+        int[] row = picture.getType() == BufferedImage.TYPE_INT_RGB
+                ? (int[]) picture.getRaster().getDataElements(0, y, width, 1, null)
+                : picture.getRGB(0, y, width, 1, null, 0, width);
+        for (int x = 0, at = from; x < width; x++, at += 3) {
+            into[at] = (byte) (row[x] >> 16);
+            into[at + 1] = (byte) (row[x] >> 8);
+            into[at + 2] = (byte) row[x];
         }
-        return all;
     }
 
     /** The same picture as bytes, which ImageIO's JPEG takes by the row; others pixel by pixel. */
     private static BufferedImage ofBytes(BufferedImage picture) {
-        byte[] rgb = rgb(picture, 0);
         int width = picture.getWidth();
+        byte[] rgb = new byte[3 * width * picture.getHeight()];
+        for (int y = 0; y < picture.getHeight(); y++) {
+            rgb(picture, y, rgb, 3 * width * y);
+        }
         WritableRaster raster = Raster.createInterleavedRaster(new DataBufferByte(rgb, rgb.length), width,
                 picture.getHeight(), 3 * width, 3, new int[] {0, 1, 2}, null);
         return new BufferedImage(new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false,
