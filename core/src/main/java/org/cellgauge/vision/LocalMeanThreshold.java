@@ -495,7 +495,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private void limitWhole(int from, int to) {
         int[] ofColumns = columns;
         int[] found = limits;
-        long share = PARTS * percent * RECIPROCAL;
+        long share = (long) PARTS * percent * RECIPROCAL;
         for (int x = from; x < to; x++) {
             int sum = ofColumns[x - 2] + ofColumns[x - 1] + ofColumns[x] + ofColumns[x + 1] + ofColumns[x + 2];
             found[x] = (int) (sum * share >>> RECIPROCAL_BITS);
