@@ -30,6 +30,30 @@ class PicturesTest {
         assertArrayEquals(pixels(picture), pixels(read));
     }
 
+    /** As far as the format allows: middles of large fields of a colour. */
+    @ParameterizedTest
+    @ValueSource(ints = {BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_3BYTE_BGR})
+    void aJpegKeepsColours(int type) throws IOException {
+        int[] colours = {0xE69F00, 0x14B98A, 0x2E93D8, 0xCC79A7};
+        BufferedImage picture = new BufferedImage(128, 64, type);
+        for (int y = 0; y < picture.getHeight(); y++) {
+            for (int x = 0; x < picture.getWidth(); x++) {
+                picture.setRGB(x, y, colours[x / 32]);
+            }
+        }
+
+        BufferedImage read = ImageIO.read(new ByteArrayInputStream(Pictures.jpeg(picture, 128)));
+
+        assertEquals(picture.getWidth(), read.getWidth());
+        assertEquals(picture.getHeight(), read.getHeight());
+        for (int i = 0; i < colours.length; i++) {
+            for (int shift = 0; shift < 24; shift += 8) {
+                assertEquals(colours[i] >> shift & 0xFF, read.getRGB(32 * i + 16, 32) >> shift & 0xFF, 4,
+                        "field " + i + ", bits from " + shift);
+            }
+        }
+    }
+
     private static int[] pixels(BufferedImage picture) {
         return picture.getRGB(0, 0, picture.getWidth(), picture.getHeight(), null, 0, picture.getWidth());
     }
