@@ -32,22 +32,19 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     /** Cells on each side of a cell that its mean is over; at the border, those that there are. In the tiles beside. */
     static final int REACH = 2;
     private static final int CELLS = TILE / CELL;
-    /** Rows of cells of a tile, and one more on each side. */
-    private static final int ROWS = CELLS + 2;
+    /** Rows of cells whose limits are kept: of a tile, and one more on each side. */
+    private static final int LIMITED = CELLS + 2;
     /** Limits of cells are in parts of a grey level. */
     private static final int PARTS = 8;
-    /** How much the limit of a cell counts in each of its rows, and how much that of the nearest other, in eighths. */
-    private static final int[] OWN = {5, 7, 7, 5};
-    private static final int[] OTHER = {3, 1, 1, 3};
+    private static final long EIGHTHS = 8;
     private static final int STEP = 2;
     /** Rows of tiles whose cells' sums are kept. */
     private static final int KEPT = 3;
     private static final int NONE = -1;
     /** Pixels that a mean is over. */
     private static final int WHOLE = (2 * REACH + 1) * CELL * (2 * REACH + 1) * CELL;
-    private static final int RECIPROCAL_BITS = 40;
-    /** To divide a number of 27 bits by a hundred means' pixels, to less than a part (Hacker's Delight, 10-9). */
-    private static final long RECIPROCAL = (1L << RECIPROCAL_BITS) / (100 * WHOLE) + 1;
+    /** A sum of a mean's pixels, of 17 bits, times so many bits of what it is to be multiplied with stays below 32. */
+    private static final int RECIPROCAL_BITS = 20;
     /** How far tiles of one surface may differ, grey levels: noise takes its darkest pixel now here, now there. */
     private static final int SLACK = 2;
     /** More places than these are gone through as their window: each keeps its contours. */
@@ -81,11 +78,22 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     private int[] summed = new int[0];
     /** Sums of cells below each other, about a row of cells. */
     private int[] columns = new int[0];
+    /** The row, and its cells from and to which, of these; or none. */
+    private int columnsOf;
+    private int columnsFrom;
+    private int columnsTo;
     /** The brightest grey that is dark in the middle of each cell of a row, in parts. */
     private int[] limits = new int[0];
-    /** The same between the middles, of four pairs of pixels in a number, by rows of cells; in quarters of parts. */
-    private final long[][] ofPairs = new long[ROWS][0];
-    /** Of each tile, the darkest and the brightest pixel that was looked at. */
+    /**
+     * The same between the middles, of four pairs of pixels in a number, in rows of cells by row number modulo their
+     * count; in quarters of parts.
+     */
+    private final long[][] ofPairs = new long[LIMITED][0];
+    /** Which row of cells these are of, and from and to which tile. */
+    private final int[] limited = new int[LIMITED];
+    private final int[] limitedFrom = new int[LIMITED];
+    private final int[] limitedTo = new int[LIMITED];
+    /** Of each tile, the darkest and the brightest pixel that was looked at; of half of them if these have contrast. */
     private int[] darkest = new int[0];
     private int[] brightest = new int[0];
     /** Whether these are the greys themselves; else no pixel is beyond them. */
@@ -148,23 +156,24 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         lookForContrast(input, Math.max(0, left - 1), Math.max(0, top - 1), Math.min(tilesAcross, right + 1),
                 Math.min(tilesDown, bottom + 1));
         Arrays.fill(summed, NONE);
+        Arrays.fill(limited, NONE);
+        columnsOf = NONE - 1;
         for (int down = top; down < bottom; down++) {
             findContrast(input, down, left, right);
             int count = findRuns(down, left, right);
             for (int r = 0; r < 4 * count; r += 4) {
                 sumCells(input, runs[r], Math.max(0, down - 1), runs[r + 1], Math.min(tilesDown, down + 2));
                 int end = Math.min(width, TILE * runs[r + 3]);
-                for (int row = 0; row < ROWS; row++) {
-                    int cells = CELLS * down - 1 + row;
-                    if (cells >= 0 && cells < cellsDown) {
-                        findLimits(cells, runs[r], runs[r + 1], runs[r + 2], runs[r + 3], ofPairs[row]);
-                    }
+                int last = Math.min(cellsDown - 1, CELLS * (down + 1));
+                for (int row = Math.max(0, CELLS * down - 1); row <= last; row++) {
+                    findLimits(row, runs[r], runs[r + 1], runs[r + 2], runs[r + 3]);
                 }
-                for (int y = TILE * down; y < Math.min(height, TILE * (down + 1)); y++) {
-                    int cells = y / CELL;
-                    int other = y % CELL < CELL / 2 ? Math.max(0, cells - 1) : Math.min(cellsDown - 1, cells + 1);
-                    mark(input, y, TILE * runs[r + 2], end, ofPairs[cells - CELLS * down + 1], OWN[y % CELL],
-                            ofPairs[other - CELLS * down + 1], OTHER[y % CELL]);
+                for (int row = CELLS * down; row < Math.min(cellsDown, CELLS * (down + 1)); row++) {
+                    long[] own = ofPairs[row % LIMITED];
+                    int y = CELL * row;
+                    mark(input, y + 1, y, TILE * runs[r + 2], end, own, ofPairs[Math.max(0, row - 1) % LIMITED]);
+                    mark(input, y + 2, y + 3, TILE * runs[r + 2], end, own,
+                            ofPairs[Math.min(cellsDown - 1, row + 1) % LIMITED]);
                 }
             }
         }
@@ -222,7 +231,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         summed = new int[tilesAcross * KEPT];
         columns = new int[cellsAcross];
         limits = new int[cellsAcross];
-        for (int row = 0; row < ROWS; row++) {
+        for (int row = 0; row < LIMITED; row++) {
             ofPairs[row] = new long[(cellsAcross + 1) / 2];
         }
         darkest = new int[tilesAcross * tilesDown];
@@ -246,7 +255,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
                 int tile = down * tilesAcross + across;
                 boolean whole = TILE * (across + 1) <= width && TILE * (down + 1) <= height;
                 int at = input.startIndex + TILE * down * input.stride + TILE * across;
-                exact[tile] = !whole || !areWithin(at, STEP * input.stride, low, high);
+                exact[tile] = low > high || !whole || !areWithin(at, STEP * input.stride, low, high);
                 darkest[tile] = low;
                 brightest[tile] = high;
                 if (exact[tile]) {
@@ -290,25 +299,27 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
 
     private void measureWhole(GrayU8 input, int across, int down) {
         ByteBuffer in = pixels;
+        int tile = down * tilesAcross + across;
         int at = input.startIndex + TILE * down * input.stride + TILE * across;
         long low = EVERY_SECOND;
         long high = 0;
-        for (int row = 0; row < TILE; row += STEP) {
-            long left = in.getLong(at) & EVERY_SECOND;
-            long right = in.getLong(at + Long.BYTES) & EVERY_SECOND;
-            long over = excess(left, right);
-            low -= excess(low, left - over);
-            high += excess(right + over, high);
-            at += STEP * input.stride;
+        darkest[tile] = 255;
+        brightest[tile] = 0;
+        // on a texture half of them have contrast enough
+        for (int row = 0; row < TILE && !isContrasting(darkest[tile], brightest[tile]); row += TILE / 2) {
+            for (int of = 0; of < TILE / 2; of += STEP) {
+                long left = in.getLong(at) & EVERY_SECOND;
+                long right = in.getLong(at + Long.BYTES) & EVERY_SECOND;
+                long over = excess(left, right);
+                low -= excess(low, left - over);
+                high += excess(right + over, high);
+                at += STEP * input.stride;
+            }
+            for (int shift = 0; shift < Long.SIZE; shift += BITS) {
+                darkest[tile] = Math.min(darkest[tile], (int) (low >>> shift) & 0xFF);
+                brightest[tile] = Math.max(brightest[tile], (int) (high >>> shift) & 0xFF);
+            }
         }
-        int darkestOfAll = 255;
-        int brightestOfAll = 0;
-        for (int shift = 0; shift < Long.SIZE; shift += BITS) {
-            darkestOfAll = Math.min(darkestOfAll, (int) (low >>> shift) & 0xFF);
-            brightestOfAll = Math.max(brightestOfAll, (int) (high >>> shift) & 0xFF);
-        }
-        darkest[down * tilesAcross + across] = darkestOfAll;
-        brightest[down * tilesAcross + across] = brightestOfAll;
     }
 
     /** By how much each of four pixels is brighter than another; 0 where it is darker. */
@@ -377,17 +388,26 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         }
     }
 
+    /** Whether the darker of two pixels may be dark about the brighter one. */
+    private boolean isContrasting(int low, int high) {
+        return 100 * low <= percent * high;
+    }
+
     /** Whether a pixel may be dark in a tile, by the limits of its row. */
     private boolean mayHaveContrast(int across) {
         int before = Math.max(0, across - 1);
         int after = Math.min(tilesAcross - 1, across + 1);
         int low = Math.min(darkestOfThree[across], Math.min(darkestOfThree[before], darkestOfThree[after]));
         int high = Math.max(brightestOfThree[across], Math.max(brightestOfThree[before], brightestOfThree[after]));
-        return 100 * low <= percent * high;
+        return isContrasting(low, high);
     }
 
     /** Whether a pixel may be dark in a tile, by what it and the tiles about it have in them. */
     private boolean hasContrast(GrayU8 input, int across, int down) {
+        int tile = down * tilesAcross + across;
+        if (exact[tile] && isContrasting(darkest[tile], brightest[tile])) {
+            return true;
+        }
         int low = 255;
         int high = 0;
         for (int y = Math.max(0, down - 1); y <= Math.min(tilesDown - 1, down + 1); y++) {
@@ -399,7 +419,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
                 high = Math.max(high, brightest[y * tilesAcross + x]);
             }
         }
-        return 100 * low <= percent * high;
+        return isContrasting(low, high);
     }
 
     /** Sums the pixels of cells in those of some tiles where that is yet to be done. */
@@ -457,10 +477,17 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     }
 
     /** Finds the limits of a row of cells, in tiles of which those beside are summed as well. */
-    private void findLimits(int row, int leftBeside, int rightBeside, int left, int right, long[] pairs) {
+    private void findLimits(int row, int leftBeside, int rightBeside, int left, int right) {
+        int slot = row % LIMITED;
+        if (limited[slot] == row && limitedFrom[slot] <= left && right <= limitedTo[slot]) {
+            return;
+        }
+        limited[slot] = row;
+        limitedFrom[slot] = left;
+        limitedTo[slot] = right;
         int top = Math.max(0, row - REACH);
         int bottom = Math.min(cellsDown, row + REACH + 1);
-        sumColumns(top, bottom, CELLS * leftBeside, Math.min(cellsAcross, CELLS * rightBeside));
+        sumColumns(row, CELLS * leftBeside, Math.min(cellsAcross, CELLS * rightBeside));
         int rows = Math.min(height, CELL * bottom) - CELL * top;
         // those on each side are interpolated with
         int first = Math.max(0, CELLS * left - 1);
@@ -471,34 +498,65 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         limitBorder(rows, first, whole);
         limitWhole(whole, endOfWhole);
         limitBorder(rows, endOfWhole, end);
-        for (int cell = CELLS * left; cell < Math.min(cellsAcross, CELLS * right); cell += 2) {
-            long one = limits[cell];
-            long two = limits[Math.min(cellsAcross - 1, cell + 1)];
-            long before = limits[Math.max(0, cell - 1)];
-            long after = limits[Math.min(cellsAcross - 1, cell + 2)];
+        interpolate(CELLS * left, Math.min(cellsAcross, CELLS * right), ofPairs[slot]);
+    }
+
+    /** Limits of pairs of pixels of some cells, the first of them even, in their row. */
+    private void interpolate(int from, int to, long[] pairs) {
+        int[] of = limits;
+        int last = cellsAcross - 1;
+        long before = of[Math.max(0, from - 1)];
+        long one = of[from];
+        for (int cell = from; cell < to; cell += 2) {
+            long two = of[Math.min(last, cell + 1)];
+            long after = of[Math.min(last, cell + 2)];
             pairs[cell / 2] = 3 * one + before | 3 * one + two << BITS | one + 3 * two << 2 * BITS
                     | 3 * two + after << 3 * BITS;
+            before = two;
+            one = after;
         }
     }
 
-    private void sumColumns(int top, int bottom, int from, int to) {
+    /** Sums cells below each other about a row, by the sums about the row above where that is what there is. */
+    private void sumColumns(int row, int from, int to) {
         int[] ofColumns = columns;
-        Arrays.fill(ofColumns, from, to, 0);
-        for (int row = top; row < bottom; row++) {
-            int at = row % (CELLS * KEPT) * cellsAcross;
+        int[] ofCells = sums;
+        if (columnsOf == row - 1 && columnsFrom <= from && to <= columnsTo && row > REACH && row + REACH < cellsDown) {
+            int added = slot(row + REACH);
+            int left = slot(row - REACH - 1);
             for (int x = from; x < to; x++) {
-                ofColumns[x] += sums[at + x];
+                ofColumns[x] += ofCells[added + x] - ofCells[left + x];
+            }
+        } else {
+            Arrays.fill(ofColumns, from, to, 0);
+            for (int of = Math.max(0, row - REACH); of <= Math.min(cellsDown - 1, row + REACH); of++) {
+                int at = slot(of);
+                for (int x = from; x < to; x++) {
+                    ofColumns[x] += ofCells[at + x];
+                }
             }
         }
+        columnsOf = row;
+        columnsFrom = from;
+        columnsTo = to;
+    }
+
+    /** Where the sums of a row of cells begin. */
+    private int slot(int row) {
+        return row % (CELLS * KEPT) * cellsAcross;
     }
 
     private void limitWhole(int from, int to) {
         int[] ofColumns = columns;
         int[] found = limits;
-        long share = (long) PARTS * percent * RECIPROCAL;
+        int share = PARTS * percent;
+        int divisor = 100 * WHOLE;
+        int factor = (int) (((long) share << RECIPROCAL_BITS) / divisor);
         for (int x = from; x < to; x++) {
             int sum = ofColumns[x - 2] + ofColumns[x - 1] + ofColumns[x] + ofColumns[x + 1] + ofColumns[x + 2];
-            found[x] = (int) (sum * share >>> RECIPROCAL_BITS);
+            // it or one less; several at a time, as no division is
+            int quotient = sum * factor >>> RECIPROCAL_BITS;
+            found[x] = quotient + (sum * share - quotient * divisor + (Integer.MIN_VALUE - divisor) >>> Integer.SIZE - 1);
         }
     }
 
@@ -516,34 +574,67 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
         }
     }
 
-    private void mark(GrayU8 input, int y, int from, int to, long[] own, int ofOwn, long[] other, int ofOther) {
+    /**
+     * Marks what is dark in the two rows of a cell that lie towards another one: the limit of the row next to its
+     * middle is by seven eighths its own and by one the other's, that of the row beyond by five and three.
+     */
+    private void mark(GrayU8 input, int next, int beyond, int from, int to, long[] own, long[] other) {
+        int end = from;
+        if (Math.max(next, beyond) < height) {
+            end += (to - from) / Long.BYTES * Long.BYTES;
+            markWhole(input, next, beyond, from, end, own, other);
+        }
+        markPart(input, next, end, to, own, other, 1);
+        markPart(input, beyond, end, to, own, other, 3);
+    }
+
+    private void markWhole(GrayU8 input, int next, int beyond, int from, int to, long[] own, long[] other) {
         ByteBuffer in = pixels;
-        int at = input.startIndex + y * input.stride;
+        long[] words = dark.words();
+        int inNext = input.startIndex + next * input.stride;
+        int inBeyond = input.startIndex + beyond * input.stride;
         int x = from;
         while (x < to) {
-            int word = dark.indexOf(x, y);
             int end = Math.min(to, dark.endOf(x));
-            long bits = 0;
-            for (; x + Long.BYTES <= end; x += Long.BYTES) {
-                long eight = in.getLong(at + x);
-                long limit = limit(own[x / Long.BYTES] * ofOwn + other[x / Long.BYTES] * ofOther);
-                // the bit above a grey is left where the limit is not below it
-                long even = limit - (eight & EVERY_SECOND) >>> Byte.SIZE & IN_EACH;
-                long odd = limit - (eight >>> Byte.SIZE & EVERY_SECOND) & BEYOND_EACH;
-                bits |= DarkBits.ofEight(even | odd) << x;
+            int atNext = dark.indexOf(x, next);
+            int atBeyond = dark.indexOf(x, beyond);
+            long bitsOfNext = 0;
+            long bitsOfBeyond = 0;
+            for (; x < end; x += Long.BYTES) {
+                // four numbers in one are added up as one: what they borrow from each other, they give back
+                long ofOwn = own[x >> 3];
+                long towards = other[x >> 3] - ofOwn;
+                long limit = EIGHTHS * ofOwn + towards;
+                bitsOfNext |= darkOf(in.getLong(inNext + x), limit) << x;
+                bitsOfBeyond |= darkOf(in.getLong(inBeyond + x), limit + 2 * towards) << x;
             }
-            for (; x < end; x++) {
-                long limit = limit(own[x / Long.BYTES] * ofOwn + other[x / Long.BYTES] * ofOther)
-                        >>> x % Long.BYTES / 2 * BITS & 0xFF;
-                bits |= (input.data[at + x] & 0xFF) <= limit ? 1L << x : 0;
-            }
-            dark.words()[word] |= bits;
+            words[atNext] |= bitsOfNext;
+            words[atBeyond] |= bitsOfBeyond;
         }
     }
 
-    /** Limits of four pairs of pixels, with another bit above, of eighths of quarters of parts. */
-    private static long limit(long pairs) {
-        return pairs >>> Byte.SIZE & EVERY_SECOND | BEYOND_EACH;
+    /** The same of one row, pixel by pixel, if it is in the image. */
+    private void markPart(GrayU8 input, int y, int from, int to, long[] own, long[] other, int ofOther) {
+        if (y >= height) {
+            return;
+        }
+        int at = input.startIndex + y * input.stride;
+        for (int x = from; x < to; x++) {
+            int four = x / Long.BYTES;
+            long limits = (EIGHTHS - ofOther) * own[four] + ofOther * other[four] >>> Byte.SIZE;
+            if ((input.data[at + x] & 0xFF) <= (limits >>> x % Long.BYTES / 2 * BITS & 0xFF)) {
+                dark.words()[dark.indexOf(x, y)] |= 1L << x;
+            }
+        }
+    }
+
+    /** Which of eight pixels are not above limits, of four pairs of them, in eighths of quarters of parts. */
+    private static long darkOf(long eight, long pairs) {
+        long limit = pairs >>> Byte.SIZE & EVERY_SECOND | BEYOND_EACH;
+        // the bit above a grey is left where the limit is not below it
+        long even = limit - (eight & EVERY_SECOND) >>> Byte.SIZE & IN_EACH;
+        long odd = limit - (eight >>> Byte.SIZE & EVERY_SECOND) & BEYOND_EACH;
+        return DarkBits.ofEight(even | odd);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.cellgauge.vision;
 
+import java.util.Arrays;
+
 /**
  * Takes specks out of a binary image whose contours no polygon would come from: on textured ground there are tens of
  * thousands of them, and to follow each takes as long as all the rest of finding squares.
@@ -25,12 +27,19 @@ final class Specks {
     /** What a polygon within that border has at most, px². */
     private static final double AREA_IN_WINDOW = (WINDOW - 3) * (WINDOW - 2);
 
+    /** Rows that the stages of taking out stars look at. */
+    private static final int ROWS_KEPT = 4;
+    private static final int PIXELS_OF_STAR = 5;
+
     private final int mostOfShort;
     private final double areaOfPolygon;
     private double leastArea;
     private final int[] found = new int[MOST_PIXELS + 5];
     private long[] words = new long[0];
     private int stride;
+    /** Dark pixels with two neighbours or more, and the middles of stars, by row number modulo their count. */
+    private final long[][] forked = new long[ROWS_KEPT][0];
+    private final long[][] middles = new long[ROWS_KEPT][0];
 
     /**
      * Specks.
@@ -65,6 +74,7 @@ final class Specks {
     void takeOut(DarkBits dark, int left, int top, int right, int bottom) {
         words = dark.words();
         stride = dark.stride();
+        takeOutStars(dark, left, top, right, bottom);
         for (int y = top; y < bottom; y++) {
             int end = dark.indexOf(right - 1, y);
             for (int at = dark.indexOf(left, y); at <= end; at++) {
@@ -72,17 +82,109 @@ final class Specks {
                 if (here == 0) {
                     continue;
                 }
-                long above = words[at - stride];
-                long before = here << 1 | words[at - 1] >>> Long.SIZE - 1;
-                long after = here >>> 1 | words[at + 1] << Long.SIZE - 1;
-                long alone = here & ~(before | after | above | words[at + stride]);
-                words[at] = here ^ alone;
                 // dark, and neither on the left of it nor above
-                long starts = here & ~(alone | before | above);
+                long starts = here & ~(here << 1 | words[at - 1] >>> Long.SIZE - 1 | words[at - stride]);
                 for (; starts != 0; starts &= starts - 1) {
                     takeOutAt(at * Long.SIZE + Long.numberOfTrailingZeros(starts));
                 }
             }
+        }
+    }
+
+    /**
+     * Takes out what is a pixel and at most its four neighbours, in three stages that each are a row behind the one
+     * before: pixels with two neighbours or more; pixels with no such neighbour, the middles of stars; these, and what
+     * is beside them.
+     */
+    private void takeOutStars(DarkBits dark, int left, int top, int right, int bottom) {
+        int first = dark.indexOf(left, top);
+        int count = dark.indexOf(right - 1, top) - first + 1;
+        long inFirst = -1L << left;
+        long inLast = -1L >>> -right;
+        shape(count);
+        // most rows of most images are not dark at all
+        boolean isDark = false;
+        boolean wasDark = false;
+        for (int y = top; y < bottom + 2; y++, first += stride) {
+            boolean wasDarkBefore = wasDark;
+            wasDark = isDark;
+            isDark = y < bottom && isAnyDark(first, count);
+            long[] of = forked[y % ROWS_KEPT];
+            if (isDark) {
+                findForked(first, count, of);
+            } else {
+                Arrays.fill(of, 0);
+            }
+            long[] found = middles[(y + ROWS_KEPT - 1) % ROWS_KEPT];
+            if (wasDark) {
+                findMiddles(first - stride, count, y, found);
+                found[1] &= inFirst;
+                found[count] &= inLast;
+            } else {
+                Arrays.fill(found, 0);
+            }
+            if (wasDarkBefore) {
+                takeOutAbout(first - 2 * stride, count, y);
+            }
+        }
+    }
+
+    private boolean isAnyDark(int first, int count) {
+        long any = 0;
+        for (int i = first; i < first + count; i++) {
+            any |= words[i];
+        }
+        return any != 0;
+    }
+
+    private void shape(int count) {
+        for (int row = 0; row < ROWS_KEPT; row++) {
+            if (forked[row].length < count + 2) {
+                forked[row] = new long[count + 2];
+                middles[row] = new long[count + 2];
+            }
+            Arrays.fill(forked[row], 0);
+            Arrays.fill(middles[row], 0);
+        }
+    }
+
+    /** Those of a row's dark pixels with two neighbours or more. */
+    private void findForked(int first, int count, long[] found) {
+        long[] of = words;
+        int down = stride;
+        for (int i = 0; i < count; i++) {
+            long here = of[first + i];
+            long before = here << 1 | of[first + i - 1] >>> Long.SIZE - 1;
+            long after = here >>> 1 | of[first + i + 1] << Long.SIZE - 1;
+            long above = of[first + i - down];
+            long below = of[first + i + down];
+            found[i + 1] = here & (before & after | above & below | (before | after) & (above | below));
+        }
+    }
+
+    /** Those of a row's dark pixels with no such neighbour. */
+    private void findMiddles(int first, int count, int next, long[] found) {
+        long[] of = words;
+        long[] above = forked[(next + ROWS_KEPT - 2) % ROWS_KEPT];
+        long[] here = forked[(next + ROWS_KEPT - 1) % ROWS_KEPT];
+        long[] below = forked[next % ROWS_KEPT];
+        for (int i = 0; i < count; i++) {
+            long beside = here[i + 1] << 1 | here[i] >>> Long.SIZE - 1 | here[i + 1] >>> 1
+                    | here[i + 2] << Long.SIZE - 1;
+            found[i + 1] = of[first + i] & ~(beside | above[i + 1] | below[i + 1]);
+        }
+    }
+
+    /** Takes out those of a row's pixels that are such, or have such a neighbour. */
+    private void takeOutAbout(int first, int count, int next) {
+        long[] of = words;
+        long[] above = middles[(next + ROWS_KEPT - 3) % ROWS_KEPT];
+        long[] here = middles[(next + ROWS_KEPT - 2) % ROWS_KEPT];
+        long[] below = middles[(next + ROWS_KEPT - 1) % ROWS_KEPT];
+        for (int i = 0; i < count; i++) {
+            long about = here[i + 1] | here[i + 1] << 1 | here[i] >>> Long.SIZE - 1 | here[i + 1] >>> 1
+                    | here[i + 2] << Long.SIZE - 1 | above[i + 1] | below[i + 1];
+            of[first + i] &= ~about;
         }
     }
 
@@ -94,10 +196,7 @@ final class Specks {
      */
     private void takeOutAt(int pixel) {
         int window = pixel - FIRST_COLUMN_OF_BLOB;
-        long seen = 0;
-        for (int row = 0; row < WINDOW; row++) {
-            seen |= rowAt(window + row * stride * Long.SIZE) << WINDOW * row;
-        }
+        long seen = windowAt(window);
         long blob = FIRST_BLOB_PIXEL;
         long smaller;
         do {
@@ -110,11 +209,34 @@ final class Specks {
         if ((blob & BORDER) != 0) {
             followFrom(pixel);
         } else if (AREA_IN_WINDOW < leastArea || Long.bitCount(blob) <= mostOfShort) {
-            for (int row = window; blob != 0; row += stride * Long.SIZE, blob >>>= WINDOW) {
-                long bits = blob & ROW;
-                words[row >> 6] &= ~(bits << row);
-                // what the shift lost; of none, where it lost nothing
-                words[(row >> 6) + 1] &= ~(bits >>> 1 >>> Long.SIZE - 1 - (row & Long.SIZE - 1));
+            takeOut(blob, window);
+        }
+    }
+
+    private long windowAt(int window) {
+        long seen = 0;
+        int at = window >> 6;
+        int shift = window & Long.SIZE - 1;
+        if (shift <= Long.SIZE - WINDOW) {
+            for (int row = 0; row < Long.SIZE; row += WINDOW, at += stride) {
+                seen |= (words[at] >>> shift & ROW) << row;
+            }
+        } else {
+            for (int row = 0; row < Long.SIZE; row += WINDOW, at += stride) {
+                seen |= (words[at] >>> shift | words[at + 1] << -shift) << row & ROW << row;
+            }
+        }
+        return seen;
+    }
+
+    private void takeOut(long blob, int window) {
+        int at = window >> 6;
+        int shift = window & Long.SIZE - 1;
+        boolean whole = shift <= Long.SIZE - WINDOW;
+        for (long rest = blob; rest != 0; rest >>>= WINDOW, at += stride) {
+            words[at] &= ~((rest & ROW) << shift);
+            if (!whole) {
+                words[at + 1] &= ~((rest & ROW) >>> -shift);
             }
         }
     }
