@@ -114,7 +114,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     private final @Nullable SquareSearch bentSquares;
     private final @Nullable ToneCurve statedCurve;
     private final GreyScale scale = new GreyScale();
-    private final MarkerLoop loop = new MarkerLoop();
+    private final SharedLoop loop = new SharedLoop();
     private final LightFit light = new LightFit(scale, loop);
     /** For the squares of one image, each read by its own; used anew for the next. */
     private final List<Reader> readers = new ArrayList<>();
@@ -181,8 +181,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
         this.familyPatterns = new FamilyPatterns(family);
         this.hasChecksum = familyPatterns.correctable() > 0;
         ids.forEach(id -> patterns.put(id, familyPatterns.white(id)));
-        this.squares = squares(familyPatterns, USUAL_PERCENT, windows, dark);
-        this.bentSquares = camera.lens().isWide() ? squares(familyPatterns, USUAL_PERCENT, windows, dark) : null;
+        this.squares = squares(familyPatterns, USUAL_PERCENT, windows, dark, loop);
+        this.bentSquares = camera.lens().isWide() ? squares(familyPatterns, USUAL_PERCENT, windows, dark, loop) : null;
         configure(squares, camera.isDistorting());
         if (bentSquares != null) {
             configure(bentSquares, false);
@@ -222,7 +222,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /**
-     * Fits several markers at once from now on: for frames that are waited for, and not where each thread has a photo
+     * Searches several parts of an image, and fits several markers, at once from now on: for frames that are waited for, and not where each thread has a photo
      * of its own. Corners are the same either way.
      *
      * @param helpers on what threads, beside the one that detects; where none is free, that one does all
@@ -244,15 +244,16 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     /** The usual search for squares, not yet prepared for a camera. */
     static SquareSearch squares(MarkerFamily family) {
-        return squares(new FamilyPatterns(family), USUAL_PERCENT, new SearchWindows(), new DarkBits());
+        return squares(new FamilyPatterns(family), USUAL_PERCENT, new SearchWindows(), new DarkBits(),
+                new SharedLoop());
     }
 
     private static SquareSearch squares(FamilyPatterns patterns, int percent, SearchWindows windows,
-            DarkBits dark) {
+            DarkBits dark, SharedLoop loop) {
         ConfigFiducialBinary ofGrids = new ConfigFiducialBinary(1);
         ConfigFiducialHammingDetector ofCodes = new ConfigFiducialHammingDetector();
         boolean grid = patterns.dictionary() == null;
-        LocalMeanThreshold threshold = new LocalMeanThreshold(percent, windows, dark);
+        LocalMeanThreshold threshold = new LocalMeanThreshold(percent, windows, dark, loop);
         ConfigPolygonDetector polygons = grid ? ofGrids.squareDetector : ofCodes.squareDetector;
         polygons.detector.minimumContour = ConfigLength.fixed(SquareSearch.LEAST_OUTLINE_PX);
         return new SquareSearch(threshold, WindowContours.polygons(polygons, threshold),
@@ -262,7 +263,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     /** Local mean with a margin: plain grounds and weak textures then give no contours to follow. */
     static LocalMeanThreshold threshold(DarkBits dark) {
-        return new LocalMeanThreshold(USUAL_PERCENT, new SearchWindows(), dark);
+        return new LocalMeanThreshold(USUAL_PERCENT, new SearchWindows(), dark, new SharedLoop());
     }
 
     static LensDistortionNarrowFOV boofLens(PinholeCamera camera) {
@@ -345,6 +346,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
 
     /** Fills in the squares of this image. False where its windows do not show the markers they were made for. */
     private boolean look(GreyImage image, List<Seen> seen) {
+        loop.gather();
         squares.process(view);
         int count = squares.found().size();
         if (bentSquares != null) {
@@ -391,7 +393,7 @@ public final class BoofMarkerDetector implements MarkerDetector {
      */
     private SquareSearch faintSquares() {
         if (faintSquares == null) {
-            faintSquares = squares(familyPatterns, FAINT_PERCENT, windows, dark);
+            faintSquares = squares(familyPatterns, FAINT_PERCENT, windows, dark, loop);
             configure(faintSquares, straightensOnePlane());
         }
         return faintSquares;
@@ -500,7 +502,6 @@ public final class BoofMarkerDetector implements MarkerDetector {
             patternOf[i] = pattern(found.get(i).idRead);
         }
         boolean[] fitted = new boolean[found.size()];
-        loop.gather();
         loop.each(found.size(), i -> fitted[i] = edges.get(i).fit(image, found.get(i).cornersPx, patternOf[i]));
         edgesUsed = 0;
         for (int i = 0; i < fitted.length; i++) {

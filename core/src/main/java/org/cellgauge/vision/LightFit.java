@@ -158,7 +158,7 @@ final class LightFit {
     private static final double SETTLED_RADIUS = 0.02;
 
     private final GreyScale scale;
-    private final MarkerLoop loop;
+    private final SharedLoop loop;
     private ToneCurve curve = ToneCurve.LINEAR;
     /** What the photo before was found to have, and how many were fitted from it on; null where that tells nothing. */
     private @Nullable Found before;
@@ -227,7 +227,7 @@ final class LightFit {
      * @param scale receives curve and noise; that of the markers' edges
      * @param loop how markers are gone through
      */
-    LightFit(GreyScale scale, MarkerLoop loop) {
+    LightFit(GreyScale scale, SharedLoop loop) {
         this.scale = scale;
         this.loop = loop;
     }

@@ -3,25 +3,18 @@ package org.cellgauge.vision;
 import boofcv.abst.filter.binary.InputToBinary;
 import boofcv.struct.image.GrayU8;
 import boofcv.struct.image.ImageType;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Marks pixels that are darker than a share of the mean about them, as BoofCV's local mean does. The mean is that of
- * the 20 x 20 pixels about the middles of cells of 4 x 4, and between these interpolated, down to rows and pairs of
- * pixels: so eight pixels at a time are compared with theirs. (One mean for a whole cell gives steps in blurred edges,
- * and squares are lost.) BoofCV's own blurs the whole image twice first, which takes half of the time to find markers
- * in a plain scene.
- *
- * <p>Most of an image is plain: where the darkest pixel is brighter than that share of the brightest, no pixel about it
- * can be dark. So the image is first looked at in tiles, in every second pixel of every second row, and only tiles with
- * such a contrast in them or beside them are gone through. A dark speck of a single pixel may then be missed on plain
- * ground, which is nobody's marker; about anything larger all is found.
+ * Marks pixels that are darker than a share of the {@linkplain CellMeans mean} about them, as BoofCV's local mean does,
+ * in those tiles that {@linkplain TileContrast may have such}. BoofCV's own blurs the whole image twice first, which
+ * takes half of the time to find markers in a plain scene.
  *
  * <p>Outside of the {@link SearchWindows} of a frame nothing is looked at; inside, all is as in the whole image. What
- * is dark lies in some {@linkplain #places() places}, outside of which pixels are cleared or left as they were. Not
+ * is dark lies in some {@linkplain #places() places}, outside of which pixels are cleared or left as they were. Rows of
+ * large windows are gone through by several threads where the loop has them; the same is dark either way. Not
  * thread-safe: sums are kept.
  */
 final class LocalMeanThreshold implements InputToBinary<GrayU8> {
@@ -31,79 +24,25 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
     static final int CELL = 4;
     /** Cells on each side of a cell that its mean is over; at the border, those that there are. In the tiles beside. */
     static final int REACH = 2;
-    private static final int CELLS = TILE / CELL;
-    /** Rows of cells whose limits are kept: of a tile, and one more on each side. */
-    private static final int LIMITED = CELLS + 2;
-    /** Limits of cells are in parts of a grey level. */
-    private static final int PARTS = 8;
-    private static final long EIGHTHS = 8;
-    private static final int STEP = 2;
-    /** Rows of tiles whose cells' sums are kept. */
-    private static final int KEPT = 3;
-    private static final int NONE = -1;
-    /** Pixels that a mean is over. */
-    private static final int WHOLE = (2 * REACH + 1) * CELL * (2 * REACH + 1) * CELL;
-    /** A sum of a mean's pixels, of 17 bits, times so many bits of what it is to be multiplied with stays below 32. */
-    private static final int RECIPROCAL_BITS = 20;
-    /** How far tiles of one surface may differ, grey levels: noise takes its darkest pixel now here, now there. */
-    private static final int SLACK = 2;
     /** More places than these are gone through as their window: each keeps its contours. */
     private static final int MOST_PLACES = 32;
-    private static final ByteBuffer NO_PIXELS = ByteBuffer.allocate(0);
-    /** Every second one of eight pixels, in a number of 16 bits each. */
-    private static final long EVERY_SECOND = 0x00FF_00FF_00FF_00FFL;
-    private static final long BEYOND_EACH = 0x0100_0100_0100_0100L;
-    private static final int BITS = 16;
-    private static final long IN_EACH = 0x0001_0001_0001_0001L;
-    private static final long SIGN_OF_EACH = 0x8000_8000_8000_8000L;
-    private static final int LARGEST = 0x7FFF;
+    /** Rows of tiles that a thread takes at least: what lies about their borders is gone through twice. */
+    private static final int LEAST_OF_BAND = 6;
+    /** Bands for each thread: one that comes late leaves some to the others. */
+    private static final int BANDS_PER_THREAD = 2;
 
     private final int percent;
-    /** Those of the image at hand, to be read eight at a time. */
-    private ByteBuffer pixels = NO_PIXELS;
     private final SearchWindows windows;
-    private @Nullable Specks specks;
+    private final SharedLoop loop;
+    private final TileContrast contrast;
     private final DarkBits dark;
+    private @Nullable Specks specks;
+    /** Of each band of rows of tiles that are gone through at a time. */
+    private final List<CellMeans> means = new ArrayList<>();
     private final Rectangles places = new Rectangles();
     private final Rectangles ofWindow = new Rectangles();
     private int width;
     private int height;
-    private int tilesAcross;
-    private int tilesDown;
-    private int cellsAcross;
-    private int cellsDown;
-    /** Of the pixels of each cell, in three rows of tiles, by row number modulo their count. */
-    private int[] sums = new int[0];
-    /** Which row of tiles these are of, in each tile of those rows. */
-    private int[] summed = new int[0];
-    /** Sums of cells below each other, about a row of cells. */
-    private int[] columns = new int[0];
-    /** The row, and its cells from and to which, of these; or none. */
-    private int columnsOf;
-    private int columnsFrom;
-    private int columnsTo;
-    /** The brightest grey that is dark in the middle of each cell of a row, in parts. */
-    private int[] limits = new int[0];
-    /**
-     * The same between the middles, of four pairs of pixels in a number, in rows of cells by row number modulo their
-     * count; in quarters of parts.
-     */
-    private final long[][] ofPairs = new long[LIMITED][0];
-    /** Which row of cells these are of, and from and to which tile. */
-    private final int[] limited = new int[LIMITED];
-    private final int[] limitedFrom = new int[LIMITED];
-    private final int[] limitedTo = new int[LIMITED];
-    /** Of each tile, the darkest and the brightest pixel that was looked at; of half of them if these have contrast. */
-    private int[] darkest = new int[0];
-    private int[] brightest = new int[0];
-    /** Whether these are the greys themselves; else no pixel is beyond them. */
-    private boolean[] exact = new boolean[0];
-    private boolean[] contrasting = new boolean[0];
-    /** The same of each tile of a row, with the two above and below it. */
-    private int[] darkestOfThree = new int[0];
-    private int[] brightestOfThree = new int[0];
-    /** Tiles from and to which cells are summed, and those of them that are gone through, of each run of a row. */
-    private int[] runs = new int[0];
 
     /**
      * A threshold.
@@ -111,11 +50,14 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
      * @param percent of the mean at which black begins, below 100
      * @param windows where pixels are asked for
      * @param dark work space, which those may share that are not used at a time
+     * @param loop what goes through large images
      */
-    LocalMeanThreshold(int percent, SearchWindows windows, DarkBits dark) {
+    LocalMeanThreshold(int percent, SearchWindows windows, DarkBits dark, SharedLoop loop) {
         this.percent = percent;
         this.windows = windows;
         this.dark = dark;
+        this.loop = loop;
+        this.contrast = new TileContrast(percent);
     }
 
     /** Where pixels are asked for. */
@@ -135,61 +77,61 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
 
     @Override
     public void process(GrayU8 input, GrayU8 output) {
-        reshape(input.width, input.height);
+        if (input.width != width || input.height != height) {
+            width = input.width;
+            height = input.height;
+            contrast.reshape(width, height);
+        }
         output.reshape(width, height);
         dark.reshape(width, height);
         places.clear();
-        pixels = ByteBuffer.wrap(input.data).order(ByteOrder.LITTLE_ENDIAN);
         for (int i = 0; i < windows.count(); i++) {
-            process(input, output, windows.left(i) / TILE, windows.top(i) / TILE,
-                    tiles(Math.min(width, windows.right(i))), tiles(Math.min(height, windows.bottom(i))));
+            int left = windows.left(i) / TILE;
+            int top = windows.top(i) / TILE;
+            int right = tiles(Math.min(width, windows.right(i)));
+            int bottom = tiles(Math.min(height, windows.bottom(i)));
+            mark(input, left, top, right, bottom);
+            findPlaces(output, left, top, right, bottom);
         }
-        pixels = NO_PIXELS;
     }
 
-    private static int tiles(int px) {
+    /** How many tiles cover so many pixels, px. */
+    static int tiles(int px) {
         return (px + TILE - 1) / TILE;
     }
 
-    /** Marks what is dark in a window of tiles, the last ones not with it. */
-    private void process(GrayU8 input, GrayU8 output, int left, int top, int right, int bottom) {
-        lookForContrast(input, Math.max(0, left - 1), Math.max(0, top - 1), Math.min(tilesAcross, right + 1),
-                Math.min(tilesDown, bottom + 1));
-        Arrays.fill(summed, NONE);
-        Arrays.fill(limited, NONE);
-        columnsOf = NONE - 1;
-        for (int down = top; down < bottom; down++) {
-            findContrast(input, down, left, right);
-            int count = findRuns(down, left, right);
-            for (int r = 0; r < 4 * count; r += 4) {
-                sumCells(input, runs[r], Math.max(0, down - 1), runs[r + 1], Math.min(tilesDown, down + 2));
-                int end = Math.min(width, TILE * runs[r + 3]);
-                int last = Math.min(cellsDown - 1, CELLS * (down + 1));
-                for (int row = Math.max(0, CELLS * down - 1); row <= last; row++) {
-                    findLimits(row, runs[r], runs[r + 1], runs[r + 2], runs[r + 3]);
-                }
-                for (int row = CELLS * down; row < Math.min(cellsDown, CELLS * (down + 1)); row++) {
-                    long[] own = ofPairs[row % LIMITED];
-                    int y = CELL * row;
-                    mark(input, y + 1, y, TILE * runs[r + 2], end, own, ofPairs[Math.max(0, row - 1) % LIMITED]);
-                    mark(input, y + 2, y + 3, TILE * runs[r + 2], end, own,
-                            ofPairs[Math.min(cellsDown - 1, row + 1) % LIMITED]);
-                }
-            }
+    /** Marks what is dark in a window of tiles, the last ones not with it, but for specks. */
+    private void mark(GrayU8 input, int left, int top, int right, int bottom) {
+        int tilesAcross = tiles(width);
+        int tilesDown = tiles(height);
+        int bands = Math.max(1, Math.min((bottom - top) / LEAST_OF_BAND,
+                loop.threads() == 1 ? 1 : BANDS_PER_THREAD * loop.threads()));
+        while (means.size() < bands) {
+            means.add(new CellMeans(percent, contrast, dark));
         }
-        if (specks != null) {
-            specks.takeOut(dark, TILE * left, TILE * top, Math.min(width, TILE * right),
-                    Math.min(height, TILE * bottom));
+        int[] rows = new int[bands + 1];
+        for (int i = 0; i <= bands; i++) {
+            rows[i] = top + (bottom - top) * i / bands;
         }
-        findPlaces(output, left, top, right, bottom);
-    }
-
-    /** Finds out which tiles of a row may have dark pixels. */
-    private void findContrast(GrayU8 input, int down, int left, int right) {
-        spanRows(down, left, right);
-        for (int across = left; across < right; across++) {
-            contrasting[down * tilesAcross + across] = mayHaveContrast(across) && hasContrast(input, across, down);
+        loop.each(bands, i -> contrast.look(input, Math.max(0, left - 1), i == 0 ? Math.max(0, top - 1) : rows[i],
+                Math.min(tilesAcross, right + 1), i == bands - 1 ? Math.min(tilesDown, bottom + 1) : rows[i + 1]));
+        contrast.find(input, left, top, right, bottom);
+        Specks of = specks;
+        if (of == null) {
+            loop.each(bands, i -> means.get(i).mark(input, left, rows[i], right, rows[i + 1]));
+            return;
         }
+        int end = Math.min(width, TILE * right);
+        int[] starts = new int[bands + 1];
+        for (int i = 0; i <= bands; i++) {
+            starts[i] = Math.min(height, TILE * rows[i]);
+        }
+        of.begin(dark, TILE * left, end, starts);
+        loop.each(bands, i -> {
+            means.get(i).mark(input, left, rows[i], right, rows[i + 1]);
+            of.takeOut(i);
+        });
+        of.end();
     }
 
     /** Finds the places of a window of tiles that was gone through, and writes them. */
@@ -199,7 +141,7 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
             int from = left;
             for (int across = left; across <= right; across++) {
                 // mostly it is noise that may be dark, and is not
-                if (across == right || !contrasting[down * tilesAcross + across]
+                if (across == right || !contrast.mayBeDark(across, down)
                         || !dark.isAnyDark(TILE * across, TILE * down, TILE)) {
                     ofWindow.add(TILE * from, TILE * down, Math.min(width, TILE * across),
                             Math.min(height, TILE * (down + 1)));
@@ -215,426 +157,6 @@ final class LocalMeanThreshold implements InputToBinary<GrayU8> {
             dark.write(ofWindow.left(i), ofWindow.top(i), ofWindow.right(i), ofWindow.bottom(i), output);
             places.add(ofWindow.left(i), ofWindow.top(i), ofWindow.right(i), ofWindow.bottom(i));
         }
-    }
-
-    private void reshape(int toWidth, int toHeight) {
-        if (toWidth == width && toHeight == height) {
-            return;
-        }
-        width = toWidth;
-        height = toHeight;
-        tilesAcross = tiles(width);
-        tilesDown = tiles(height);
-        cellsAcross = (width + CELL - 1) / CELL;
-        cellsDown = (height + CELL - 1) / CELL;
-        sums = new int[cellsAcross * CELLS * KEPT];
-        summed = new int[tilesAcross * KEPT];
-        columns = new int[cellsAcross];
-        limits = new int[cellsAcross];
-        for (int row = 0; row < LIMITED; row++) {
-            ofPairs[row] = new long[(cellsAcross + 1) / 2];
-        }
-        darkest = new int[tilesAcross * tilesDown];
-        brightest = new int[tilesAcross * tilesDown];
-        exact = new boolean[tilesAcross * tilesDown];
-        contrasting = new boolean[tilesAcross * tilesDown];
-        darkestOfThree = new int[tilesAcross];
-        brightestOfThree = new int[tilesAcross];
-        runs = new int[4 * (tilesAcross / 2 + 1)];
-    }
-
-    /**
-     * Finds the darkest and the brightest pixel of tiles, or limits to them: most tiles are of the same surface as the
-     * one before, and whether all pixels are within limits is seen for four at a time.
-     */
-    private void lookForContrast(GrayU8 input, int left, int top, int right, int bottom) {
-        int low = 1;
-        int high = 0;
-        for (int down = top; down < bottom; down++) {
-            for (int across = left; across < right; across++) {
-                int tile = down * tilesAcross + across;
-                boolean whole = TILE * (across + 1) <= width && TILE * (down + 1) <= height;
-                int at = input.startIndex + TILE * down * input.stride + TILE * across;
-                exact[tile] = low > high || !whole || !areWithin(at, STEP * input.stride, low, high);
-                darkest[tile] = low;
-                brightest[tile] = high;
-                if (exact[tile]) {
-                    measure(input, across, down);
-                    // limits with a contrast of their own would say nothing of any tile
-                    if (100 * (darkest[tile] - SLACK) > percent * (brightest[tile] + SLACK)) {
-                        low = darkest[tile] - SLACK;
-                        high = Math.min(255, brightest[tile] + SLACK);
-                    }
-                }
-            }
-        }
-    }
-
-    /** Whether no pixel of a tile is darker or brighter than that. */
-    private boolean areWithin(int first, int stride, int low, int high) {
-        // the sign of a sum shows a pixel beyond
-        long fromLow = IN_EACH * (LARGEST + low);
-        long toHigh = IN_EACH * (LARGEST - high);
-        long beyond = 0;
-        ByteBuffer in = pixels;
-        int at = first;
-        for (int row = 0; row < TILE; row += STEP) {
-            long left = in.getLong(at) & EVERY_SECOND;
-            long right = in.getLong(at + Long.BYTES) & EVERY_SECOND;
-            beyond |= fromLow - left | left + toHigh | fromLow - right | right + toHigh;
-            at += stride;
-        }
-        return (beyond & SIGN_OF_EACH) == 0;
-    }
-
-    private void measure(GrayU8 input, int across, int down) {
-        boolean whole = TILE * (across + 1) <= width && TILE * (down + 1) <= height;
-        if (whole) {
-            measureWhole(input, across, down);
-        } else {
-            measurePart(input, across, down);
-        }
-        exact[down * tilesAcross + across] = true;
-    }
-
-    private void measureWhole(GrayU8 input, int across, int down) {
-        ByteBuffer in = pixels;
-        int tile = down * tilesAcross + across;
-        int at = input.startIndex + TILE * down * input.stride + TILE * across;
-        long low = EVERY_SECOND;
-        long high = 0;
-        darkest[tile] = 255;
-        brightest[tile] = 0;
-        // on a texture half of them have contrast enough
-        for (int row = 0; row < TILE && !isContrasting(darkest[tile], brightest[tile]); row += TILE / 2) {
-            for (int of = 0; of < TILE / 2; of += STEP) {
-                long left = in.getLong(at) & EVERY_SECOND;
-                long right = in.getLong(at + Long.BYTES) & EVERY_SECOND;
-                long over = excess(left, right);
-                low -= excess(low, left - over);
-                high += excess(right + over, high);
-                at += STEP * input.stride;
-            }
-            for (int shift = 0; shift < Long.SIZE; shift += BITS) {
-                darkest[tile] = Math.min(darkest[tile], (int) (low >>> shift) & 0xFF);
-                brightest[tile] = Math.max(brightest[tile], (int) (high >>> shift) & 0xFF);
-            }
-        }
-    }
-
-    /** By how much each of four pixels is brighter than another; 0 where it is darker. */
-    private static long excess(long pixels, long others) {
-        long differences = (pixels | BEYOND_EACH) - others;
-        long brighter = differences >>> Byte.SIZE & IN_EACH;
-        return differences & (brighter << Byte.SIZE) - brighter;
-    }
-
-    private void measurePart(GrayU8 input, int across, int down) {
-        byte[] in = input.data;
-        int low = 255;
-        int high = 0;
-        int left = TILE * across;
-        int right = Math.min(width, left + TILE);
-        for (int y = TILE * down; y < Math.min(height, TILE * (down + 1)); y += STEP) {
-            int at = input.startIndex + y * input.stride;
-            for (int i = at + left; i < at + right; i += STEP) {
-                int grey = in[i] & 0xFF;
-                low = Math.min(low, grey);
-                high = Math.max(high, grey);
-            }
-        }
-        darkest[down * tilesAcross + across] = low;
-        brightest[down * tilesAcross + across] = high;
-    }
-
-    /** Fills the runs of a window's row of tiles. */
-    private int findRuns(int down, int left, int right) {
-        int count = 0;
-        for (int across = left; across < right; across++) {
-            if (!contrasting[down * tilesAcross + across]) {
-                continue;
-            }
-            int last = 4 * count - 4;
-            // windows reach into the tiles beside
-            if (count > 0 && runs[last + 1] >= across - 1) {
-                runs[last + 1] = Math.min(tilesAcross, across + 2);
-                runs[last + 3] = across + 1;
-                continue;
-            }
-            runs[last + 4] = Math.max(0, across - 1);
-            runs[last + 5] = Math.min(tilesAcross, across + 2);
-            runs[last + 6] = across;
-            runs[last + 7] = across + 1;
-            count++;
-        }
-        return count;
-    }
-
-    /** Finds limits to the pixels of each tile and of those above and below it, in a window and beside. */
-    private void spanRows(int down, int left, int right) {
-        int above = tilesAcross * Math.max(0, down - 1);
-        int at = tilesAcross * down;
-        int below = tilesAcross * Math.min(tilesDown - 1, down + 1);
-        int[] low = darkest;
-        int[] high = brightest;
-        int[] lowest = darkestOfThree;
-        int[] highest = brightestOfThree;
-        int end = Math.min(tilesAcross, right + 1);
-        for (int x = Math.max(0, left - 1); x < end; x++) {
-            lowest[x] = Math.min(low[at + x], Math.min(low[above + x], low[below + x]));
-        }
-        for (int x = Math.max(0, left - 1); x < end; x++) {
-            highest[x] = Math.max(high[at + x], Math.max(high[above + x], high[below + x]));
-        }
-    }
-
-    /** Whether the darker of two pixels may be dark about the brighter one. */
-    private boolean isContrasting(int low, int high) {
-        return 100 * low <= percent * high;
-    }
-
-    /** Whether a pixel may be dark in a tile, by the limits of its row. */
-    private boolean mayHaveContrast(int across) {
-        int before = Math.max(0, across - 1);
-        int after = Math.min(tilesAcross - 1, across + 1);
-        int low = Math.min(darkestOfThree[across], Math.min(darkestOfThree[before], darkestOfThree[after]));
-        int high = Math.max(brightestOfThree[across], Math.max(brightestOfThree[before], brightestOfThree[after]));
-        return isContrasting(low, high);
-    }
-
-    /** Whether a pixel may be dark in a tile, by what it and the tiles about it have in them. */
-    private boolean hasContrast(GrayU8 input, int across, int down) {
-        int tile = down * tilesAcross + across;
-        if (exact[tile] && isContrasting(darkest[tile], brightest[tile])) {
-            return true;
-        }
-        int low = 255;
-        int high = 0;
-        for (int y = Math.max(0, down - 1); y <= Math.min(tilesDown - 1, down + 1); y++) {
-            for (int x = Math.max(0, across - 1); x <= Math.min(tilesAcross - 1, across + 1); x++) {
-                if (!exact[y * tilesAcross + x]) {
-                    measure(input, x, y);
-                }
-                low = Math.min(low, darkest[y * tilesAcross + x]);
-                high = Math.max(high, brightest[y * tilesAcross + x]);
-            }
-        }
-        return isContrasting(low, high);
-    }
-
-    /** Sums the pixels of cells in those of some tiles where that is yet to be done. */
-    private void sumCells(GrayU8 input, int left, int top, int right, int bottom) {
-        for (int down = top; down < bottom; down++) {
-            for (int across = left; across < right; across++) {
-                int tile = down % KEPT * tilesAcross + across;
-                if (summed[tile] == down) {
-                    continue;
-                }
-                summed[tile] = down;
-                if (TILE * (across + 1) <= width && TILE * (down + 1) <= height) {
-                    sumWhole(input, across, down);
-                } else {
-                    sumPart(input, across, down);
-                }
-            }
-        }
-    }
-
-    private void sumWhole(GrayU8 input, int across, int down) {
-        ByteBuffer in = pixels;
-        int stride = input.stride;
-        int at = input.startIndex + TILE * down * stride + TILE * across;
-        int cell = CELLS * (down % KEPT) * cellsAcross + CELLS * across;
-        for (int row = 0; row < CELLS; row++) {
-            for (int half = 0; half < CELLS; half += 2) {
-                // four sums of two columns each
-                long sum = 0;
-                for (int y = 0, from = at + CELL * half; y < CELL; y++, from += stride) {
-                    long eight = in.getLong(from);
-                    sum += (eight & EVERY_SECOND) + (eight >>> Byte.SIZE & EVERY_SECOND);
-                }
-                sum += sum >>> BITS;
-                sums[cell + half] = (int) sum & 0xFFFF;
-                sums[cell + half + 1] = (int) (sum >>> 2 * BITS) & 0xFFFF;
-            }
-            at += CELL * stride;
-            cell += cellsAcross;
-        }
-    }
-
-    private void sumPart(GrayU8 input, int across, int down) {
-        for (int v = CELLS * down; v < Math.min(cellsDown, CELLS * (down + 1)); v++) {
-            for (int u = CELLS * across; u < Math.min(cellsAcross, CELLS * (across + 1)); u++) {
-                int sum = 0;
-                for (int y = CELL * v; y < Math.min(height, CELL * (v + 1)); y++) {
-                    for (int x = CELL * u; x < Math.min(width, CELL * (u + 1)); x++) {
-                        sum += input.data[input.startIndex + y * input.stride + x] & 0xFF;
-                    }
-                }
-                sums[v % (CELLS * KEPT) * cellsAcross + u] = sum;
-            }
-        }
-    }
-
-    /** Finds the limits of a row of cells, in tiles of which those beside are summed as well. */
-    private void findLimits(int row, int leftBeside, int rightBeside, int left, int right) {
-        int slot = row % LIMITED;
-        if (limited[slot] == row && limitedFrom[slot] <= left && right <= limitedTo[slot]) {
-            return;
-        }
-        limited[slot] = row;
-        limitedFrom[slot] = left;
-        limitedTo[slot] = right;
-        int top = Math.max(0, row - REACH);
-        int bottom = Math.min(cellsDown, row + REACH + 1);
-        sumColumns(row, CELLS * leftBeside, Math.min(cellsAcross, CELLS * rightBeside));
-        int rows = Math.min(height, CELL * bottom) - CELL * top;
-        // those on each side are interpolated with
-        int first = Math.max(0, CELLS * left - 1);
-        int end = Math.min(cellsAcross, CELLS * right + 1);
-        int whole = Math.min(end, Math.max(first, REACH));
-        int endOfWhole = rows * CELL * (2 * REACH + 1) < WHOLE ? whole
-                : Math.max(whole, Math.min(end, width / CELL - REACH));
-        limitBorder(rows, first, whole);
-        limitWhole(whole, endOfWhole);
-        limitBorder(rows, endOfWhole, end);
-        interpolate(CELLS * left, Math.min(cellsAcross, CELLS * right), ofPairs[slot]);
-    }
-
-    /** Limits of pairs of pixels of some cells, the first of them even, in their row. */
-    private void interpolate(int from, int to, long[] pairs) {
-        int[] of = limits;
-        int last = cellsAcross - 1;
-        long before = of[Math.max(0, from - 1)];
-        long one = of[from];
-        for (int cell = from; cell < to; cell += 2) {
-            long two = of[Math.min(last, cell + 1)];
-            long after = of[Math.min(last, cell + 2)];
-            pairs[cell / 2] = 3 * one + before | 3 * one + two << BITS | one + 3 * two << 2 * BITS
-                    | 3 * two + after << 3 * BITS;
-            before = two;
-            one = after;
-        }
-    }
-
-    /** Sums cells below each other about a row, by the sums about the row above where that is what there is. */
-    private void sumColumns(int row, int from, int to) {
-        int[] ofColumns = columns;
-        int[] ofCells = sums;
-        if (columnsOf == row - 1 && columnsFrom <= from && to <= columnsTo && row > REACH && row + REACH < cellsDown) {
-            int added = slot(row + REACH);
-            int left = slot(row - REACH - 1);
-            for (int x = from; x < to; x++) {
-                ofColumns[x] += ofCells[added + x] - ofCells[left + x];
-            }
-        } else {
-            Arrays.fill(ofColumns, from, to, 0);
-            for (int of = Math.max(0, row - REACH); of <= Math.min(cellsDown - 1, row + REACH); of++) {
-                int at = slot(of);
-                for (int x = from; x < to; x++) {
-                    ofColumns[x] += ofCells[at + x];
-                }
-            }
-        }
-        columnsOf = row;
-        columnsFrom = from;
-        columnsTo = to;
-    }
-
-    /** Where the sums of a row of cells begin. */
-    private int slot(int row) {
-        return row % (CELLS * KEPT) * cellsAcross;
-    }
-
-    private void limitWhole(int from, int to) {
-        int[] ofColumns = columns;
-        int[] found = limits;
-        int share = PARTS * percent;
-        int divisor = 100 * WHOLE;
-        int factor = (int) (((long) share << RECIPROCAL_BITS) / divisor);
-        for (int x = from; x < to; x++) {
-            int sum = ofColumns[x - 2] + ofColumns[x - 1] + ofColumns[x] + ofColumns[x + 1] + ofColumns[x + 2];
-            // it or one less; several at a time, as no division is
-            int quotient = sum * factor >>> RECIPROCAL_BITS;
-            found[x] = quotient + (sum * share - quotient * divisor + (Integer.MIN_VALUE - divisor) >>> Integer.SIZE - 1);
-        }
-    }
-
-    /** Cells of which some that the mean is over would lie outside, or in part. */
-    private void limitBorder(int rows, int from, int to) {
-        for (int x = from; x < to; x++) {
-            int left = Math.max(0, x - REACH);
-            int right = Math.min(cellsAcross, x + REACH + 1);
-            int sum = 0;
-            for (int u = left; u < right; u++) {
-                sum += columns[u];
-            }
-            int across = Math.min(width, CELL * right) - CELL * left;
-            limits[x] = PARTS * percent * sum / (100 * rows * across);
-        }
-    }
-
-    /**
-     * Marks what is dark in the two rows of a cell that lie towards another one: the limit of the row next to its
-     * middle is by seven eighths its own and by one the other's, that of the row beyond by five and three.
-     */
-    private void mark(GrayU8 input, int next, int beyond, int from, int to, long[] own, long[] other) {
-        int end = from;
-        if (Math.max(next, beyond) < height) {
-            end += (to - from) / Long.BYTES * Long.BYTES;
-            markWhole(input, next, beyond, from, end, own, other);
-        }
-        markPart(input, next, end, to, own, other, 1);
-        markPart(input, beyond, end, to, own, other, 3);
-    }
-
-    private void markWhole(GrayU8 input, int next, int beyond, int from, int to, long[] own, long[] other) {
-        ByteBuffer in = pixels;
-        long[] words = dark.words();
-        int inNext = input.startIndex + next * input.stride;
-        int inBeyond = input.startIndex + beyond * input.stride;
-        int x = from;
-        while (x < to) {
-            int end = Math.min(to, dark.endOf(x));
-            int atNext = dark.indexOf(x, next);
-            int atBeyond = dark.indexOf(x, beyond);
-            long bitsOfNext = 0;
-            long bitsOfBeyond = 0;
-            for (; x < end; x += Long.BYTES) {
-                // four numbers in one are added up as one: what they borrow from each other, they give back
-                long ofOwn = own[x >> 3];
-                long towards = other[x >> 3] - ofOwn;
-                long limit = EIGHTHS * ofOwn + towards;
-                bitsOfNext |= darkOf(in.getLong(inNext + x), limit) << x;
-                bitsOfBeyond |= darkOf(in.getLong(inBeyond + x), limit + 2 * towards) << x;
-            }
-            words[atNext] |= bitsOfNext;
-            words[atBeyond] |= bitsOfBeyond;
-        }
-    }
-
-    /** The same of one row, pixel by pixel, if it is in the image. */
-    private void markPart(GrayU8 input, int y, int from, int to, long[] own, long[] other, int ofOther) {
-        if (y >= height) {
-            return;
-        }
-        int at = input.startIndex + y * input.stride;
-        for (int x = from; x < to; x++) {
-            int four = x / Long.BYTES;
-            long limits = (EIGHTHS - ofOther) * own[four] + ofOther * other[four] >>> Byte.SIZE;
-            if ((input.data[at + x] & 0xFF) <= (limits >>> x % Long.BYTES / 2 * BITS & 0xFF)) {
-                dark.words()[dark.indexOf(x, y)] |= 1L << x;
-            }
-        }
-    }
-
-    /** Which of eight pixels are not above limits, of four pairs of them, in eighths of quarters of parts. */
-    private static long darkOf(long eight, long pairs) {
-        long limit = pairs >>> Byte.SIZE & EVERY_SECOND | BEYOND_EACH;
-        // the bit above a grey is left where the limit is not below it
-        long even = limit - (eight & EVERY_SECOND) >>> Byte.SIZE & IN_EACH;
-        long odd = limit - (eight >>> Byte.SIZE & EVERY_SECOND) & BEYOND_EACH;
-        return DarkBits.ofEight(even | odd);
     }
 
     @Override

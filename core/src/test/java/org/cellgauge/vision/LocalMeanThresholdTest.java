@@ -10,6 +10,8 @@ import boofcv.factory.filter.binary.ThresholdType;
 import boofcv.struct.image.GrayU8;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -55,7 +57,7 @@ class LocalMeanThresholdTest {
     void darkIsWhatIsBelowTheShareOfTheMean(int width, int height) {
         GrayU8 image = noise(width, height);
         GrayU8 found = new GrayU8(1, 1);
-        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits()).process(image, found);
+        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop()).process(image, found);
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
                 double above = image.get(x, y) - limit(image, x, y);
@@ -78,13 +80,13 @@ class LocalMeanThresholdTest {
             }
         }
         GrayU8 found = new GrayU8(1, 1);
-        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits()).process(image, found);
+        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop()).process(image, found);
         assertEquals(1, found.get(33, 34));
 
         for (int i = 0; i < image.data.length; i++) {
             image.data[i] += image.data[i] == 85 ? 1 : image.data[i] == 115 ? -1 : 0;
         }
-        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits()).process(image, found);
+        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop()).process(image, found);
         assertEquals(0, found.get(33, 34));
     }
 
@@ -100,7 +102,7 @@ class LocalMeanThresholdTest {
         }
         GrayU8 own = new GrayU8(1, 1);
         GrayU8 boof = new GrayU8(200, 150);
-        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits()).process(image, own);
+        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop()).process(image, own);
         ConfigThreshold config = ConfigThreshold.local(ThresholdType.LOCAL_MEAN, 21);
         config.scale = 0.85;
         FactoryThresholdBinary.threshold(config, GrayU8.class).process(image, boof);
@@ -113,12 +115,43 @@ class LocalMeanThresholdTest {
         GrayU8 part = image.subimage(11, 7, 61, 47);
         GrayU8 found = new GrayU8(1, 1);
         GrayU8 ofCopy = new GrayU8(1, 1);
-        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits()).process(part, found);
-        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits()).process(part.clone(), ofCopy);
+        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop()).process(part, found);
+        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop()).process(part.clone(), ofCopy);
         for (int y = 0; y < 40; y++) {
             for (int x = 0; x < 50; x++) {
                 assertEquals(ofCopy.get(x, y), found.get(x, y));
             }
+        }
+    }
+
+    /** A texture all over, in a size that no band of rows divides. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 8})
+    void severalThreadsFindTheSame(int threads) {
+        GrayU8 image = new GrayU8(330, 427);
+        Random random = new Random(6);
+        for (int i = 0; i < image.data.length; i++) {
+            image.data[i] = (byte) (100 + 22 * random.nextGaussian());
+        }
+        GrayU8 one = new GrayU8(1, 1);
+        LocalMeanThreshold alone = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
+        alone.takeOut(new Specks(30, 56));
+        alone.process(image, one);
+        ExecutorService helpers = Executors.newCachedThreadPool();
+        try {
+            SharedLoop loop = new SharedLoop();
+            loop.spread(helpers, threads);
+            LocalMeanThreshold several = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), loop);
+            several.takeOut(new Specks(30, 56));
+            for (int time = 0; time < 20; time++) {
+                GrayU8 found = new GrayU8(1, 1);
+                loop.gather();
+                several.process(image, found);
+                loop.dismiss();
+                assertArrayEquals(one.data, found.data);
+            }
+        } finally {
+            helpers.shutdownNow();
         }
     }
 
@@ -146,7 +179,7 @@ class LocalMeanThresholdTest {
                 Arrays.fill(image.data, 640 * y + left, 640 * y + left + 9, (byte) grey);
             }
         }
-        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits());
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
         threshold.process(image, new GrayU8(1, 1));
         assertTrue(threshold.places().count() > 1, threshold.places().count() + " places");
         int area = 0;
@@ -170,7 +203,7 @@ class LocalMeanThresholdTest {
     @ValueSource(booleans = {false, true})
     void inWindowsAllIsAsInTheWholeImage(boolean plainInside) {
         SearchWindows windows = new SearchWindows();
-        LocalMeanThreshold threshold = new LocalMeanThreshold(85, windows, new DarkBits());
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, windows, new DarkBits(), new SharedLoop());
         GrayU8 plain = new GrayU8(640, 480);
         Arrays.fill(plain.data, (byte) 90);
         threshold.process(plain, new GrayU8(1, 1));
@@ -192,7 +225,7 @@ class LocalMeanThresholdTest {
         Arrays.fill(found.data, (byte) 7);
         GrayU8 whole = new GrayU8(1, 1);
         threshold.process(image, found);
-        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits()).process(image, whole);
+        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop()).process(image, whole);
         for (int y = 0; y < 480; y++) {
             for (int x = 0; x < 640; x++) {
                 boolean set = isIn(threshold.places(), x, y);
@@ -208,7 +241,7 @@ class LocalMeanThresholdTest {
     /** A speck of two by two pixels on plain ground, wherever in its tile: one of its pixels is always looked at. */
     @Test
     void aSpeckIsFoundWhereverItLies() {
-        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits());
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
         GrayU8 found = new GrayU8(1, 1);
         for (int at = 0; at < 3 * LocalMeanThreshold.TILE; at++) {
             GrayU8 image = new GrayU8(90, 70);
@@ -226,7 +259,7 @@ class LocalMeanThresholdTest {
     /** Ground whose only bright pixels lie in the tile below or above; the dark ones near them are dark. */
     @Test
     void aTileIsSeenAgainstThoseAboutIt() {
-        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits());
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
         GrayU8 found = new GrayU8(1, 1);
         for (boolean below : new boolean[] {false, true}) {
             GrayU8 image = new GrayU8(96, 96);
@@ -249,7 +282,7 @@ class LocalMeanThresholdTest {
         for (int y = 200; y < 230; y++) {
             Arrays.fill(image.data, 640 * y + 300, 640 * y + 330, (byte) 40);
         }
-        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits());
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
         GrayU8 found = new GrayU8(1, 1);
         threshold.process(image, found);
         assertEquals(1, threshold.places().count());

@@ -1,5 +1,6 @@
 package org.cellgauge.vision;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -15,7 +16,11 @@ import georegression.struct.point.Point2D_I32;
 import georegression.struct.shapes.Polygon2D_F64;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import org.ddogleg.struct.DogArray;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -59,6 +64,10 @@ class SpecksTest {
 
     /** As specks take them out: within a pixel of the border, since a contour at a border is none. */
     private static void takeOut(Specks specks, GrayU8 binary) {
+        takeOut(specks, binary, 0, binary.height);
+    }
+
+    private static DarkBits bits(GrayU8 binary) {
         DarkBits bits = new DarkBits();
         bits.reshape(binary.width, binary.height);
         for (int y = 1; y < binary.height - 1; y++) {
@@ -68,7 +77,17 @@ class SpecksTest {
                 }
             }
         }
-        specks.takeOut(bits, 0, 0, binary.width, binary.height);
+        return bits;
+    }
+
+    private static void takeOut(Specks specks, GrayU8 binary, int... rows) {
+        DarkBits bits = bits(binary);
+        specks.begin(bits, 0, binary.width, rows);
+        // whichever comes first
+        for (int band = rows.length - 2; band >= 0; band--) {
+            specks.takeOut(band);
+        }
+        specks.end();
         bits.write(0, 0, binary.width, binary.height, binary);
     }
 
@@ -111,6 +130,86 @@ class SpecksTest {
         }
         assertEquals(before.size() - gone, after.size());
         assertTrue(gone > before.size() / 5, gone + " of " + before.size());
+    }
+
+    /** Pixels that touch each other at their sides, by the first of them in rows. */
+    private static Map<Integer, Set<Integer>> blobs(GrayU8 binary) {
+        GrayU8 left = binary.clone();
+        Map<Integer, Set<Integer>> blobs = new TreeMap<>();
+        for (int y = 1; y < binary.height - 1; y++) {
+            for (int x = 1; x < binary.width - 1; x++) {
+                if (left.get(x, y) != 0) {
+                    Set<Integer> blob = new TreeSet<>();
+                    take(left, x, y, blob);
+                    blobs.put(1000 * y + x, blob);
+                }
+            }
+        }
+        return blobs;
+    }
+
+    private static void take(GrayU8 left, int x, int y, Set<Integer> into) {
+        if (x >= 1 && y >= 1 && x < left.width - 1 && y < left.height - 1 && left.get(x, y) != 0) {
+            left.set(x, y, 0);
+            into.add(1000 * y + x);
+            take(left, x + 1, y, into);
+            take(left, x - 1, y, into);
+            take(left, x, y + 1, into);
+            take(left, x, y - 1, into);
+        }
+    }
+
+    /** All of up to ten pixels, as their contours are below 20; and no blob in part. */
+    @ParameterizedTest
+    @CsvSource({"0.1, false", "0.3, false", "0.12, true"})
+    void blobsGoAsAWholeAndAllShortOnesDo(double darkShare, boolean coarse) {
+        GrayU8 binary = noise(darkShare, coarse);
+        Map<Integer, Set<Integer>> before = blobs(binary);
+        takeOut(new Specks(20, 0), binary);
+        Map<Integer, Set<Integer>> after = blobs(binary);
+        after.forEach((at, blob) -> assertEquals(before.get(at), blob));
+        before.forEach((at, blob) -> assertTrue(blob.size() > 10 == after.containsKey(at), blob.toString()));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.1, false", "0.3, false", "0.45, false", "0.12, true", "0.2, true"})
+    void bandsOfRowsLeaveTheSame(double darkShare, boolean coarse) {
+        GrayU8 whole = noise(darkShare, coarse).clone();
+        GrayU8 inBands = whole.clone();
+        GrayU8 inNarrowBands = whole.clone();
+        takeOut(new Specks(30, 56), whole);
+        takeOut(new Specks(30, 56), inBands, 0, 40, 90, whole.height);
+        assertArrayEquals(whole.data, inBands.data);
+        takeOut(new Specks(30, 56), inNarrowBands, 0, 8, 19, 27, 50, 58, whole.height);
+        assertArrayEquals(whole.data, inNarrowBands.data);
+    }
+
+    /** What another part of the image has in the same numbers is not cut off where this part ends. */
+    @Test
+    void blobsBesideAPartStayOrGoAsAWhole() {
+        GrayU8 binary = noise(0.3, false).clone();
+        for (int y = 0; y < binary.height; y++) {
+            binary.set(100, y, 0);
+            // this part's own pixels do not go on above and below it
+            for (int x = 100; x < 200; x++) {
+                binary.set(x, y, y > 40 && y < 99 ? binary.get(x, y) : 0);
+            }
+        }
+        Map<Integer, Set<Integer>> before = blobs(binary);
+        DarkBits bits = bits(binary);
+        Specks specks = new Specks(20, 0);
+        specks.begin(bits, 101, 200, new int[] {40, 70, 100});
+        specks.takeOut(0);
+        specks.takeOut(1);
+        specks.end();
+        bits.write(0, 0, binary.width, binary.height, binary);
+        Map<Integer, Set<Integer>> after = blobs(binary);
+        after.forEach((at, blob) -> assertEquals(before.get(at), blob));
+        before.forEach((at, blob) -> {
+            if (at % 1000 > 100 && at % 1000 < 200 && at / 1000 > 40 && at / 1000 < 99) {
+                assertTrue(blob.size() > 10 == after.containsKey(at), blob.toString());
+            }
+        });
     }
 
     private static double hullArea(List<Point2D_I32> contour) {

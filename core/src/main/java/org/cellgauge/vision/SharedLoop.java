@@ -9,10 +9,10 @@ import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Does the same to each of the markers of a photo, one after another or several at once. Their fits share the photo and
- * its light, which stand still meanwhile, and nothing else, so results are the same either way.
+ * Does the same to each of the markers of a photo, or of its parts, one after another or several at once. These share
+ * the photo and its light, which stand still meanwhile, and nothing else, so results are the same either way.
  */
-final class MarkerLoop {
+final class SharedLoop {
     /** Until the last marker is done: it takes some tenths of a millisecond, and to be woken up takes about as long. */
     private static final int YIELDS = 500;
 
@@ -29,6 +29,11 @@ final class MarkerLoop {
     void spread(Executor with, int most) {
         helpers = with;
         threads = most;
+    }
+
+    /** How many threads at most go through one. */
+    int threads() {
+        return threads;
     }
 
     /** Has helpers come, and stay until they are let go: to be woken up for each loop takes as long as half of it. */
@@ -64,7 +69,7 @@ final class MarkerLoop {
      * Does the work for each, and returns when all is done. It waits for work that has begun alone: where no helper is
      * free, or none was gathered, the calling thread does all of it.
      *
-     * @param count how many markers
+     * @param count how many markers or parts
      * @param work to be done with the number of each, from 0; what it throws is thrown when all others are done
      */
     void each(int count, IntConsumer work) {

@@ -19,21 +19,21 @@ import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-class MarkerLoopTest {
+class SharedLoopTest {
     private final ExecutorService helpers = Executors.newFixedThreadPool(3);
 
-    private final List<MarkerLoop> loops = new ArrayList<>();
+    private final List<SharedLoop> loops = new ArrayList<>();
 
     @AfterEach
     void end() throws InterruptedException {
-        loops.forEach(MarkerLoop::dismiss);
+        loops.forEach(SharedLoop::dismiss);
         helpers.shutdown();
         // those who are let go leave
         assertTrue(helpers.awaitTermination(1, TimeUnit.MINUTES));
     }
 
-    private MarkerLoop spread() {
-        MarkerLoop loop = new MarkerLoop();
+    private SharedLoop spread() {
+        SharedLoop loop = new SharedLoop();
         loop.spread(helpers, 4);
         loop.gather();
         loops.add(loop);
@@ -42,7 +42,7 @@ class MarkerLoopTest {
 
     @Test
     void eachIsDoneOnceAndAllBeforeItReturns() {
-        MarkerLoop loop = spread();
+        SharedLoop loop = spread();
         for (int round = 0; round < 200; round++) {
             AtomicIntegerArray done = new AtomicIntegerArray(7);
             loop.each(7, i -> {
