@@ -37,7 +37,7 @@ final class LightFit {
     /** Edges that have moved by more than this leave the light that was taken as given about them stale, px. */
     private static final double STALE_PX = 0.03;
     /** Where to look first when nothing is known of the curve. */
-    private static final double[] SCANNED = {1, 1.4, 1.8, 2.3};
+    private static final double[] SCANNED = {1, 1.6, 2.2};
     /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
     private static final double SURPRISE_PX = 0.1;
     /** And one that changes the mask of the frame before by this amount says that it is gone. */
@@ -767,26 +767,54 @@ final class LightFit {
         return Math.max(least, Math.min(most, value));
     }
 
-    /** Starts at the power, of a few, under which the sides leave the smallest residuals. */
+    /**
+     * Starts at the power, of a few, under which the sides leave the smallest residuals: from where they are fitted,
+     * first the way that these point, as far as residuals fall.
+     */
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
-        ToneCurve best = curve;
-        double least = Double.POSITIVE_INFINITY;
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
-        for (double power : SCANNED) {
-            scale.set(curve.withPower(power));
-            loop.each(few.size(), m -> {
-                few.get(m).refitNearly(image, patterns.get(m));
-                few.get(m).conclude(false);
-            });
-            setNoise(few);
-            if (noiseGrey < least) {
-                least = noiseGrey;
+        loop.each(few.size(), m -> few.get(m).conclude(true));
+        setNoise(few);
+        double score = 0;
+        for (MarkerEdges marker : few) {
+            for (int i = 0; i < 4; i++) {
+                score += marker.side(i).powerScore;
+            }
+        }
+        ToneCurve start = scale.curve();
+        ToneCurve best = start;
+        double leastAtStart = noiseGrey;
+        double least = leastAtStart;
+        int nearest = 0;
+        for (int i = 1; i < SCANNED.length; i++) {
+            if (Math.abs(SCANNED[i] - start.power()) < Math.abs(SCANNED[nearest] - start.power())) {
+                nearest = i;
+            }
+        }
+        int first = score < 0 ? -1 : 1;
+        for (int way = first; least == leastAtStart && Math.abs(way) == 1; way = way == first ? -first : 2) {
+            for (int i = nearest + way; i >= 0 && i < SCANNED.length; i += way) {
+                double noise = noiseAt(SCANNED[i], image, few, patterns);
+                if (noise >= least) {
+                    break;
+                }
+                least = noise;
                 best = scale.curve();
             }
         }
         curve = best;
         scale.set(curve);
-        loop.each(some.size(), m -> some.get(m).refit(image, patterns.get(m)));
+        loop.each(some.size(), m -> some.get(m).refitNearly(image, patterns.get(m)));
+    }
+
+    private double noiseAt(double power, GreyImage image, List<MarkerEdges> few, List<boolean[]> patterns) {
+        scale.set(curve.withPower(power));
+        loop.each(few.size(), m -> {
+            few.get(m).refitNearly(image, patterns.get(m));
+            few.get(m).conclude(false);
+        });
+        setNoise(few);
+        return noiseGrey;
     }
 
     /**

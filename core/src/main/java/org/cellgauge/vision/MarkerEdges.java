@@ -644,7 +644,7 @@ final class MarkerEdges {
     /**
      * Evaluates what the fits say of themselves.
      *
-     * @param withPower whether the power of the curve is work.asked for
+     * @param withPower whether the power of the curve is asked for
      * @return false where the information of a side is singular
      */
     boolean conclude(boolean withPower) {
