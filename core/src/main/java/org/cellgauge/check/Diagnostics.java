@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.cellgauge.internal.sampling.OwnThreads;
+import org.cellgauge.internal.statistics.DrawsWork;
 import org.cellgauge.internal.statistics.ParetoTail;
 import org.cellgauge.sampling.Draws;
 import org.cellgauge.sampling.Quantity;
@@ -33,10 +34,12 @@ public final class Diagnostics {
     private final Map<Quantity, Double> paretoK;
     private final @Nullable Quantity heaviest;
     private final double paretoKMax;
+    private final DrawsWork.Pool works;
 
     private Diagnostics(List<Draws> chains, QuantityLayout layout, @Nullable ChainDiagnostics[] ofJudged,
-            boolean[] measured) {
+            boolean[] measured, DrawsWork.Pool works) {
         this.chains = chains;
+        this.works = works;
         this.layout = layout;
         this.ofJudged = ofJudged;
         Convergence overall = Convergence.CONVERGED;
@@ -88,6 +91,7 @@ public final class Diagnostics {
 
     private Diagnostics(Diagnostics d, Map<Quantity, Double> paretoK) {
         chains = d.chains;
+        works = d.works;
         layout = d.layout;
         ofJudged = d.ofJudged;
         convergence = d.convergence;
@@ -142,22 +146,24 @@ public final class Diagnostics {
     public static Diagnostics of(List<Draws> chains, QuantityLayout layout, boolean[] judged, boolean[] measured,
             int threads) {
         @Nullable ChainDiagnostics[] ofJudged = new ChainDiagnostics[layout.size()];
+        DrawsWork.Pool works = new DrawsWork.Pool();
         // quantities do not depend on each other, so the order in which threads take them changes nothing
-        OwnThreads.forEach(ofJudged.length, threads, q -> ofJudged[q] = judged[q] ? diagnosed(chains, q) : null);
-        return new Diagnostics(chains, layout, ofJudged, measured);
+        OwnThreads.forEach(ofJudged.length, threads, q -> ofJudged[q] = judged[q] ? diagnosed(chains, q, works) : null);
+        return new Diagnostics(chains, layout, ofJudged, measured, works);
     }
 
-    private static ChainDiagnostics diagnosed(List<Draws> chains, int quantity) {
-        double[][] series = new double[chains.size()][];
-        for (int c = 0; c < series.length; c++) {
-            series[c] = chains.get(c).series(quantity);
+    private static ChainDiagnostics diagnosed(List<Draws> chains, int quantity, DrawsWork.Pool works) {
+        int count = chains.get(0).count();
+        double[] series = new double[count * chains.size()];
+        for (int c = 0; c < chains.size(); c++) {
+            chains.get(c).series(quantity, series, c * count);
         }
-        return ChainDiagnostics.of(series);
+        return ChainDiagnostics.of(series, chains.size(), works);
     }
 
     private ChainDiagnostics at(int quantity) {
         ChainDiagnostics found = ofJudged[quantity];
-        return found == null ? diagnosed(chains, quantity) : found;
+        return found == null ? diagnosed(chains, quantity, works) : found;
     }
 
     /**

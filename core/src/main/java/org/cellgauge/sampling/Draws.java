@@ -62,13 +62,25 @@ public final class Draws {
      * @return a new array
      */
     public double[] series(int quantity) {
-        double[] series = Arrays.copyOf(values[quantity], count);
+        double[] series = new double[count];
+        series(quantity, series, 0);
+        return series;
+    }
+
+    /**
+     * The same into a larger array.
+     *
+     * @param quantity position in the layout
+     * @param out filled with the series
+     * @param from where it begins there
+     */
+    public void series(int quantity, double[] out, int from) {
+        System.arraycopy(values[quantity], 0, out, from, count);
         if (layout.isAngle(quantity)) {
             double reference = layout.referenceRad(quantity);
-            for (int i = 0; i < count; i++) {
-                series[i] = reference + org.cellgauge.internal.statistics.Angles.difference(series[i], reference);
+            for (int i = from; i < from + count; i++) {
+                out[i] = reference + org.cellgauge.internal.statistics.Angles.difference(out[i], reference);
             }
         }
-        return series;
     }
 }

@@ -3,6 +3,7 @@ package org.cellgauge.statistics;
 import org.cellgauge.internal.statistics.Autocovariance;
 import org.cellgauge.internal.statistics.BetaRank;
 import org.cellgauge.internal.statistics.BucketSort;
+import org.cellgauge.internal.statistics.DrawsWork;
 import org.cellgauge.internal.statistics.ParetoTail;
 import org.cellgauge.internal.statistics.Quantiles;
 import org.cellgauge.internal.statistics.RankScores;
@@ -81,11 +82,14 @@ public final class ChainDiagnostics {
     private final double essSquaredDeviation;
     private final double mcseSd;
 
-    private ChainDiagnostics(double[][] chains) {
-        this.chainCount = chains.length;
-        this.drawsPerChain = chains[0].length;
-        this.draws = flatten(chains);
-        this.status = statusOf(chains);
+    private final DrawsWork.Pool works;
+
+    private ChainDiagnostics(double[] draws, int chains, DrawsWork.Pool works, DrawsWork work) {
+        this.chainCount = chains;
+        this.drawsPerChain = draws.length / chains;
+        this.draws = draws;
+        this.works = works;
+        this.status = statusOf(draws, chains);
         int[] order;
         if (status == Status.NON_FINITE || draws.length == 0) {
             order = new int[0];
@@ -94,7 +98,7 @@ public final class ChainDiagnostics {
             this.std = Double.NaN;
         } else {
             this.sorted = new double[draws.length];
-            order = BucketSort.sort(draws, sorted);
+            order = BucketSort.sort(draws, sorted, work);
             this.mean = Sums.mean(sorted, 0, sorted.length);
             this.std = Math.sqrt(Sums.variance(sorted, 0, sorted.length));
         }
@@ -110,22 +114,26 @@ public final class ChainDiagnostics {
         }
         double median = Quantiles.medianOfSorted(sorted);
         int[] orderOfHalves = orderOfHalves(order);
-        double[] halves = halves();
         double[] ascending = sorted;
         if (orderOfHalves.length < order.length) {
+            double[] halves = halves(work);
             ascending = new double[orderOfHalves.length];
             for (int i = 0; i < ascending.length; i++) {
                 ascending[i] = halves[orderOfHalves[i]];
             }
         }
-        RankScores scores = new RankScores(ascending.length);
-        double[] bulk = scores.of(ascending, orderOfHalves);
-        this.rHatBulk = rHat(bulk);
-        this.essBulk = effectiveSize(bulk);
-        this.rHatFolded = rHat(foldedScores(scores, ascending, orderOfHalves, median));
-        this.essLowTail = essBelow(LOW_TAIL);
-        this.essHighTail = essBelow(HIGH_TAIL);
+        RankScores scores = work.scores(ascending.length);
+        double[] ofHalves = work.values(ascending.length);
+        scores.fill(ascending, orderOfHalves, ofHalves);
+        this.rHatBulk = rHat(ofHalves);
+        this.essBulk = effectiveSize(ofHalves);
+        fold(ascending, orderOfHalves, median, work);
+        scores.fill(work.distances(ascending.length), work.ofDistances(ascending.length), ofHalves);
+        this.rHatFolded = rHat(ofHalves);
+        this.essLowTail = essBelow(LOW_TAIL, work);
+        this.essHighTail = essBelow(HIGH_TAIL, work);
         double scale = scale();
+        double[] halves = halves(work);
         for (int i = 0; i < halves.length; i++) {
             double d = (halves[i] - mean) / scale;
             halves[i] = d * d;
@@ -177,7 +185,24 @@ public final class ChainDiagnostics {
                         + chains[0].length + ", chain " + c + " has " + chains[c].length);
             }
         }
-        return new ChainDiagnostics(chains);
+        return of(joined(chains), chains.length, new DrawsWork.Pool());
+    }
+
+    /**
+     * Diagnoses one parameter of many.
+     *
+     * @param draws of all chains, one chain after the other, equally many of each; taken over
+     * @param chains how many, at least 1
+     * @param works work space that all of them share
+     * @return the diagnostics
+     */
+    public static ChainDiagnostics of(double[] draws, int chains, DrawsWork.Pool works) {
+        DrawsWork work = works.take();
+        try {
+            return new ChainDiagnostics(draws, chains, works, work);
+        } finally {
+            works.giveBack(work);
+        }
     }
 
     /**
@@ -276,7 +301,15 @@ public final class ChainDiagnostics {
      * @return the size in draws; NaN where it does not exist
      */
     public double essMean() {
-        return status == Status.OK ? effectiveSize(deviations()) : Double.NaN;
+        if (status != Status.OK) {
+            return Double.NaN;
+        }
+        DrawsWork work = works.take();
+        try {
+            return effectiveSize(deviations(work));
+        } finally {
+            works.giveBack(work);
+        }
     }
 
     /**
@@ -289,15 +322,20 @@ public final class ChainDiagnostics {
         if (status != Status.OK) {
             return Double.NaN;
         }
-        double[] absolute = deviations();
-        for (int i = 0; i < absolute.length; i++) {
-            absolute[i] = Math.abs(absolute[i]);
+        DrawsWork work = works.take();
+        try {
+            double[] absolute = deviations(work);
+            for (int i = 0; i < absolute.length; i++) {
+                absolute[i] = Math.abs(absolute[i]);
+            }
+            return effectiveSize(absolute);
+        } finally {
+            works.giveBack(work);
         }
-        return effectiveSize(absolute);
     }
 
-    private double[] deviations() {
-        double[] halves = halves();
+    private double[] deviations(DrawsWork work) {
+        double[] halves = halves(work);
         double scale = scale();
         for (int i = 0; i < halves.length; i++) {
             halves[i] = (halves[i] - mean) / scale;
@@ -324,8 +362,15 @@ public final class ChainDiagnostics {
     public double essQuantile(double probability) {
         requireProbability(probability);
         // the tails' are known, and asked for again by every result
-        return probability == LOW_TAIL ? essLowTail : probability == HIGH_TAIL ? essHighTail
-                : status == Status.OK ? essBelow(probability) : Double.NaN;
+        if (probability == LOW_TAIL || probability == HIGH_TAIL || status != Status.OK) {
+            return probability == LOW_TAIL ? essLowTail : probability == HIGH_TAIL ? essHighTail : Double.NaN;
+        }
+        DrawsWork work = works.take();
+        try {
+            return essBelow(probability, work);
+        } finally {
+            works.giveBack(work);
+        }
     }
 
     /**
@@ -390,22 +435,23 @@ public final class ChainDiagnostics {
         return Convergence.of(rHat(), essBulk, essTail());
     }
 
-    private static Status statusOf(double[][] chains) {
+    private static Status statusOf(double[] draws, int chains) {
+        int each = draws.length / chains;
         boolean constant = false;
-        for (double[] chain : chains) {
+        for (int c = 0; c < chains; c++) {
             double low = Double.POSITIVE_INFINITY;
             double high = Double.NEGATIVE_INFINITY;
-            for (double x : chain) {
-                if (!Double.isFinite(x)) {
+            for (int i = c * each; i < (c + 1) * each; i++) {
+                if (!Double.isFinite(draws[i])) {
                     return Status.NON_FINITE;
                 }
-                low = Math.min(low, x);
-                high = Math.max(high, x);
+                low = Math.min(low, draws[i]);
+                high = Math.max(high, draws[i]);
             }
             // Compared as numbers, so that a chain of 0.0 and -0.0 counts as constant
             constant |= low == high;
         }
-        if (chains[0].length < MIN_DRAWS) {
+        if (each < MIN_DRAWS) {
             return Status.TOO_SHORT;
         }
         return constant ? Status.CONSTANT : Status.OK;
@@ -417,7 +463,7 @@ public final class ChainDiagnostics {
         }
     }
 
-    private static double[] flatten(double[][] chains) {
+    private static double[] joined(double[][] chains) {
         int n = chains[0].length;
         double[] all = new double[chains.length * n];
         for (int c = 0; c < chains.length; c++) {
@@ -431,12 +477,13 @@ public final class ChainDiagnostics {
         return drawsPerChain / 2;
     }
 
-    /** All halves one after the other, a copy: all draws but those in the middle of odd chains. */
-    private double[] halves() {
+    /** All halves one after the other, to be changed: all draws but those in the middle of odd chains. */
+    private double[] halves(DrawsWork work) {
+        double[] halves = work.values(2 * half() * chainCount);
         if (drawsPerChain % 2 == 0) {
-            return draws.clone();
+            System.arraycopy(draws, 0, halves, 0, draws.length);
+            return halves;
         }
-        double[] halves = new double[2 * half() * chainCount];
         for (int c = 0; c < chainCount; c++) {
             System.arraycopy(draws, c * drawsPerChain, halves, 2 * c * half(), half());
             System.arraycopy(draws, c * drawsPerChain + half() + 1, halves, (2 * c + 1) * half(), half());
@@ -444,7 +491,7 @@ public final class ChainDiagnostics {
         return halves;
     }
 
-    /** Where the draws of all halves stand in {@link #halves()}, ascending, from where they stand among all draws. */
+    /** Where the draws of all halves stand in {@link #halves}, ascending, from where they stand among all draws. */
     private int[] orderOfHalves(int[] order) {
         if (drawsPerChain % 2 == 0) {
             return order;
@@ -463,13 +510,13 @@ public final class ChainDiagnostics {
     }
 
     /**
-     * Scores of the distances from the median. Those above it are sorted as they are, those below it the other way
+     * Fills in the distances from the median, ascending, and where they stand. Those above it are sorted as they are, those below it the other way
      * round, so that merging is enough.
      */
-    private static double[] foldedScores(RankScores scores, double[] ascending, int[] order, double median) {
+    private static void fold(double[] ascending, int[] order, double median, DrawsWork work) {
         int n = ascending.length;
-        double[] distances = new double[n];
-        int[] ofDistances = new int[n];
+        double[] distances = work.distances(n);
+        int[] ofDistances = work.ofDistances(n);
         int above = 0;
         while (above < n && ascending[above] < median) {
             above++;
@@ -482,7 +529,6 @@ public final class ChainDiagnostics {
             distances[i] = Math.abs(ascending[from] - median);
             ofDistances[i] = order[from];
         }
-        return scores.of(distances, ofDistances);
     }
 
     /** V section 3.1, over halves one after the other. NaN if no half moves and all stand at the same place. */
@@ -499,9 +545,9 @@ public final class ChainDiagnostics {
         return Math.sqrt((n - 1.0) / n + betweenOverN / within);
     }
 
-    private double essBelow(double probability) {
+    private double essBelow(double probability, DrawsWork work) {
         double quantile = Quantiles.ofSorted(sorted, probability);
-        double[] indicator = halves();
+        double[] indicator = halves(work);
         for (int i = 0; i < indicator.length; i++) {
             indicator[i] = indicator[i] <= quantile ? 1 : 0;
         }

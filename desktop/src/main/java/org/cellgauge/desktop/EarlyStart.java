@@ -23,6 +23,9 @@ import org.cellgauge.vision.Detections;
  */
 public final class EarlyStart {
     private static final int SIDE_PX = 64;
+    /** Of a picture with so much text that what paints it is compiled by the time it is needed. */
+    private static final int WIDTH_PX = 640;
+    private static final int HEIGHT_PX = 180;
     private static final String CELL = "cellgauge: 1\nmarkers: {family: square-binary, size_mm: 50}\n"
             + "placement: {std_mm: [1, 1, 1], std_deg: 0.2}\n"
             + "references:\n  1: {position_mm: [0, 0, 0], rotation_deg: [0, 0, 0]}\nobjects:\n  2: {}\n"
@@ -73,6 +76,10 @@ public final class EarlyStart {
             BufferedImage painted = OverlayPainter.paint(black(), overlay);
             Pictures.jpeg(painted, SIDE_PX);
             Pictures.png(painted, Runnable::run);
+            // a processor is free now, and what is painted over a photo is lines of text for the most part
+            OverlayPainter.paint(new BufferedImage(WIDTH_PX, HEIGHT_PX, BufferedImage.TYPE_INT_RGB),
+                    CellOverlay.ofDetections(cell, new Detections("", WIDTH_PX, HEIGHT_PX, List.of()), Status.PASS,
+                            "PASS", "The quick brown fox jumps over the lazy dog and 0123456789 more, it says."));
         }
     }
 

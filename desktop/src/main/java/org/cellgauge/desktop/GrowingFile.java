@@ -17,6 +17,8 @@ import java.util.Objects;
  * room for it whatever comes. What was written can still be had where the file's folder has been removed.
  */
 final class GrowingFile implements Closeable {
+    private static final int PIECE = 1 << 14;
+
     private final int reservedBytes;
     private final FileChannel channel;
     private Path temporary;
@@ -32,7 +34,10 @@ final class GrowingFile implements Closeable {
         this.reservedBytes = reservedBytes;
         channel = WholeFiles.unfinished(place, name -> temporary = name);
         try {
-            write(new byte[reservedBytes]);
+            byte[] nothing = new byte[Math.min(reservedBytes, PIECE)];
+            for (int left = reservedBytes; left > 0; left -= nothing.length) {
+                write(left < nothing.length ? new byte[left] : nothing);
+            }
         } catch (IOException e) {
             close();
             throw e;

@@ -12,9 +12,7 @@ import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
-import java.io.DataOutputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
@@ -31,6 +29,8 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 /** Pictures as files: encoding and scaling. */
 public final class Pictures {
     private static final float JPEG_QUALITY = 0.85f;
+    /** Length, type and check sum of a PNG's chunk, bytes. */
+    private static final int ABOUT_CHUNK = 12;
     private static final long PNG_SIGNATURE = 0x89504E470D0A1A0AL;
     /** Bits, colour type, and the only compression, filters and order that a header may name besides interlaced. */
     private static final byte[] RGB_OF_8_BITS = {8, 2, 0, 0, 0};
@@ -51,38 +51,37 @@ public final class Pictures {
     public static byte[] png(BufferedImage picture, Executor besides) {
         int width = picture.getWidth();
         int height = picture.getHeight();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream(width * height);
-        try (DataOutputStream out = new DataOutputStream(bytes)) {
-            out.writeLong(PNG_SIGNATURE);
-            chunk(out, "IHDR", ByteBuffer.allocate(13).putInt(width).putInt(height).put(RGB_OF_8_BITS).array());
-            // a zero before each row says that no filter was applied
-            chunk(out, "IDAT", TwoPartDeflate.zlib(height, 1 + 3 * width, (y, into) -> rgb(picture, y, into, 1),
-                    DEFLATE_LEVEL, besides));
-            chunk(out, "IEND", new byte[0]);
-        } catch (IOException e) {
-            throw new UncheckedIOException("writing into memory failed", e);
-        }
-        return bytes.toByteArray();
+        byte[] head = ByteBuffer.allocate(13).putInt(width).putInt(height).put(RGB_OF_8_BITS).array();
+        // a zero before each row says that no filter was applied
+        byte[] data = TwoPartDeflate.zlib(height, 1 + 3 * width, () -> {
+            int[] row = new int[width];
+            return (y, into) -> rgb(picture, y, row, into, 1);
+        }, DEFLATE_LEVEL, besides);
+        ByteBuffer file = ByteBuffer.allocate(Long.BYTES + 3 * ABOUT_CHUNK + head.length + data.length);
+        file.putLong(PNG_SIGNATURE);
+        putChunk(file, "IHDR", head);
+        putChunk(file, "IDAT", data);
+        putChunk(file, "IEND", new byte[0]);
+        return file.array();
     }
 
-    private static void chunk(DataOutputStream out, String type, byte[] data) throws IOException {
+    private static void putChunk(ByteBuffer file, String type, byte[] data) {
         byte[] name = type.getBytes(StandardCharsets.US_ASCII);
         CRC32 check = new CRC32();
         check.update(name);
         check.update(data);
-        out.writeInt(data.length);
-        out.write(name);
-        out.write(data);
-        out.writeInt((int) check.getValue());
+        file.putInt(data.length).put(name).put(data).putInt((int) check.getValue());
     }
 
-    /** Puts red, green and blue of a row of pixels into an array, from a place on. */
-    private static void rgb(BufferedImage picture, int y, byte[] into, int from) {
+    /** Puts red, green and blue of a row of pixels into an array, from a place on, by way of another. */
+    private static void rgb(BufferedImage picture, int y, int[] row, byte[] into, int from) {
         int width = picture.getWidth();
         // of pictures that keep them so, without a look at every pixel's colour model
-        int[] row = picture.getType() == BufferedImage.TYPE_INT_RGB
-                ? (int[]) picture.getRaster().getDataElements(0, y, width, 1, null)
-                : picture.getRGB(0, y, width, 1, null, 0, width);
+        if (picture.getType() == BufferedImage.TYPE_INT_RGB) {
+            picture.getRaster().getDataElements(0, y, width, 1, row);
+        } else {
+            picture.getRGB(0, y, width, 1, row, 0, width);
+        }
         for (int x = 0, at = from; x < width; x++, at += 3) {
             into[at] = (byte) (row[x] >> 16);
             into[at + 1] = (byte) (row[x] >> 8);
@@ -94,8 +93,9 @@ public final class Pictures {
     private static BufferedImage ofBytes(BufferedImage picture) {
         int width = picture.getWidth();
         byte[] rgb = new byte[3 * width * picture.getHeight()];
+        int[] row = new int[width];
         for (int y = 0; y < picture.getHeight(); y++) {
-            rgb(picture, y, rgb, 3 * width * y);
+            rgb(picture, y, row, rgb, 3 * width * y);
         }
         WritableRaster raster = Raster.createInterleavedRaster(new DataBufferByte(rgb, rgb.length), width,
                 picture.getHeight(), 3 * width, 3, new int[] {0, 1, 2}, null);

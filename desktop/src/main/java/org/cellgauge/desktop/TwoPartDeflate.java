@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
+import java.util.function.Supplier;
 import java.util.zip.Adler32;
 import java.util.zip.Deflater;
 
@@ -23,16 +24,16 @@ final class TwoPartDeflate {
     private static final int LEAST_ROOM = 1 << 10;
 
     private final int rowLength;
-    private final Rows rows;
+    private final Supplier<Rows> each;
     private final int level;
 
-    private TwoPartDeflate(int rowLength, Rows rows, int level) {
+    private TwoPartDeflate(int rowLength, Supplier<Rows> rows, int level) {
         this.rowLength = rowLength;
-        this.rows = rows;
+        this.each = rows;
         this.level = level;
     }
 
-    /** Where rows come from; asked on two threads. */
+    /** Where rows come from. */
     interface Rows {
         /**
          * Puts a row into an array.
@@ -48,12 +49,12 @@ final class TwoPartDeflate {
      *
      * @param count how many rows there are
      * @param rowLength their length, bytes, positive
-     * @param rows where they come from
+     * @param rows gives where they come from, to each of two threads its own
      * @param level zlib's, 1 to 9
      * @param besides runs one half; the result is the same on whatever thread
      * @return the rows as a zlib stream
      */
-    static byte[] zlib(int count, int rowLength, Rows rows, int level, Executor besides) {
+    static byte[] zlib(int count, int rowLength, Supplier<Rows> rows, int level, Executor besides) {
         TwoPartDeflate deflate = new TwoPartDeflate(rowLength, rows, level);
         int middle = count / 2;
         CompletableFuture<Half> later = CompletableFuture.supplyAsync(() -> deflate.half(middle, count, true), besides);
@@ -74,11 +75,12 @@ final class TwoPartDeflate {
     private Half half(int from, int to, boolean isLast) {
         Deflater deflater = new Deflater(level, true);
         Adler32 sum = new Adler32();
+        Rows rows = each.get();
         byte[] row = new byte[rowLength];
         byte[] out = new byte[(int) Math.min(Integer.MAX_VALUE / 2, LEAST_ROOM + (long) (to - from) * rowLength / 4)];
         int count = 0;
         try {
-            learn(deflater, from);
+            learn(deflater, rows, from);
             for (int y = from; y < to; y++) {
                 rows.put(y, row);
                 sum.update(row);
@@ -105,7 +107,7 @@ final class TwoPartDeflate {
     }
 
     /** Tells what lies before a row. */
-    private void learn(Deflater deflater, int before) {
+    private void learn(Deflater deflater, Rows rows, int before) {
         int known = Math.min(before, (WINDOW + rowLength - 1) / rowLength);
         if (known > 0) {
             byte[] row = new byte[rowLength];

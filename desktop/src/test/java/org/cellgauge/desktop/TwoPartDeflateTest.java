@@ -75,7 +75,7 @@ class TwoPartDeflateTest {
 
     private static byte[] zlib(byte[] data, int rowLength, int level, Executor besides) {
         return TwoPartDeflate.zlib(data.length / rowLength, rowLength,
-                (y, into) -> System.arraycopy(data, y * rowLength, into, 0, rowLength), level, besides);
+                () -> (y, into) -> System.arraycopy(data, y * rowLength, into, 0, rowLength), level, besides);
     }
 
     private static byte[] repetitive(int length) {

@@ -17,9 +17,10 @@ public final class BucketSort {
      *
      * @param values what to sort; not changed
      * @param sorted filled with the values in ascending order, as long as they
+     * @param work whose {@link DrawsWork#order} may be what is returned
      * @return the index in {@code values} of each sorted value
      */
-    public static int[] sort(double[] values, double[] sorted) {
+    public static int[] sort(double[] values, double[] sorted, DrawsWork work) {
         int n = values.length;
         double least = Double.POSITIVE_INFINITY;
         double most = Double.NEGATIVE_INFINITY;
@@ -31,7 +32,7 @@ public final class BucketSort {
         if (!(perWidth > 0 && perWidth < Double.POSITIVE_INFINITY)) {
             return RadixSort.sort(values, sorted);
         }
-        int[] next = new int[n];
+        int[] next = work.buckets(n);
         for (double v : values) {
             next[(int) ((v - least) * perWidth)]++;
         }
@@ -46,7 +47,7 @@ public final class BucketSort {
         if (pairs > (double) CROWDED * n) {
             return RadixSort.sort(values, sorted);
         }
-        int[] order = new int[n];
+        int[] order = work.order(n);
         for (int i = 0; i < n; i++) {
             double v = values[i];
             int to = next[(int) ((v - least) * perWidth)]++;

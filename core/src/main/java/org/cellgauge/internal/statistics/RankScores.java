@@ -23,6 +23,11 @@ public final class RankScores {
         }
     }
 
+    /** How many numbers are ranked. */
+    int total() {
+        return total;
+    }
+
     private double score(double rank) {
         return NormalQuantile.of((rank - 0.375) / (total + 0.25));
     }
@@ -32,10 +37,9 @@ public final class RankScores {
      *
      * @param ascending the numbers, sorted, as many as there are ranks
      * @param order where each of them stood
-     * @return the score of each where it stood
+     * @param scores filled with the score of each where it stood
      */
-    public double[] of(double[] ascending, int[] order) {
-        double[] scores = new double[total];
+    public void fill(double[] ascending, int[] order, double[] scores) {
         for (int first = 0, next; first < total; first = next) {
             next = first + 1;
             while (next < total && ascending[next] == ascending[first]) {
@@ -51,6 +55,5 @@ public final class RankScores {
                 scores[order[i]] = score;
             }
         }
-        return scores;
     }
 }

@@ -49,7 +49,7 @@ class RankScoresTest {
             {Double.MAX_VALUE, -Double.MAX_VALUE, 0}, {0, Double.MIN_VALUE, 0}}) {
             double[] sorted = new double[values.length];
             double[] expected = new double[values.length];
-            assertArrayEquals(RadixSort.sort(values, expected), BucketSort.sort(values, sorted));
+            assertArrayEquals(RadixSort.sort(values, expected), BucketSort.sort(values, sorted, new DrawsWork.Pool().take()));
             for (int i = 0; i < sorted.length; i++) {
                 assertEquals(Double.doubleToRawLongBits(expected[i]), Double.doubleToRawLongBits(sorted[i]));
             }
@@ -69,7 +69,8 @@ class RankScoresTest {
 
     @Test
     void tiesShareTheirAverageRank() {
-        double[] scores = new RankScores(4).of(new double[] {1, 2, 2, 5}, new int[] {3, 0, 2, 1});
+        double[] scores = new double[4];
+        new RankScores(4).fill(new double[] {1, 2, 2, 5}, new int[] {3, 0, 2, 1}, scores);
         NormalDistribution normal = new NormalDistribution(null, 0, 1);
         assertEquals(normal.inverseCumulativeProbability(0.625 / 4.25), scores[3], 1e-14);
         assertEquals(0, scores[0], 1e-15);
