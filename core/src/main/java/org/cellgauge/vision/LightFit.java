@@ -38,6 +38,7 @@ final class LightFit {
     private static final double STALE_PX = 0.03;
     /** Where to look first when nothing is known of the curve. */
     private static final double[] SCANNED = {1, 1.6, 2.2};
+    private static final double NEAR_POWER = 0.3;
     /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
     private static final double SURPRISE_PX = 0.1;
     /** And one that changes the mask of the frame before by this amount says that it is gone. */
@@ -768,36 +769,22 @@ final class LightFit {
     }
 
     /**
-     * Starts at the power, of a few, under which the sides leave the smallest residuals: from where they are fitted,
-     * first the way that these point, as far as residuals fall.
+     * Starts at the power, of a few, under which the sides leave the smallest residuals. They are fitted near to one of
+     * these as it is.
      */
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
-        loop.each(few.size(), m -> few.get(m).conclude(true));
-        setNoise(few);
-        double score = 0;
-        for (MarkerEdges marker : few) {
-            for (int i = 0; i < 4; i++) {
-                score += marker.side(i).powerScore;
-            }
-        }
         ToneCurve start = scale.curve();
         ToneCurve best = start;
-        double leastAtStart = noiseGrey;
-        double least = leastAtStart;
-        int nearest = 0;
-        for (int i = 1; i < SCANNED.length; i++) {
-            if (Math.abs(SCANNED[i] - start.power()) < Math.abs(SCANNED[nearest] - start.power())) {
-                nearest = i;
+        loop.each(few.size(), m -> few.get(m).conclude(false));
+        setNoise(few);
+        double least = noiseGrey;
+        for (double power : SCANNED) {
+            if (Math.abs(power - start.power()) < NEAR_POWER) {
+                continue;
             }
-        }
-        int first = score < 0 ? -1 : 1;
-        for (int way = first; least == leastAtStart && Math.abs(way) == 1; way = way == first ? -first : 2) {
-            for (int i = nearest + way; i >= 0 && i < SCANNED.length; i += way) {
-                double noise = noiseAt(SCANNED[i], image, few, patterns);
-                if (noise >= least) {
-                    break;
-                }
+            double noise = noiseAt(power, image, few, patterns);
+            if (noise < least) {
                 least = noise;
                 best = scale.curve();
             }
