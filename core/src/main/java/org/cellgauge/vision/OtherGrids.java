@@ -16,6 +16,8 @@ final class OtherGrids {
     private static final double FITS = 0.06;
     /** A grid explains a square better where it leaves less than this share of the deviation. */
     private static final double BETTER = 0.5;
+    /** A grid is not looked at closely where its middles alone leave so many times that deviation. */
+    private static final double ROUGHLY = 1.5;
     private static final int SMALLEST = 3;
     private static final int LARGEST = 8;
 
@@ -47,8 +49,14 @@ final class OtherGrids {
         for (int i = 0; i < grids.size(); i++) {
             boolean[] white = new boolean[grids.get(i).bands() * grids.get(i).bands()];
             PatternReader reader = readers.get(i);
-            if (reader.readAnew(image, cornersPx, scale, marker.darkGrey(), marker.brightGrey(), marker.blurPx(), white)
-                    && reader.misfit(image, scale, marker.darkGrey(), marker.brightGrey(), white) < BETTER * misfit) {
+            double dark = marker.darkGrey();
+            double bright = marker.brightGrey();
+            double enough = BETTER * misfit;
+            // nearly all of them do not do so by far
+            if (reader.readRoughly(image, cornersPx, scale, dark, bright, marker.blurPx(), white)
+                    && reader.misfit(image, scale, dark, bright, white, ROUGHLY * enough) < ROUGHLY * enough
+                    && reader.readAnew(image, cornersPx, scale, dark, bright, marker.blurPx(), white)
+                    && reader.misfit(image, scale, dark, bright, white, enough) < enough) {
                 return true;
             }
         }

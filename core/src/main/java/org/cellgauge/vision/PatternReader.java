@@ -35,6 +35,8 @@ final class PatternReader {
     private final double[] outsideX;
     private final double[] outsideY;
     private final double[] middles;
+    /** The same as shares of the marker's width. */
+    private final double[] sharesOfMiddles;
     /** Places in each band at which it is read, as shares of the marker's width. */
     private final double[] points;
     /** Two places in each band of the code. */
@@ -80,6 +82,10 @@ final class PatternReader {
         for (int i = 0; i < bands; i++) {
             middles[i] = grid.middle(i);
         }
+        this.sharesOfMiddles = new double[bands];
+        for (int i = 0; i < bands; i++) {
+            sharesOfMiddles[i] = middles[i] / grid.cells();
+        }
         this.points = new double[POINTS * bands];
         for (int i = 0; i < points.length; i++) {
             points[i] = (middles[i / POINTS] + POINT_SPACING * (i % POINTS - POINTS / 2)) / grid.cells();
@@ -124,11 +130,15 @@ final class PatternReader {
         return settle(cornersPx, blurPx, white);
     }
 
-    /** Changes cells of a reading until none is wrong. */
-    private boolean settle(double[] cornersPx, double blurPx, boolean[] white) {
+    private void setBlur(double[] cornersPx, double blurPx) {
         double blur = Math.sqrt(blurPx * blurPx + READING_VARIANCE_PX2);
         blurX = blur * grid.cells() / meanLength(cornersPx, 0, 1, 3, 2);
         blurY = blur * grid.cells() / meanLength(cornersPx, 0, 3, 1, 2);
+    }
+
+    /** Changes cells of a reading until none is wrong. */
+    private boolean settle(double[] cornersPx, double blurPx, boolean[] white) {
+        setBlur(cornersPx, blurPx);
         weights(middles, blurX, weightX, outsideX);
         weights(middles, blurY, weightY, outsideY);
         setWhiteOfRows(white, weightX, outsideX);
@@ -176,6 +186,28 @@ final class PatternReader {
     }
 
     /**
+     * Reads a marker by the middles of its cells alone, to tell whether it can be one of this lattice at all.
+     *
+     * @param white replaced by the reading
+     * @return whether its homography is one
+     */
+    boolean readRoughly(GreyImage image, double[] cornersPx, GreyScale scale, double darkGrey, double brightGrey,
+            double blurPx, boolean[] white) {
+        if (!setHomography(cornersPx)) {
+            return false;
+        }
+        double middle = (scale.light(darkGrey) + scale.light(Math.min(255, brightGrey))) / 2;
+        for (int row = 0; row < bands; row++) {
+            lightAlong(image, scale, sharesOfMiddles, sharesOfMiddles[row]);
+            for (int column = 0; column < bands; column++) {
+                white[row * bands + column] = alongLight[column] > middle;
+            }
+        }
+        setBlur(cornersPx, blurPx);
+        return true;
+    }
+
+    /**
      * How bright the white cells of the code are against the white of the margin, by which they are expected. To be
      * asked right after the reading.
      *
@@ -203,13 +235,24 @@ final class PatternReader {
      *     black to white
      */
     double misfit(GreyImage image, GreyScale scale, double darkGrey, double brightGrey, boolean[] white) {
+        return misfit(image, scale, darkGrey, brightGrey, white, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * The same, or any value that is not less than a limit where it is not.
+     *
+     * @param limit from which on it does not matter how much it is
+     */
+    double misfit(GreyImage image, GreyScale scale, double darkGrey, double brightGrey, boolean[] white,
+            double limit) {
         weights(places, blurX, placeWeightX, placeOutsideX);
         weights(places, blurY, placeWeightY, placeOutsideY);
         setWhiteOfRows(white, placeWeightX, placeOutsideX);
         double dark = scale.light(darkGrey);
         double contrast = scale.light(Math.min(255, brightGrey)) - dark;
         double sum = 0;
-        for (int row = 0; row < places.length; row++) {
+        double most = limit * limit * places.length * places.length;
+        for (int row = 0; row < places.length && sum < most; row++) {
             lightAlong(image, scale, sharesOfPlaces, sharesOfPlaces[row]);
             for (int column = 0; column < places.length; column++) {
                 double seen = (alongLight[column] - dark) / contrast;
@@ -253,9 +296,9 @@ final class PatternReader {
     private void weights(double[] at, double blurCells, double[] weight, double[] outside) {
         for (int i = 0; i < at.length; i++) {
             double sum = 0;
-            double below = EdgeProfile.cumulative(-at[i] / blurCells);
+            double below = EdgeProfile.tabulated(-at[i] / blurCells);
             for (int k = 0; k < bands; k++) {
-                double above = EdgeProfile.cumulative((grid.line(k + 1) - at[i]) / blurCells);
+                double above = EdgeProfile.tabulated((grid.line(k + 1) - at[i]) / blurCells);
                 weight[i * bands + k] = above - below;
                 sum += above - below;
                 below = above;
