@@ -130,15 +130,11 @@ final class PatternReader {
         return settle(cornersPx, blurPx, white);
     }
 
-    private void setBlur(double[] cornersPx, double blurPx) {
+    /** Changes cells of a reading until none is wrong. */
+    private boolean settle(double[] cornersPx, double blurPx, boolean[] white) {
         double blur = Math.sqrt(blurPx * blurPx + READING_VARIANCE_PX2);
         blurX = blur * grid.cells() / meanLength(cornersPx, 0, 1, 3, 2);
         blurY = blur * grid.cells() / meanLength(cornersPx, 0, 3, 1, 2);
-    }
-
-    /** Changes cells of a reading until none is wrong. */
-    private boolean settle(double[] cornersPx, double blurPx, boolean[] white) {
-        setBlur(cornersPx, blurPx);
         weights(middles, blurX, weightX, outsideX);
         weights(middles, blurY, weightY, outsideY);
         setWhiteOfRows(white, weightX, outsideX);
@@ -188,22 +184,25 @@ final class PatternReader {
     /**
      * Reads a marker by the middles of its cells alone, to tell whether it can be one of this lattice at all.
      *
-     * @param white replaced by the reading
-     * @return whether its homography is one
+     * @param white replaced by the reading, settled or not
+     * @return whether its corners are those of a square
      */
     boolean readRoughly(GreyImage image, double[] cornersPx, GreyScale scale, double darkGrey, double brightGrey,
             double blurPx, boolean[] white) {
         if (!setHomography(cornersPx)) {
             return false;
         }
-        double middle = (scale.light(darkGrey) + scale.light(Math.min(255, brightGrey))) / 2;
+        double dark = scale.light(darkGrey);
+        double contrast = scale.light(Math.min(255, brightGrey)) - dark;
         for (int row = 0; row < bands; row++) {
             lightAlong(image, scale, sharesOfMiddles, sharesOfMiddles[row]);
             for (int column = 0; column < bands; column++) {
-                white[row * bands + column] = alongLight[column] > middle;
+                int cell = row * bands + column;
+                level[cell] = (alongLight[column] - dark) / contrast;
+                white[cell] = level[cell] > 0.5;
             }
         }
-        setBlur(cornersPx, blurPx);
+        settle(cornersPx, blurPx, white);
         return true;
     }
 

@@ -68,6 +68,88 @@ class LocalMeanThresholdTest {
         }
     }
 
+    /** Rows of tiles are gone through in runs that begin and end anywhere, and the next image has others. */
+    @Test
+    void runsOfTilesHaveTheLimitsOfTheWholeImage() {
+        Random random = new Random(8);
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(),
+                new SharedLoop());
+        for (int image = 0; image < 12; image++) {
+            GrayU8 grey = patches(random, 9);
+            GrayU8 found = new GrayU8(1, 1);
+            threshold.process(grey, found);
+            GrayU8 dark = new GrayU8(grey.width, grey.height);
+            Rectangles places = threshold.places();
+            for (int i = 0; i < places.count(); i++) {
+                for (int y = places.top(i); y < places.bottom(i); y++) {
+                    for (int x = places.left(i); x < places.right(i); x++) {
+                        dark.set(x, y, found.get(x, y));
+                    }
+                }
+            }
+            for (int y = 0; y < grey.height; y++) {
+                for (int x = 0; x < grey.width; x++) {
+                    double above = grey.get(x, y) - limit(grey, x, y);
+                    if (above > 0 || above < -0.126) {
+                        assertEquals(above < 0 ? 1 : 0, dark.get(x, y), image + ": " + x + ", " + y);
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    void theSameTilesOfAnotherImageHaveItsLimits() {
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(),
+                new SharedLoop());
+        for (int brightness = 0; brightness <= 90; brightness += 45) {
+            GrayU8 grey = new GrayU8(96, 96);
+            Arrays.fill(grey.data, (byte) (100 + brightness));
+            Random random = new Random(9);
+            for (int y = 50; y < 62; y++) {
+                for (int x = 35; x < 60; x++) {
+                    grey.set(x, y, 20 + brightness + random.nextInt(130));
+                }
+            }
+            GrayU8 found = new GrayU8(1, 1);
+            GrayU8 expected = new GrayU8(1, 1);
+            threshold.process(grey, found);
+            new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop()).process(grey, expected);
+            assertArrayEquals(expected.data, found.data);
+        }
+    }
+
+    /** Plain ground with patches of noise. */
+    private static GrayU8 patches(Random random, int count) {
+        GrayU8 image = new GrayU8(333, 222);
+        Arrays.fill(image.data, (byte) 150);
+        for (int patch = 0; patch < count; patch++) {
+            int left = random.nextInt(300);
+            int top = random.nextInt(200);
+            int right = Math.min(333, left + 4 + random.nextInt(60));
+            int bottom = Math.min(222, top + 4 + random.nextInt(40));
+            for (int y = top; y < bottom; y++) {
+                for (int x = left; x < right; x++) {
+                    image.set(x, y, 60 + random.nextInt(150));
+                }
+            }
+        }
+        return image;
+    }
+
+    /** Nine pixels of 169 among 200: 85 % of the mean about them is 169.4, and of the brightest 170. */
+    @Test
+    void littleContrastIsEnough() {
+        GrayU8 image = new GrayU8(64, 64);
+        Arrays.fill(image.data, (byte) 200);
+        for (int i = 0; i < 9; i++) {
+            image.set(32 + i % 3, 32 + i / 3, 169);
+        }
+        GrayU8 found = new GrayU8(1, 1);
+        new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop()).process(image, found);
+        assertEquals(1, found.get(33, 33));
+    }
+
     /** A share of a plain ground is that share of it: 85 % of 100 are 85. */
     @Test
     void whatIsAtTheLimitIsDark() {
