@@ -103,10 +103,10 @@ class LocalMeanThresholdTest {
         LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(),
                 new SharedLoop());
         for (int brightness = 0; brightness <= 90; brightness += 45) {
-            GrayU8 grey = new GrayU8(96, 96);
+            GrayU8 grey = new GrayU8(96, 16);
             Arrays.fill(grey.data, (byte) (100 + brightness));
             Random random = new Random(9);
-            for (int y = 50; y < 62; y++) {
+            for (int y = 3; y < 14; y++) {
                 for (int x = 35; x < 60; x++) {
                     grey.set(x, y, 20 + brightness + random.nextInt(130));
                 }
