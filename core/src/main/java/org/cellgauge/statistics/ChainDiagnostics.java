@@ -41,7 +41,7 @@ import org.cellgauge.internal.statistics.Sums;
  * <p>Effective sample sizes need chains of at least {@value #MIN_DRAWS_FOR_ESS} draws, because Geyer's sequence cannot
  * be judged on fewer lags; below, they are NaN while R-hat exists.
  *
- * <p>Immutable. An object keeps its own copy of the draws, for {@link #mcseQuantile(double)}.
+ * <p>Immutable. An object keeps the draws, for {@link #mcseQuantile(double)}.
  */
 public final class ChainDiagnostics {
     /** Fewest draws per chain for which a split R-hat is defined. */
@@ -510,8 +510,8 @@ public final class ChainDiagnostics {
     }
 
     /**
-     * Fills in the distances from the median, ascending, and where they stand. Those above it are sorted as they are, those below it the other way
-     * round, so that merging is enough.
+     * Fills in the distances from the median, ascending, and where they stand. Those above it are sorted as they are,
+     * those below it the other way round, so that merging is enough.
      */
     private static void fold(double[] ascending, int[] order, double median, DrawsWork work) {
         int n = ascending.length;

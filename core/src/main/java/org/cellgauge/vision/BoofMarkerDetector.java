@@ -222,8 +222,8 @@ public final class BoofMarkerDetector implements MarkerDetector {
     }
 
     /**
-     * Searches several parts of an image, and fits several markers, at once from now on: for frames that are waited for, and not where each thread has a photo
-     * of its own. Corners are the same either way.
+     * Searches several parts of an image, and fits several markers, at once from now on: for frames that are waited
+     * for, and not where each thread has a photo of its own. Corners are the same either way.
      *
      * @param helpers on what threads, beside the one that detects; where none is free, that one does all
      * @param threads how many threads at most, that one among them, at least 1

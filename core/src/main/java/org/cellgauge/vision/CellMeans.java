@@ -288,7 +288,8 @@ final class CellMeans {
             int sum = ofColumns[x - 2] + ofColumns[x - 1] + ofColumns[x] + ofColumns[x + 1] + ofColumns[x + 2];
             // it or one less; several at a time, as no division is
             int quotient = sum * factor >>> RECIPROCAL_BITS;
-            found[x] = quotient + (sum * share - quotient * divisor + (Integer.MIN_VALUE - divisor) >>> Integer.SIZE - 1);
+            int left = sum * share - quotient * divisor;
+            found[x] = quotient + (left + (Integer.MIN_VALUE - divisor) >>> Integer.SIZE - 1);
         }
     }
 

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Marks pixels that are darker than a share of the {@linkplain CellMeans mean} about them, as BoofCV's local mean does,
- * in those tiles that {@linkplain TileContrast may have such}. BoofCV's own blurs the whole image twice first, which
+ * in those tiles that {@linkplain TileContrast may have} such. BoofCV's own blurs the whole image twice first, which
  * takes half of the time to find markers in a plain scene.
  *
  * <p>Outside of the {@link SearchWindows} of a frame nothing is looked at; inside, all is as in the whole image. What

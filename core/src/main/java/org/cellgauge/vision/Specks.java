@@ -11,8 +11,8 @@ import java.util.List;
  * <p>What is left has the contours that it had. A blob of n pixels that touch each other at their sides is walked about
  * in at most 2 (n - 1) steps from pixel to pixel, as a tree of them is, which has the longest way about it. And a
  * polygon whose corners are pixels of a blob lies within the octagon about their centres. So what is taken out is below
- * the least length of a contour, or below the least area of a polygon. {@link Stars} go first, many at a time; most other
- * blobs are seen whole in a window of 8 x 8 pixels, as the bits of a number.
+ * the least length of a contour, or below the least area of a polygon. {@link Stars} go first, many at a time; most
+ * other blobs are seen whole in a window of 8 x 8 pixels, as the bits of a number.
  *
  * <p>Bands of rows may be gone through at a time: whether a blob goes hangs on that blob alone, so the same are left.
  * Else not thread-safe.
@@ -84,7 +84,7 @@ final class Specks {
         }
     }
 
-    /** Takes out those of a band that lie in it as a whole. All of the band is marked; others may be marked meanwhile. */
+    /** Takes out those of a band that lie in it as a whole. All of it is marked; others may be marked meanwhile. */
     void takeOut(int band) {
         bands.get(band).takeOut(rows[band], rows[band + 1], band == 0, band == rows.length - 2);
     }
