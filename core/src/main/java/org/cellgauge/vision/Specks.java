@@ -93,7 +93,7 @@ final class Specks {
     void end() {
         Band any = bands.get(0);
         for (int i = 1; i < rows.length - 1; i++) {
-            any.takeOutAbout(rows[i], rows[0], rows[rows.length - 1]);
+            any.takeOutAbout(rows[i], rows[rows.length - 1]);
         }
         for (Band band : bands) {
             any.takeOutLeft(band);
@@ -137,7 +137,7 @@ final class Specks {
         }
 
         /** What lies across a border of bands, but for what {@link #takeOutLeft} is for. */
-        void takeOutAbout(int border, int top, int bottom) {
+        void takeOutAbout(int border, int bottom) {
             int reach = Stars.REACH;
             stars.takeOut(dark, left, border - reach, right, Math.min(bottom, border + reach), border - reach - 1,
                     Math.min(bottom, border + reach + 1));
@@ -179,8 +179,8 @@ final class Specks {
         }
 
         /**
-         * Takes out the blob of a pixel if it is a speck. None of its pixels lies on the left or above this one; where one
-         * lies further up, the blob was there when that was looked at, and stays.
+         * Takes out the blob of a pixel if it is a speck. None of its pixels lies on the left or above this one; where
+         * one lies further up, the blob was there when that was looked at, and stays.
          *
          * @param pixel its place in all bits
          */
@@ -191,7 +191,8 @@ final class Specks {
             long smaller;
             do {
                 smaller = blob;
-                blob |= (blob << 1 & ~LEFT_COLUMN | blob >>> 1 & ~RIGHT_COLUMN | blob << WINDOW | blob >>> WINDOW) & seen;
+                long beside = blob << 1 & ~LEFT_COLUMN | blob >>> 1 & ~RIGHT_COLUMN;
+                blob |= (beside | blob << WINDOW | blob >>> WINDOW) & seen;
             } while (blob != smaller);
             if ((blob & rowAt(window - stride * Long.SIZE)) != 0) {
                 return;
@@ -309,8 +310,9 @@ final class Specks {
                 leastDifference = Math.min(leastDifference, x - y);
                 mostDifference = Math.max(mostDifference, x - y);
             }
-            return (right - left) * (bottom - top) - triangle(leastSum - left - top) - triangle(right + bottom - mostSum)
-                    - triangle(leastDifference - left + bottom) - triangle(right - top - mostDifference);
+            return (right - left) * (bottom - top) - triangle(leastSum - left - top)
+                    - triangle(right + bottom - mostSum) - triangle(leastDifference - left + bottom)
+                    - triangle(right - top - mostDifference);
         }
     }
 

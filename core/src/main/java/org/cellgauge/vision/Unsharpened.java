@@ -8,11 +8,11 @@ import java.util.Arrays;
  *
  * <p>The mask multiplies every frequency by 1 to 1 + a, so it can be undone: {@code (1 + a) u - a G u = s} by
  * Richardson's rounds with Chebyshev's acceleration (Saad, "Iterative Methods for Sparse Linear Systems", 2003,
- * algorithm 12.1), each of which shrinks what is left by (r - 1) / (r + 1), r being the root of 1 + a. What comes out has the noise
- * that was there before the mask, independent from pixel to pixel if it was so then, and all that is fitted to it holds
- * as for a photo that nobody sharpened. Where sharpening went over the ends of the scale, a value says no more
- * than that: given its neighbours, s reaches white where u reaches a limit of that pixel's own ({@link #cap}), and
- * black likewise ({@link #floor}). Not thread-safe; arrays are kept.
+ * algorithm 12.1), each of which shrinks what is left by (r - 1) / (r + 1), r being the root of 1 + a. What comes out
+ * has the noise that was there before the mask, independent from pixel to pixel if it was so then, and all that is
+ * fitted to it holds as for a photo that nobody sharpened. Where sharpening went over the ends of the scale, a value
+ * says no more than that: given its neighbours, s reaches white where u reaches a limit of that pixel's own ({@link
+ * #cap}), and black likewise ({@link #floor}). Not thread-safe; arrays are kept.
  */
 final class Unsharpened {
     private static final double WHITE = 255;
