@@ -261,7 +261,8 @@ class LocalMeanThresholdTest {
                 Arrays.fill(image.data, 640 * y + left, 640 * y + left + 9, (byte) grey);
             }
         }
-        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(),
+                new SharedLoop());
         threshold.process(image, new GrayU8(1, 1));
         assertTrue(threshold.places().count() > 1, threshold.places().count() + " places");
         int area = 0;
@@ -323,7 +324,8 @@ class LocalMeanThresholdTest {
     /** A speck of two by two pixels on plain ground, wherever in its tile: one of its pixels is always looked at. */
     @Test
     void aSpeckIsFoundWhereverItLies() {
-        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(),
+                new SharedLoop());
         GrayU8 found = new GrayU8(1, 1);
         for (int at = 0; at < 3 * LocalMeanThreshold.TILE; at++) {
             GrayU8 image = new GrayU8(90, 70);
@@ -341,7 +343,8 @@ class LocalMeanThresholdTest {
     /** Ground whose only bright pixels lie in the tile below or above; the dark ones near them are dark. */
     @Test
     void aTileIsSeenAgainstThoseAboutIt() {
-        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(),
+                new SharedLoop());
         GrayU8 found = new GrayU8(1, 1);
         for (boolean below : new boolean[] {false, true}) {
             GrayU8 image = new GrayU8(96, 96);
@@ -364,7 +367,8 @@ class LocalMeanThresholdTest {
         for (int y = 200; y < 230; y++) {
             Arrays.fill(image.data, 640 * y + 300, 640 * y + 330, (byte) 40);
         }
-        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
+        LocalMeanThreshold threshold = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(),
+                new SharedLoop());
         GrayU8 found = new GrayU8(1, 1);
         threshold.process(image, found);
         assertEquals(1, threshold.places().count());

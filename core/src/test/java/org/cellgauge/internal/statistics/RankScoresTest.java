@@ -49,7 +49,8 @@ class RankScoresTest {
             {Double.MAX_VALUE, -Double.MAX_VALUE, 0}, {0, Double.MIN_VALUE, 0}}) {
             double[] sorted = new double[values.length];
             double[] expected = new double[values.length];
-            assertArrayEquals(RadixSort.sort(values, expected), BucketSort.sort(values, sorted, new DrawsWork.Pool().take()));
+            assertArrayEquals(RadixSort.sort(values, expected),
+                    BucketSort.sort(values, sorted, new DrawsWork.Pool().take()));
             for (int i = 0; i < sorted.length; i++) {
                 assertEquals(Double.doubleToRawLongBits(expected[i]), Double.doubleToRawLongBits(sorted[i]));
             }
