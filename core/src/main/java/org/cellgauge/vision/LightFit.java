@@ -37,7 +37,7 @@ final class LightFit {
     /** Edges that have moved by more than this leave the light that was taken as given about them stale, px. */
     private static final double STALE_PX = 0.03;
     /** Where to look first when nothing is known of the curve. */
-    private static final double[] SCANNED = {1, 1.6, 2.2};
+    private static final double[] SCANNED = {1, 1.6, 2.3};
     private static final double NEAR_POWER = 0.3;
     /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
     private static final double SURPRISE_PX = 0.1;
