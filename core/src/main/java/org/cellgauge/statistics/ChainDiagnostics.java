@@ -1,5 +1,6 @@
 package org.cellgauge.statistics;
 
+import java.util.function.ToDoubleFunction;
 import org.cellgauge.internal.statistics.Autocovariance;
 import org.cellgauge.internal.statistics.BetaRank;
 import org.cellgauge.internal.statistics.BucketSort;
@@ -81,7 +82,6 @@ public final class ChainDiagnostics {
     private final double essHighTail;
     private final double essSquaredDeviation;
     private final double mcseSd;
-
     private final DrawsWork.Pool works;
 
     private ChainDiagnostics(double[] draws, int chains, DrawsWork.Pool works, DrawsWork work) {
@@ -301,15 +301,7 @@ public final class ChainDiagnostics {
      * @return the size in draws; NaN where it does not exist
      */
     public double essMean() {
-        if (status != Status.OK) {
-            return Double.NaN;
-        }
-        DrawsWork work = works.take();
-        try {
-            return effectiveSize(deviations(work));
-        } finally {
-            works.giveBack(work);
-        }
+        return sizeBy(work -> effectiveSize(deviations(work)));
     }
 
     /**
@@ -319,16 +311,22 @@ public final class ChainDiagnostics {
      * @return the size in draws; NaN where it does not exist
      */
     public double essSd() {
-        if (status != Status.OK) {
-            return Double.NaN;
-        }
-        DrawsWork work = works.take();
-        try {
+        return sizeBy(work -> {
             double[] absolute = deviations(work);
             for (int i = 0; i < absolute.length; i++) {
                 absolute[i] = Math.abs(absolute[i]);
             }
             return effectiveSize(absolute);
+        });
+    }
+
+    private double sizeBy(ToDoubleFunction<DrawsWork> computed) {
+        if (status != Status.OK) {
+            return Double.NaN;
+        }
+        DrawsWork work = works.take();
+        try {
+            return computed.applyAsDouble(work);
         } finally {
             works.giveBack(work);
         }
@@ -362,15 +360,8 @@ public final class ChainDiagnostics {
     public double essQuantile(double probability) {
         requireProbability(probability);
         // the tails' are known, and asked for again by every result
-        if (probability == LOW_TAIL || probability == HIGH_TAIL || status != Status.OK) {
-            return probability == LOW_TAIL ? essLowTail : probability == HIGH_TAIL ? essHighTail : Double.NaN;
-        }
-        DrawsWork work = works.take();
-        try {
-            return essBelow(probability, work);
-        } finally {
-            works.giveBack(work);
-        }
+        return probability == LOW_TAIL ? essLowTail : probability == HIGH_TAIL ? essHighTail
+                : sizeBy(work -> essBelow(probability, work));
     }
 
     /**

@@ -2,7 +2,6 @@ package org.cellgauge.vision;
 
 import boofcv.struct.image.GrayU8;
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /**
@@ -28,11 +27,10 @@ final class CellMeans {
     private static final int WHOLE = (2 * REACH + 1) * CELL * (2 * REACH + 1) * CELL;
     /** A sum of a mean's pixels, of 17 bits, times so many bits of what it is to be multiplied with stays below 32. */
     private static final int RECIPROCAL_BITS = 20;
-    /** Every second one of eight pixels, in a number of 16 bits each. */
-    private static final long EVERY_SECOND = 0x00FF_00FF_00FF_00FFL;
-    private static final long BEYOND_EACH = 0x0100_0100_0100_0100L;
-    private static final int BITS = 16;
-    private static final long IN_EACH = 0x0001_0001_0001_0001L;
+    private static final long EVERY_SECOND = TileContrast.EVERY_SECOND;
+    private static final long BEYOND_EACH = TileContrast.BEYOND_EACH;
+    private static final int BITS = TileContrast.BITS;
+    private static final long IN_EACH = TileContrast.IN_EACH;
     private static final ByteBuffer NO_PIXELS = ByteBuffer.allocate(0);
 
     private final int percent;
@@ -106,7 +104,7 @@ final class CellMeans {
     /** Marks what is dark in a part of an image, all in tiles, the last ones not with it. */
     void mark(GrayU8 input, int left, int top, int right, int bottom) {
         reshape(input.width, input.height);
-        pixels = ByteBuffer.wrap(input.data).order(ByteOrder.LITTLE_ENDIAN);
+        pixels = TileContrast.eightAtATime(input);
         Arrays.fill(summed, NONE);
         Arrays.fill(limited, NONE);
         columnsOf = NONE - 1;

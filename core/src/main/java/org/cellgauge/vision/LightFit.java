@@ -38,6 +38,7 @@ final class LightFit {
     private static final double STALE_PX = 0.03;
     /** Where to look first when nothing is known of the curve. */
     private static final double[] SCANNED = {1, 1.6, 2.3};
+    /** At a power so near to the one they are fitted at, sides are not fitted again for it. */
     private static final double NEAR_POWER = 0.3;
     /** A first step that moves edges by more than this says that the file's word on its curve is wrong, px. */
     private static final double SURPRISE_PX = 0.1;
@@ -769,8 +770,8 @@ final class LightFit {
     }
 
     /**
-     * Starts at the power, of a few, under which the sides leave the smallest residuals. They are fitted near to one of
-     * these as it is.
+     * Starts at the power, of a few and of the one that sides are fitted at, under which they leave the smallest
+     * residuals.
      */
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));

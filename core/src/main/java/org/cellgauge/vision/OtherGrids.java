@@ -46,16 +46,18 @@ final class OtherGrids {
             return false;
         }
         prepare();
+        double dark = marker.darkGrey();
+        double bright = marker.brightGrey();
+        double blurPx = marker.blurPx();
+        double enough = BETTER * misfit;
+        double roughly = ROUGHLY * enough;
         for (int i = 0; i < grids.size(); i++) {
             boolean[] white = new boolean[grids.get(i).bands() * grids.get(i).bands()];
             PatternReader reader = readers.get(i);
-            double dark = marker.darkGrey();
-            double bright = marker.brightGrey();
-            double enough = BETTER * misfit;
             // nearly all of them do not do so by far
-            if (reader.readRoughly(image, cornersPx, scale, dark, bright, marker.blurPx(), white)
-                    && reader.misfit(image, scale, dark, bright, white, ROUGHLY * enough) < ROUGHLY * enough
-                    && reader.readAnew(image, cornersPx, scale, dark, bright, marker.blurPx(), white)
+            if (reader.readRoughly(image, cornersPx, scale, dark, bright, blurPx, white)
+                    && reader.misfit(image, scale, dark, bright, white, roughly) < roughly
+                    && reader.readAnew(image, cornersPx, scale, dark, bright, blurPx, white)
                     && reader.misfit(image, scale, dark, bright, white, enough) < enough) {
                 return true;
             }

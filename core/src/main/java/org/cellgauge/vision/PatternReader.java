@@ -175,6 +175,10 @@ final class PatternReader {
             return false;
         }
         sample(image, scale, darkGrey, brightGrey);
+        return settleAnew(cornersPx, blurPx, white);
+    }
+
+    private boolean settleAnew(double[] cornersPx, double blurPx, boolean[] white) {
         for (int i = 0; i < white.length; i++) {
             white[i] = level[i] > 0.5;
         }
@@ -197,12 +201,10 @@ final class PatternReader {
         for (int row = 0; row < bands; row++) {
             lightAlong(image, scale, sharesOfMiddles, sharesOfMiddles[row]);
             for (int column = 0; column < bands; column++) {
-                int cell = row * bands + column;
-                level[cell] = (alongLight[column] - dark) / contrast;
-                white[cell] = level[cell] > 0.5;
+                level[row * bands + column] = (alongLight[column] - dark) / contrast;
             }
         }
-        settle(cornersPx, blurPx, white);
+        settleAnew(cornersPx, blurPx, white);
         return true;
     }
 

@@ -16,10 +16,10 @@ final class TileContrast {
     /** How far tiles of one surface may differ, grey levels: noise takes its darkest pixel now here, now there. */
     private static final int SLACK = 2;
     /** Every second one of eight pixels, in a number of 16 bits each. */
-    private static final long EVERY_SECOND = 0x00FF_00FF_00FF_00FFL;
-    private static final long BEYOND_EACH = 0x0100_0100_0100_0100L;
-    private static final int BITS = 16;
-    private static final long IN_EACH = 0x0001_0001_0001_0001L;
+    static final long EVERY_SECOND = 0x00FF_00FF_00FF_00FFL;
+    static final long BEYOND_EACH = 0x0100_0100_0100_0100L;
+    static final int BITS = 16;
+    static final long IN_EACH = 0x0001_0001_0001_0001L;
     private static final long SIGN_OF_EACH = 0x8000_8000_8000_8000L;
     private static final int LARGEST = 0x7FFF;
 
@@ -81,7 +81,7 @@ final class TileContrast {
         }
     }
 
-    private static ByteBuffer eightAtATime(GrayU8 input) {
+    static ByteBuffer eightAtATime(GrayU8 input) {
         return ByteBuffer.wrap(input.data).order(ByteOrder.LITTLE_ENDIAN);
     }
 

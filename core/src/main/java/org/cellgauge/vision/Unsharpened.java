@@ -35,7 +35,7 @@ final class Unsharpened {
     private int[] clippedAt = new int[0];
     private double[] before = new double[0];
     private double[] next = new double[0];
-    /** By how much the last round moved each value; of the first, times 0. */
+    /** By how much the last round moved each value. */
     private double[] change = new double[0];
     private double[] blurred = new double[0];
     /** The same with a border, before and after, and in between, blurred along rows. */
@@ -94,6 +94,7 @@ final class Unsharpened {
             }
         }
         System.arraycopy(sharpened, 0, before, 0, size);
+        Arrays.fill(change, 0, size, 0);
         setLikely(blurPx, radiusPx);
         double changed = Double.POSITIVE_INFINITY;
         double ratio = (2 + amount) / amount;
@@ -104,9 +105,9 @@ final class Unsharpened {
             blur(weights);
             // clipped values are found by another rule, and each of their rounds goes by the one before it alone
             if (round > 0 && clipped == 0) {
-                double before = rho;
-                rho = 1 / (2 * ratio - before);
-                momentum = rho * before;
+                double last = rho;
+                rho = 1 / (2 * ratio - last);
+                momentum = rho * last;
                 length = 4 * rho / amount;
             }
             step(size, amount, momentum, length);
