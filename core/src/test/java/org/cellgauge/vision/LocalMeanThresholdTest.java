@@ -212,13 +212,23 @@ class LocalMeanThresholdTest {
     void severalThreadsFindTheSame(int threads) {
         GrayU8 image = new GrayU8(330, 427);
         Random random = new Random(6);
-        for (int i = 0; i < image.data.length; i++) {
-            image.data[i] = (byte) (100 + 22 * random.nextGaussian());
+        // blocks of four by four, of which many are no specks together
+        for (int y = 0; y < image.height; y++) {
+            for (int x = 0; x < image.width; x++) {
+                image.set(x, y, x % 4 > 0 ? image.get(x - 1, y) : y % 4 > 0 ? image.get(x, y - 1)
+                        : random.nextInt(5) < 2 ? 60 : 140);
+                image.set(x, y, random.nextInt(40) == 0 ? 100 : image.get(x, y));
+            }
         }
         GrayU8 one = new GrayU8(1, 1);
         LocalMeanThreshold alone = new LocalMeanThreshold(85, new SearchWindows(), new DarkBits(), new SharedLoop());
         alone.takeOut(new Specks(30, 56));
         alone.process(image, one);
+        int dark = 0;
+        for (byte pixel : one.data) {
+            dark += pixel;
+        }
+        assertEquals(0.3, (double) dark / one.data.length, 0.15);
         ExecutorService helpers = Executors.newCachedThreadPool();
         try {
             SharedLoop loop = new SharedLoop();
