@@ -22,6 +22,7 @@ import java.util.regex.Pattern;
 import org.cellgauge.cell.InputRefusedException;
 import org.cellgauge.desktop.BatchCheck;
 import org.cellgauge.desktop.EarlyStart;
+import org.cellgauge.desktop.LocalClock;
 import org.cellgauge.desktop.MachineRefusal;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
@@ -292,7 +293,7 @@ public final class Main implements Callable<Integer> {
      * @return as in {@code 2026-11-28}
      */
     static String day() {
-        return day(System.getenv("SOURCE_DATE_EPOCH"), Clock.systemDefaultZone());
+        return day(System.getenv("SOURCE_DATE_EPOCH"), LocalClock.now());
     }
 
     static String day(String epochSeconds, Clock clock) {

@@ -58,8 +58,8 @@ public final class EarlyStart {
     static void load(boolean paints, boolean decodes) throws IOException {
         Cell cell = CellReader.read(CELL, "", PinholeCamera.of(SIDE_PX, SIDE_PX,
                 new double[] {SIDE_PX, SIDE_PX, SIDE_PX / 2.0, SIDE_PX / 2.0, 0, 0, 0, 0, 0, 0}));
-        // the table of time zones
-        LocalDate.now();
+        // the offset of the time zone
+        LocalDate.now(LocalClock.now());
         new StopSignal();
         Sha256.of(new byte[1]);
         if (decodes) {

@@ -135,7 +135,7 @@ final class FolderLock implements AutoCloseable {
     private static String self() {
         ProcessHandle process = ProcessHandle.current();
         return "process " + process.pid() + process.info().user().map(user -> " of " + user).orElse("") + ", since "
-                + LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS) + "\n";
+                + LocalDateTime.now(LocalClock.now()).truncatedTo(ChronoUnit.SECONDS) + "\n";
     }
 
     /** Gives the folder free. */
