@@ -771,36 +771,55 @@ final class LightFit {
 
     /**
      * Starts at the power, of a few and of the one that sides are fitted at, under which they leave the smallest
-     * residuals.
+     * residuals. The same pixels tell that: those that a side is fitted to hang on where it lies, but by little.
      */
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
+        double[][] first = linesOf(few);
+        double[][] ofBest = first;
         ToneCurve start = scale.curve();
         ToneCurve best = start;
-        loop.each(few.size(), m -> few.get(m).conclude(false));
-        setNoise(few);
-        double least = noiseGrey;
+        double least = noiseOf(few);
         for (double power : SCANNED) {
             if (Math.abs(power - start.power()) < NEAR_POWER) {
                 continue;
             }
-            double noise = noiseAt(power, image, few, patterns);
+            scale.set(curve.withPower(power));
+            loop.each(few.size(), m -> {
+                few.get(m).setLines(first[m]);
+                few.get(m).refitSamePixels();
+            });
+            double noise = noiseOf(few);
             if (noise < least) {
                 least = noise;
                 best = scale.curve();
+                ofBest = linesOf(few);
             }
         }
         curve = best;
         scale.set(curve);
-        loop.each(some.size(), m -> some.get(m).refitNearly(image, patterns.get(m)));
+        double[][] known = ofBest;
+        boolean moved = best != start;
+        loop.each(some.size(), m -> {
+            if (m < known.length) {
+                some.get(m).setLines(known[m]);
+            } else if (moved) {
+                some.get(m).refitSamePixels();
+            }
+            some.get(m).refitNearly(image, patterns.get(m));
+        });
     }
 
-    private double noiseAt(double power, GreyImage image, List<MarkerEdges> few, List<boolean[]> patterns) {
-        scale.set(curve.withPower(power));
-        loop.each(few.size(), m -> {
-            few.get(m).refitNearly(image, patterns.get(m));
-            few.get(m).conclude(false);
-        });
+    private static double[][] linesOf(List<MarkerEdges> few) {
+        double[][] lines = new double[few.size()][];
+        for (int m = 0; m < lines.length; m++) {
+            lines[m] = few.get(m).lines();
+        }
+        return lines;
+    }
+
+    private double noiseOf(List<MarkerEdges> few) {
+        loop.each(few.size(), m -> few.get(m).conclude(false));
         setNoise(few);
         return noiseGrey;
     }

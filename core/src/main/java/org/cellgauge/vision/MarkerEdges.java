@@ -222,6 +222,27 @@ final class MarkerEdges {
         return intersectAll();
     }
 
+    /** What {@link #setLines} returns to. */
+    double[] lines() {
+        double[] lines = new double[CORNERS * SideFit.UNKNOWNS];
+        for (int i = 0; i < CORNERS; i++) {
+            System.arraycopy(sides[i].unknowns, 0, lines, i * SideFit.UNKNOWNS, SideFit.UNKNOWNS);
+        }
+        return lines;
+    }
+
+    /**
+     * Puts the sides back where they were fitted to the same pixels.
+     *
+     * @param lines of {@link #lines}
+     */
+    void setLines(double[] lines) {
+        for (int i = 0; i < CORNERS; i++) {
+            System.arraycopy(lines, i * SideFit.UNKNOWNS, sides[i].unknowns, 0, SideFit.UNKNOWNS);
+        }
+        intersectAll();
+    }
+
     /**
      * Undoes an unsharp mask in the grey values that all later fits go by; an amount of 0 takes the photo as it is.
      *
