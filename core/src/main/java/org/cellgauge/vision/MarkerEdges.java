@@ -159,7 +159,7 @@ final class MarkerEdges {
         shiftPx = 0;
         unsharpened = false;
         clearLamp();
-        settledPx = SideFit.SETTLED_PX;
+        settledPx = SideFit.NEARLY_SETTLED_PX;
         return startOutside() && passes(image, FIRST_BAND_STILL_GOOD_PX, FIRST_BLUR_STILL_GOOD_PX);
     }
 
