@@ -33,6 +33,10 @@ public class DetectionBenchmark {
     private static final int HEIGHT = 720;
     private static final Integer[] IDS = {5, 20, 22, 30, 911, 944, 1234, 2000};
     private static final int CELL_PX = 4;
+    private static final int MARGIN_PX = 8;
+    /** Of the lens, a standard deviation, and how far from a pixel it is seen. */
+    private static final double BLUR_PX = 0.7;
+    private static final int REACH_PX = 4;
     private static final double LIGHT_OF_WHITE = 0.8;
     private static final double LIGHT_OF_GROUND = 0.5;
     private static final double LIGHT_OF_BLACK = 0.1;
@@ -54,7 +58,7 @@ public class DetectionBenchmark {
     private BoofMarkerDetector detector;
     private GreyImage image;
 
-    /** Draws upright markers of 32 px on a grey ground, blurred over 3 x 3 px, so that edges tell the curve. */
+    /** Draws upright markers of 32 px on a grey ground, blurred as by a lens, so that edges tell the curve. */
     @Setup
     public void draw() {
         BoofThreads.useOne();
@@ -68,8 +72,8 @@ public class DetectionBenchmark {
             boolean[] white = patterns.white(IDS[m]);
             int left = 200 + m % 4 * 250;
             int top = 200 + m / 4 * 250;
-            for (int y = -8; y < size + 8; y++) {
-                for (int x = -8; x < size + 8; x++) {
+            for (int y = -MARGIN_PX; y < size + MARGIN_PX; y++) {
+                for (int x = -MARGIN_PX; x < size + MARGIN_PX; x++) {
                     boolean inside = x >= 0 && y >= 0 && x < size && y < size;
                     boolean bright = !inside || white[y / CELL_PX * patterns.grid().bands() + x / CELL_PX];
                     sharp[(top + y) * WIDTH + left + x] = bright ? LIGHT_OF_WHITE : LIGHT_OF_BLACK;
@@ -91,15 +95,29 @@ public class DetectionBenchmark {
                 BoofMarkerDetector.RESIDUAL_LIMIT_PER_SIDE, light.endsWith("stated") ? ToneCurve.SRGB : null);
     }
 
-    /** By the kernel (1 2 1) / 4 both ways, a blur of 0.7 px. */
+    /** By a Gaussian, as lenses and pixels do it. */
     private static double blurred(double[] sharp, int at) {
         double sum = 0;
-        for (int y = -1; y <= 1; y++) {
-            for (int x = -1; x <= 1; x++) {
-                sum += sharp[at + y * WIDTH + x] * (x == 0 ? 2 : 1) * (y == 0 ? 2 : 1);
+        for (int y = -REACH_PX; y <= REACH_PX; y++) {
+            for (int x = -REACH_PX; x <= REACH_PX; x++) {
+                sum += sharp[at + y * WIDTH + x] * share(x) * share(y);
             }
         }
-        return sum / 16;
+        return sum;
+    }
+
+    /**
+     * Share of a pixel's light, of which each point is spread by a Gaussian, that falls on the pixel so many further:
+     * the second difference of the integral of the normal distribution.
+     */
+    private static double share(int pixels) {
+        return integral(pixels + 1) - 2 * integral(pixels) + integral(pixels - 1);
+    }
+
+    private static double integral(double x) {
+        double z = x / BLUR_PX;
+        double density = Math.exp(-0.5 * z * z) / Math.sqrt(2 * Math.PI);
+        return x * EdgeProfile.cumulative(z) + BLUR_PX * density;
     }
 
     private static byte grey(double mean, double deviation, Random random) {

@@ -771,11 +771,11 @@ final class LightFit {
 
     /**
      * Starts at the power, of a few and of the one that sides are fitted at, under which they leave the smallest
-     * residuals. The same pixels tell that: those that a side is fitted to hang on where it lies, but by little.
+     * residuals.
      */
     private void scan(GreyImage image, List<MarkerEdges> some, List<boolean[]> patterns) {
         List<MarkerEdges> few = some.subList(0, Math.min(MOST_SCANNED, some.size()));
-        double[][] first = linesOf(few);
+        double[][] first = fitted(few);
         double[][] ofBest = first;
         ToneCurve start = scale.curve();
         ToneCurve best = start;
@@ -786,14 +786,14 @@ final class LightFit {
             }
             scale.set(curve.withPower(power));
             loop.each(few.size(), m -> {
-                few.get(m).setLines(first[m]);
-                few.get(m).refitSamePixels();
+                few.get(m).returnTo(first[m]);
+                few.get(m).refitNearly(image, patterns.get(m));
             });
             double noise = noiseOf(few);
             if (noise < least) {
                 least = noise;
                 best = scale.curve();
-                ofBest = linesOf(few);
+                ofBest = fitted(few);
             }
         }
         curve = best;
@@ -802,7 +802,7 @@ final class LightFit {
         boolean moved = best != start;
         loop.each(some.size(), m -> {
             if (m < known.length) {
-                some.get(m).setLines(known[m]);
+                some.get(m).returnTo(known[m]);
             } else if (moved) {
                 some.get(m).refitSamePixels();
             }
@@ -810,12 +810,12 @@ final class LightFit {
         });
     }
 
-    private static double[][] linesOf(List<MarkerEdges> few) {
-        double[][] lines = new double[few.size()][];
-        for (int m = 0; m < lines.length; m++) {
-            lines[m] = few.get(m).lines();
+    private static double[][] fitted(List<MarkerEdges> few) {
+        double[][] fitted = new double[few.size()][];
+        for (int m = 0; m < fitted.length; m++) {
+            fitted[m] = few.get(m).fitted();
         }
-        return lines;
+        return fitted;
     }
 
     private double noiseOf(List<MarkerEdges> few) {

@@ -159,7 +159,7 @@ final class MarkerEdges {
         shiftPx = 0;
         unsharpened = false;
         clearLamp();
-        settledPx = SideFit.NEARLY_SETTLED_PX;
+        settledPx = SideFit.FIRST_SETTLED_PX;
         return startOutside() && passes(image, FIRST_BAND_STILL_GOOD_PX, FIRST_BLUR_STILL_GOOD_PX);
     }
 
@@ -222,25 +222,25 @@ final class MarkerEdges {
         return intersectAll();
     }
 
-    /** What {@link #setLines} returns to. */
-    double[] lines() {
-        double[] lines = new double[CORNERS * SideFit.UNKNOWNS];
+    /** Where the sides lie and what they are fitted with, for {@link #returnTo}. */
+    double[] fitted() {
+        double[] fitted = Arrays.copyOf(ideal, ideal.length + CORNERS * SideFit.UNKNOWNS);
         for (int i = 0; i < CORNERS; i++) {
-            System.arraycopy(sides[i].unknowns, 0, lines, i * SideFit.UNKNOWNS, SideFit.UNKNOWNS);
+            System.arraycopy(sides[i].unknowns, 0, fitted, ideal.length + i * SideFit.UNKNOWNS, SideFit.UNKNOWNS);
         }
-        return lines;
+        return fitted;
     }
 
     /**
-     * Puts the sides back where they were fitted to the same pixels.
+     * Puts the sides back to start from there, with pixels that are gathered anew.
      *
-     * @param lines of {@link #lines}
+     * @param fitted of {@link #fitted}
      */
-    void setLines(double[] lines) {
+    void returnTo(double[] fitted) {
+        System.arraycopy(fitted, 0, ideal, 0, ideal.length);
         for (int i = 0; i < CORNERS; i++) {
-            System.arraycopy(lines, i * SideFit.UNKNOWNS, sides[i].unknowns, 0, SideFit.UNKNOWNS);
+            System.arraycopy(fitted, ideal.length + i * SideFit.UNKNOWNS, sides[i].unknowns, 0, SideFit.UNKNOWNS);
         }
-        intersectAll();
     }
 
     /**

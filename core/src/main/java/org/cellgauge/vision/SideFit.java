@@ -28,10 +28,16 @@ final class SideFit {
     /** How far from the edge a mask's effect is tabulated, deviations of blur and mask. */
     private static final double STEP_REACH = 5;
     private static final int MAX_STEPS = 20;
-    /** A step that moves the line by less is the last one, px; and on the way to a tone curve. */
+    /** A step that moves the line by less is the last one, px; of the first fit; and on the way to a tone curve. */
     static final double SETTLED_PX = 1e-3;
+    static final double FIRST_SETTLED_PX = 0.01;
     static final double NEARLY_SETTLED_PX = 0.02;
     static final double SMALLEST_BLUR_PX = 0.1;
+    /**
+     * The same of an edge without blur: what a pixel sees of it changes all at once where the edge leaves it, so that
+     * steps go to and fro, each by two thirds of the last.
+     */
+    private static final double KINKED = 5;
     static final double LARGEST_BLUR_PX = 4;
     /** A bright side that is clipped may be as bright as this, in grey levels of the tone curve's continuation. */
     private static final double LARGEST_LEVEL = 400;
@@ -336,6 +342,7 @@ final class SideFit {
         public double linearise(double[] information, double[] toGradient) {
             if (!evaluated) {
                 sum = SideFit.this.linearise(scale, profile, unknowns, normal, gradient);
+                holdAtBounds(unknowns);
                 evaluated = true;
             }
             System.arraycopy(normal, 0, information, 0, normal.length);
@@ -355,8 +362,29 @@ final class SideFit {
             if (!isSettled()) {
                 // with its derivative at once: nearly every step is taken
                 sum = SideFit.this.linearise(scale, profile, trial, normal, gradient);
+                holdAtBounds(trial);
             }
             return sum;
+        }
+
+        /**
+         * Leaves out of the next step what is at the end of its range and would go beyond: cut off there, the step of
+         * the others would be that of a blur or level which is not reached (Bertsekas, "Projected Newton methods for
+         * optimization problems with simple constraints", SIAM J. Control Optim. 20, 1982).
+         */
+        private void holdAtBounds(double[] p) {
+            if (p[BLUR] <= SMALLEST_BLUR_PX && gradient[BLUR] > 0 || p[BLUR] >= LARGEST_BLUR_PX && gradient[BLUR] < 0) {
+                hold(BLUR);
+            }
+        }
+
+        private void hold(int unknown) {
+            for (int k = 0; k < UNKNOWNS; k++) {
+                normal[unknown * UNKNOWNS + k] = 0;
+                normal[k * UNKNOWNS + unknown] = 0;
+            }
+            normal[unknown * (UNKNOWNS + 1)] = 1;
+            gradient[unknown] = 0;
         }
 
         @Override
@@ -370,8 +398,9 @@ final class SideFit {
         }
 
         private boolean isSettled() {
+            double settled = trial[BLUR] <= SMALLEST_BLUR_PX ? KINKED * settledPx : settledPx;
             return Math.abs(trial[OFFSET] - unknowns[OFFSET])
-                    + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx < settledPx;
+                    + Math.abs(trial[SLOPE] - unknowns[SLOPE]) * halfLengthPx < settled;
         }
     }
 
