@@ -45,7 +45,7 @@ final class MarkerEdges {
     private static final int MAX_SHIFT_STEPS = 4;
     /** How far from an edge its blur is seen, deviations; and from the ends of a side, to the last bit. */
     private static final double REACH = 4;
-    private static final double ENDS_REACH = 8.01;
+    private static final double ENDS_REACH = 5;
     /** White from which on it may be clipped, grey levels. */
     private static final double BRIGHTEST_FOR_LAMP = 248;
     /** Change of the light from one end of a marker to the other, as a share of it, that is no lamp's. */

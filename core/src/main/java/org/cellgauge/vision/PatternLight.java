@@ -22,7 +22,7 @@ final class PatternLight {
      * Deviations of the blur beyond which {@link EdgeProfile} sees nothing at all of an edge, however it lies to the
      * pixels: of a sharp one a little further off than of a blurred one.
      */
-    private static final double DEEPEST = 5.6;
+    private static final double DEEPEST = 4.5;
     /** Pixels that are gone through at a time: all those beside a side of a marker of usual size. */
     private static final int AT_ONCE = 256;
     /** A pixel that sees less of a row has no use for where that lies. */
