@@ -19,6 +19,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.jar.JarFile;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -34,6 +35,9 @@ import org.objectweb.asm.Opcodes;
 class PlainLambdasTest {
     private static final String PACKAGE = "org/cellgauge/";
     private static final String CLASS = ".class";
+
+    /** Of all files of a jar; an even second, since jars know no others. */
+    private static final long TIME_MS = 1_000_000_000_000L;
 
     @TempDir
     private Path folder;
@@ -101,12 +105,14 @@ class PlainLambdasTest {
         try (JarFile in = new JarFile(first.resolve("some.jar").toFile());
                 InputStream content = in.getInputStream(in.getEntry("z.txt"))) {
             assertArrayEquals(text, content.readAllBytes());
+            // of those that are made as well, so that the day of packing does not show
+            assertEquals(Set.of(TIME_MS), in.stream().map(ZipEntry::getTime).collect(Collectors.toSet()));
         }
     }
 
     private static void put(ZipOutputStream out, String name, byte[] content) throws IOException {
         ZipEntry entry = new ZipEntry(name);
-        entry.setTime(1_000_000_000_000L);
+        entry.setTime(TIME_MS);
         out.putNextEntry(entry);
         out.write(content);
     }
