@@ -43,7 +43,7 @@ final class MarkerEdges {
     /** A step of the shift by more than this has left the place where it is linear to a thousandth of a pixel. */
     private static final double LINEAR_SHIFT_PX = 0.02;
     private static final int MAX_SHIFT_STEPS = 4;
-    /** How far from an edge its blur is seen, deviations; and from the ends of a side, to the last bit. */
+    /** How far from an edge its blur is seen, deviations; and from the ends of a side, to a millionth of the light. */
     private static final double REACH = 4;
     private static final double ENDS_REACH = 5;
     /** White from which on it may be clipped, grey levels. */

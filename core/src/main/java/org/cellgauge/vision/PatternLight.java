@@ -18,10 +18,7 @@ final class PatternLight {
     private static final int ROWS = 3;
     /** How far from an end of a stretch its blur is seen, deviations. */
     private static final double REACH = 4;
-    /**
-     * Deviations of the blur beyond which {@link EdgeProfile} sees nothing at all of an edge, however it lies to the
-     * pixels: of a sharp one a little further off than of a blurred one.
-     */
+    /** Deviations of the blur beyond which a row is not looked for: less than a hundred-thousandth of it is seen. */
     private static final double DEEPEST = 4.5;
     /** Pixels that are gone through at a time: all those beside a side of a marker of usual size. */
     private static final int AT_ONCE = 256;

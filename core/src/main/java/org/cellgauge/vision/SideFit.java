@@ -34,8 +34,8 @@ final class SideFit {
     static final double NEARLY_SETTLED_PX = 0.02;
     static final double SMALLEST_BLUR_PX = 0.1;
     /**
-     * The same of an edge without blur: what a pixel sees of it changes all at once where the edge leaves it, so that
-     * steps go to and fro, each by two thirds of the last.
+     * So many times that of an edge without blur: what a pixel sees of it changes all at once where the edge leaves the
+     * pixel, so that steps go to and fro, each by two thirds of the last.
      */
     private static final double KINKED = 5;
     static final double LARGEST_BLUR_PX = 4;
@@ -342,7 +342,7 @@ final class SideFit {
         public double linearise(double[] information, double[] toGradient) {
             if (!evaluated) {
                 sum = SideFit.this.linearise(scale, profile, unknowns, normal, gradient);
-                holdAtBounds(unknowns);
+                holdBlurAtBounds(unknowns[BLUR]);
                 evaluated = true;
             }
             System.arraycopy(normal, 0, information, 0, normal.length);
@@ -362,29 +362,25 @@ final class SideFit {
             if (!isSettled()) {
                 // with its derivative at once: nearly every step is taken
                 sum = SideFit.this.linearise(scale, profile, trial, normal, gradient);
-                holdAtBounds(trial);
+                holdBlurAtBounds(trial[BLUR]);
             }
             return sum;
         }
 
         /**
-         * Leaves out of the next step what is at the end of its range and would go beyond: cut off there, the step of
-         * the others would be that of a blur or level which is not reached (Bertsekas, "Projected Newton methods for
+         * Leaves the blur out of the next step where it is at the end of its range and would go beyond: cut off there,
+         * the rest of the step would be that of a blur which is not reached (Bertsekas, "Projected Newton methods for
          * optimization problems with simple constraints", SIAM J. Control Optim. 20, 1982).
          */
-        private void holdAtBounds(double[] p) {
-            if (p[BLUR] <= SMALLEST_BLUR_PX && gradient[BLUR] > 0 || p[BLUR] >= LARGEST_BLUR_PX && gradient[BLUR] < 0) {
-                hold(BLUR);
+        private void holdBlurAtBounds(double blur) {
+            if (blur <= SMALLEST_BLUR_PX && gradient[BLUR] > 0 || blur >= LARGEST_BLUR_PX && gradient[BLUR] < 0) {
+                for (int k = 0; k < UNKNOWNS; k++) {
+                    normal[BLUR * UNKNOWNS + k] = 0;
+                    normal[k * UNKNOWNS + BLUR] = 0;
+                }
+                normal[BLUR * (UNKNOWNS + 1)] = 1;
+                gradient[BLUR] = 0;
             }
-        }
-
-        private void hold(int unknown) {
-            for (int k = 0; k < UNKNOWNS; k++) {
-                normal[unknown * UNKNOWNS + k] = 0;
-                normal[k * UNKNOWNS + unknown] = 0;
-            }
-            normal[unknown * (UNKNOWNS + 1)] = 1;
-            gradient[unknown] = 0;
         }
 
         @Override
