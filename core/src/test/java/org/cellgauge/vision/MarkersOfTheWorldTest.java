@@ -179,8 +179,8 @@ class MarkersOfTheWorldTest {
     }
 
     /**
-     * Of pictures as blurred as photos are: without any blur a single marker tells neither its margin nor the curve, and
-     * what is said of it hangs on where it lies to a thousandth of a pixel.
+     * Of pictures as blurred as photos are: without any blur a single marker tells neither its margin nor the curve,
+     * and what is said of it hangs on where it lies to a thousandth of a pixel.
      */
     @ParameterizedTest
     @CsvSource({"0.2, false", "0.1, false", "0.02, true"})
