@@ -21,7 +21,7 @@ class CameraFilesTest {
     private static final String KNOWN = SmallCell.CAMERA_YAML
             + "cellgauge_calibration: {parameters: [fx, fy], covariance: [[1, 0.9], [0.9, 1]], photos: 20}\n";
 
-    /** With 700 two or three chains in twenty are called not converged, by their seed. */
+    /** With 700 two or three in twenty are called not converged, by their seed. */
     private static final String ITERATIONS = "1500";
 
     @TempDir
@@ -112,8 +112,8 @@ class CameraFilesTest {
         assertTrue(scaled.get("warnings").toString().contains("scaled from the calibrated 1280 x 960 px"),
                 scaled.get("warnings").toString());
         // the result is kept, and known again
-        String[] run = {"check", "--cell", cell.toString(), "--iterations", ITERATIONS, "--scale-camera", "--detections",
-            corners.toString(), "--out", folder.resolve("out").toString()};
+        String[] run = {"check", "--cell", cell.toString(), "--iterations", ITERATIONS, "--scale-camera",
+            "--detections", corners.toString(), "--out", folder.resolve("out").toString()};
         CommandCall first = CommandCall.of(run);
         assertEquals(0, first.code(), first.err());
         CommandCall again = CommandCall.of(run);
